@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rules, diagnostics and the sink that every stage reports into.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/source.hpp"
+
+namespace smurf {
+
+struct LinkedModel;
+struct LinkedScene;
+class Findings;
+
+enum class Severity : std::uint8_t { info, warning, error };
+std::string_view to_string(Severity severity);
+
+/// What a rule says about itself. `--explain`, docs/rules.md, SARIF metadata and `--list-rules` are
+/// made from these texts and from nothing else.
+struct Rule {
+  std::string_view id;    ///< "SML3101"; never reused
+  std::string_view name;  ///< kebab-case name of the fault: "unknown-joint"
+  Severity severity = Severity::error;
+  std::string_view summary;  ///< one sentence: what it finds
+  std::string_view why;      ///< why it matters, with the reader that stumbles
+  std::string_view remedy;   ///< what to do
+  std::string_view sources;  ///< where the facts come from
+
+  /// Checks run by the linter; both null for findings that a reader or writer reports itself.
+  void (*check_model)(const LinkedModel&, Findings&) = nullptr;
+  void (*check_scene)(const LinkedScene&, Findings&) = nullptr;
+};
+
+/// A second place that explains a diagnostic, possibly in another file.
+struct Label {
+  Span span;
+  std::string message;
+};
+
+/// Replaces the bytes of `span` by `text`; an empty span inserts.
+struct Edit {
+  Span span;
+  std::string text;
+};
+
+enum class Applicability : std::uint8_t { safe, unsafe };
+
+/// A remedy as byte edits. Safe fixes never change what the model means to any reader that loads it.
+struct Fix {
+  Applicability applicability = Applicability::unsafe;
+  std::vector<Edit> edits;
+};
+
+struct Diagnostic {
+  const Rule* rule = nullptr;
+  Severity severity = Severity::error;
+  Span span;
+  std::string message;  ///< one sentence, lower case, no full stop; names in backticks
+  std::string caret;    ///< short text beside the caret; may be empty
+  std::string pointer;  ///< YAML pointer or XPath; filled by locate() when empty
+  std::vector<Label> labels;
+  std::vector<std::string> notes;  ///< facts without a place
+  std::string help;                ///< what to do; may be empty
+  std::vector<Fix> fixes;          ///< at most one today
+};
+
+/// Collects diagnostics. Passed by reference through all stages; never prints, never throws.
+class DiagnosticSink {
+ public:
+  /// The reference is valid until the next report.
+  Diagnostic& report(const Rule& rule, Span span, std::string message);
+
+  std::span<const Diagnostic> diagnostics() const { return diagnostics_; }
+  std::vector<Diagnostic> take() { return std::move(diagnostics_); }
+  bool has_errors() const;
+
+ private:
+  std::vector<Diagnostic> diagnostics_;
+};
+
+/// All rules, ascending by id.
+std::span<const Rule* const> all_rules();
+
+/// Accepts an id ("SML3101") or a name ("unknown-joint"); null when there is no such rule.
+const Rule* find_rule(std::string_view id_or_name);
+
+}  // namespace smurf

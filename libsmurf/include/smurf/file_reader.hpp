@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The only door to the file system: a reader that can be replaced by files in memory.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace smurf {
+
+enum class ReadStatus : std::uint8_t { ok, not_found, not_a_file, too_large, denied };
+
+struct FileContent {
+  ReadStatus status = ReadStatus::not_found;
+  std::string text;    ///< set when status is ok
+  std::string reason;  ///< for a person, when status is not ok: "is a directory"
+};
+
+class FileReader {
+ public:
+  virtual ~FileReader() = default;
+
+  /// Reads a whole regular file of at most `max_bytes`.
+  virtual FileContent read(const std::string& path, std::uint64_t max_bytes) const = 0;
+  /// True for a regular file or a link to one; never opens it.
+  virtual bool is_file(const std::string& path) const = 0;
+  /// Names (not paths) of the entries of a folder, sorted; empty when there is no such folder.
+  virtual std::vector<std::string> list(const std::string& folder) const = 0;
+};
+
+/// Files of the machine. Device files, pipes and sockets are refused, not opened.
+class DiskFiles final : public FileReader {
+ public:
+  FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
+  bool is_file(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override;
+};
+
+/// Files in memory, in front of another reader when one is given (standard input, unsaved buffers).
+class MemoryFiles final : public FileReader {
+ public:
+  explicit MemoryFiles(const FileReader* behind = nullptr) : behind_(behind) {}
+
+  /// `path` is compared after lexical normalisation.
+  void add(const std::string& path, std::string text);
+
+  FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
+  bool is_file(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override;
+
+ private:
+  std::map<std::string, std::string> files_;
+  const FileReader* behind_;
+};
+
+}  // namespace smurf

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models and scenes after linking: files found, sections merged, names resolved, frames composed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "smurf/model.hpp"
+#include "smurf/pose.hpp"
+#include "smurf/scene.hpp"
+#include "smurf/source.hpp"
+#include "smurf/urdf.hpp"
+
+namespace smurf {
+
+enum class LinkIndex : std::uint32_t {};
+enum class JointIndex : std::uint32_t {};
+enum class ModelIndex : std::uint32_t {};
+enum class SceneIndex : std::uint32_t {};
+enum class InstanceIndex : std::uint32_t {};
+
+template <class Index>
+std::size_t to_size(Index index) {
+  return static_cast<std::size_t>(index);
+}
+
+/// Which joint leads to which link. Only meaningful parts are filled: a joint whose ends are unknown
+/// has none, a link with two parents keeps the first.
+struct KinematicTree {
+  std::vector<std::optional<LinkIndex>> joint_parent, joint_child;  ///< by joint
+  std::vector<std::optional<JointIndex>> parent_joint;              ///< by link
+  std::vector<std::vector<JointIndex>> child_joints;                ///< by link
+  std::vector<LinkIndex> roots;                                     ///< links without parent joint
+  std::vector<LinkIndex> order;  ///< reachable from the roots, parents before children
+};
+
+/// Names of one kind, the first of equal names wins. Views point into the model.
+class NameTable {
+ public:
+  void add(std::string_view name, std::uint32_t index);
+  std::optional<std::uint32_t> find(std::string_view name) const;
+  bool contains(std::string_view name) const { return find(name).has_value(); }
+  const std::vector<std::string_view>& names() const { return names_; }  ///< unique, in order
+
+ private:
+  std::vector<std::string_view> names_;
+  std::unordered_map<std::string_view, std::uint32_t> by_name_;
+};
+
+/// A path written in a URDF and the file it means, in the view of URDF readers (relative to the
+/// URDF's folder) and of MARS (relative to the .smurf's folder).
+struct MeshReference {
+  Span span;
+  std::string filename;     ///< as written
+  std::string path;         ///< resolved; empty when it cannot be (unknown package)
+  bool exists = false;
+  bool is_texture = false;
+};
+
+/// A file of a model and what is known of it.
+struct ModelFile {
+  enum class Kind : std::uint8_t { main, urdf, annotation };
+  Kind kind = Kind::annotation;
+  SourceId source{};
+  std::optional<yaml::Document> document;  ///< main and annotation files that are YAML
+};
+
+/// Views inside (names, XML, YAML) point into the SourceMap and into the vectors here, so the model
+/// is moved, not copied.
+struct LinkedModel {
+  std::string path;         ///< as given: a .smurf, a .urdf or an annotation file
+  bool has_main = false;    ///< false for a URDF or annotation file on its own
+  Model main;
+  std::vector<ModelFile> files;  ///< in the order they were read
+  Annotations annotations;       ///< of all files, merged
+  std::optional<urdf::Robot> robot;
+  std::string urdf_path;  ///< empty when there is none
+  KinematicTree tree;
+  NameTable link_names, joint_names, visual_names, collision_names, material_names;
+  NameTable motor_names, sensor_names;
+  std::vector<MeshReference> meshes;
+  /// False when a file is missing or broken: names that seem unknown may be in it.
+  bool is_complete = true;
+
+  LinkedModel() = default;
+  LinkedModel(LinkedModel&&) = default;
+  LinkedModel& operator=(LinkedModel&&) = default;
+  LinkedModel(const LinkedModel&) = delete;
+  LinkedModel& operator=(const LinkedModel&) = delete;
+
+  const urdf::Link& link(LinkIndex index) const { return robot->links[to_size(index)]; }
+  const urdf::Joint& joint(JointIndex index) const { return robot->joints[to_size(index)]; }
+  /// The YAML document a span lies in; null when it is XML or unread.
+  const yaml::Document* document(SourceId source) const;
+};
+
+/// Joint positions by joint name; rad or m.
+using JointPositions = std::map<std::string, double, std::less<>>;
+
+/// Poses X_RL of every link in the frame of the (first) root link, by LinkIndex; links that the
+/// root does not reach have none. Joints not listed are at zero; mimic joints follow their leader.
+std::vector<std::optional<Pose>> forward_kinematics(const LinkedModel& model,
+                                                    const JointPositions& positions);
+
+/// Positions of a named joint pose set; pose keys name motors or joints. None when there is no set
+/// of that name.
+std::optional<JointPositions> joint_positions(const LinkedModel& model, std::string_view pose_name);
+
+/// What an instance is fixed to, or placed relative to.
+struct Attachment {
+  enum class Kind : std::uint8_t { none, world, link };
+  Kind kind = Kind::none;
+  std::optional<InstanceIndex> instance;  ///< kind link
+  std::string link;                       ///< kind link
+};
+
+/// An entity after nested scenes are expanded.
+struct Instance {
+  std::string name;  ///< as written
+  std::string path;  ///< unique: "outer/inner"
+  SceneIndex scene{};
+  std::size_t entity = 0;  ///< in scenes[scene].scene.entities
+  std::string type;
+  std::optional<ModelIndex> model;
+  Attachment parent;   ///< the frame position and rotation are relative to; none: the world
+  Attachment anchor;
+  std::string pose_name;
+  JointPositions joint_positions;
+  /// World pose of the root link frame; absent when a parent could not be resolved.
+  std::optional<Pose> X_WE;
+};
+
+/// A scene file; nested ones are included in the table once per use.
+struct SceneFile {
+  std::string path;
+  SourceId source{};
+  std::optional<yaml::Document> document;
+  Scene scene;
+  std::optional<SceneIndex> included_by;  ///< none for the scene that was loaded
+  std::size_t including_entity = 0;       ///< in the including scene
+};
+
+struct LinkedScene {
+  std::string path;
+  std::vector<SceneFile> scenes;  ///< the loaded one first
+  std::vector<LinkedModel> models;
+  std::vector<Instance> instances;  ///< depth-first, in file order
+  bool is_complete = true;          ///< false when a file is missing or broken
+
+  LinkedScene() = default;
+  LinkedScene(LinkedScene&&) = default;
+  LinkedScene& operator=(LinkedScene&&) = default;
+  LinkedScene(const LinkedScene&) = delete;
+  LinkedScene& operator=(const LinkedScene&) = delete;
+
+  const Entity& entity(const Instance& instance) const {
+    return scenes[to_size(instance.scene)].scene.entities[instance.entity];
+  }
+  const LinkedModel* model(const Instance& instance) const {
+    return instance.model ? &models[to_size(*instance.model)] : nullptr;
+  }
+};
+
+}  // namespace smurf

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs the rules over models and scenes.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// Which rules run, and how severe they are. Ids may be ids, names or prefixes ("SML3").
+struct RuleSelection {
+  std::vector<std::string> select;  ///< empty: all
+  std::vector<std::string> ignore;
+  std::map<std::string, Severity> severities;
+
+  bool is_enabled(const Rule& rule) const;
+};
+/// True when `pattern` is the rule's id or name or a prefix of its id.
+bool matches(const Rule& rule, std::string_view pattern);
+
+/// What a check may use: where to report, as whom.
+class Findings {
+ public:
+  Findings(const Rule& rule, DiagnosticSink& sink) : rule_(rule), sink_(sink) {}
+  Diagnostic& report(Span span, std::string message) {
+    return sink_.report(rule_, span, std::move(message));
+  }
+
+ private:
+  const Rule& rule_;
+  DiagnosticSink& sink_;
+};
+
+void lint_model(const LinkedModel& model, const RuleSelection& selection, DiagnosticSink& sink);
+/// The scene's own rules; its models are linted by lint_model.
+void lint_scene(const LinkedScene& scene, const RuleSelection& selection, DiagnosticSink& sink);
+
+/// Fills the pointer of every diagnostic that has none, from the trees of the model or scene.
+void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics);
+void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics);
+
+/// Applies the selection, drops repetitions (one file in two models), sorts by path, line, column
+/// and id.
+std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
+                               const RuleSelection& selection);
+
+}  // namespace smurf

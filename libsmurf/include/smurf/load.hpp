@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a path to a linked model or scene.
+#pragma once
+
+#include <string>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/file_reader.hpp"
+#include "smurf/limits.hpp"
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// What loading needs. Owns nothing; all of it must outlive what is loaded.
+struct LoadContext {
+  SourceMap& sources;
+  const FileReader& files;
+  DiagnosticSink& sink;
+  Limits limits;
+  std::map<std::string, std::string> packages;  ///< package:// names to folders
+};
+
+/// Loads a .smurf, a .urdf, or an annotation file alone. Everything wrong is reported; what could
+/// be read is returned, with `is_complete` telling whether that is all.
+LinkedModel load_model(const std::string& path, LoadContext& context);
+
+/// Loads a .smurfs or .smurfa with all scenes and models it names.
+LinkedScene load_scene(const std::string& path, LoadContext& context);
+
+}  // namespace smurf

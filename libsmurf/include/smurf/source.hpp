@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Source texts, byte spans into them, and values that know where they were written.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace smurf {
+
+enum class SourceId : std::uint32_t {};
+
+/// Half-open byte range [begin, end) of one source.
+struct Span {
+  SourceId source{};
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+
+  bool empty() const { return begin == end; }
+  bool contains(std::uint32_t offset) const { return begin <= offset && offset < end; }
+  friend bool operator==(const Span&, const Span&) = default;
+};
+
+/// 1-based line and column; the column counts Unicode code points.
+struct Position {
+  std::uint32_t line = 1;
+  std::uint32_t column = 1;
+  friend bool operator==(const Position&, const Position&) = default;
+};
+
+/// A value together with the bytes it was read from.
+template <class T>
+struct Spanned {
+  T value{};
+  Span span;
+};
+
+/// One key or attribute of a file. Absent, unreadable and readable are three different things:
+/// `written` says the author wrote it, `value` is set only when it could be understood.
+template <class T>
+struct Field {
+  std::optional<T> value;
+  Span span;
+  bool written = false;
+
+  explicit operator bool() const { return value.has_value(); }
+  const T& operator*() const { return *value; }
+  const T* operator->() const { return &*value; }
+  T value_or(T fallback) const { return value ? *value : fallback; }
+};
+
+/// Owns every text that was read. References and views stay valid while the map lives.
+class SourceMap {
+ public:
+  /// `path` is the name shown to the user, with '/' separators.
+  SourceId add(std::string path, std::string text);
+  /// A file that could not be read but is named in messages; it has a path and no text.
+  SourceId add_unreadable(std::string path);
+
+  const std::string& path(SourceId id) const { return at(id).path; }
+  std::string_view text(SourceId id) const { return at(id).text; }
+  std::string_view text(Span span) const;
+  bool is_readable(SourceId id) const { return at(id).readable; }
+  std::size_t size() const { return sources_.size(); }
+
+  /// Precondition: offset <= text(id).size().
+  Position position(SourceId id, std::uint32_t offset) const;
+  /// 1-based line that holds the byte.
+  std::uint32_t line_of(SourceId id, std::uint32_t offset) const;
+  std::uint32_t line_count(SourceId id) const;
+  /// Bytes of a 1-based line without its line end.
+  Span line_span(SourceId id, std::uint32_t line) const;
+
+ private:
+  struct Source {
+    std::string path;
+    std::string text;
+    std::vector<std::uint32_t> line_starts;
+    bool readable = true;
+  };
+  const Source& at(SourceId id) const { return sources_[static_cast<std::size_t>(id)]; }
+
+  std::deque<Source> sources_;
+};
+
+}  // namespace smurf

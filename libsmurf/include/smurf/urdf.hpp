@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A URDF as its author wrote it: document order, duplicates kept, absent values absent.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "smurf/pose.hpp"
+#include "smurf/source.hpp"
+#include "smurf/xml.hpp"
+
+namespace smurf::urdf {
+
+/// A pose element. Units: metres, radians (fixed-axis roll, pitch, yaw).
+struct Origin {
+  xml::ElementId element = xml::kNoElement;  ///< kNoElement when not written
+  Field<Vector3> xyz;
+  Field<Vector3> rpy;
+};
+
+/// The rigid transform of an origin; absent parts are zero.
+Pose to_pose(const Origin& origin);
+
+struct Inertial {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Origin origin;
+  Field<double> mass;  ///< kg
+  /// kg m^2 about the centre of mass, in the inertial frame.
+  Field<double> ixx, ixy, ixz, iyy, iyz, izz;
+};
+
+struct Box {
+  Field<Vector3> size;  ///< full edge lengths, m
+};
+struct Sphere {
+  Field<double> radius;  ///< m
+};
+struct Cylinder {
+  Field<double> radius;  ///< m
+  Field<double> length;  ///< m, along z
+};
+struct Capsule {
+  Field<double> radius;  ///< m
+  Field<double> length;  ///< m, of the cylindrical part
+};
+struct Mesh {
+  Field<std::string> filename;
+  Field<Vector3> scale;
+};
+/// `std::monostate`: no geometry, or a shape URDF does not know.
+using Shape = std::variant<std::monostate, Box, Sphere, Cylinder, Capsule, Mesh>;
+
+struct Geometry {
+  xml::ElementId element = xml::kNoElement;        ///< <geometry>
+  xml::ElementId shape_element = xml::kNoElement;  ///< its first child
+  Shape shape;
+};
+
+struct Material {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<std::string> name;
+  Field<std::array<double, 4>> rgba;  ///< 0..1
+  Field<std::string> texture;
+};
+
+struct Visual {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<std::string> name;
+  Origin origin;
+  Geometry geometry;
+  std::optional<Material> material;
+};
+
+struct Collision {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<std::string> name;
+  Origin origin;
+  Geometry geometry;
+};
+
+struct Link {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<std::string> name;
+  std::optional<Inertial> inertial;
+  std::vector<Visual> visuals;
+  std::vector<Collision> collisions;
+};
+
+enum class JointType : std::uint8_t {
+  revolute,
+  continuous,
+  prismatic,
+  fixed,
+  floating,
+  planar,
+  unknown  ///< absent, or a word URDF does not define
+};
+
+struct Limit {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<double> lower, upper;  ///< rad or m
+  Field<double> effort;        ///< N m or N
+  Field<double> velocity;      ///< rad/s or m/s
+};
+
+struct Dynamics {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<double> damping;   ///< N m s/rad or N s/m
+  Field<double> friction;  ///< N m or N
+};
+
+struct Mimic {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<std::string> joint;
+  Field<double> multiplier, offset;
+};
+
+struct SafetyController {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<double> soft_lower_limit, soft_upper_limit, k_position, k_velocity;
+};
+
+struct Calibration {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<double> rising, falling;
+};
+
+struct Joint {
+  xml::ElementId element = xml::kNoElement;
+  Span span;
+  Field<std::string> name;
+  Field<std::string> type_name;
+  JointType type = JointType::unknown;
+  Origin origin;
+  Field<std::string> parent, child;
+  xml::ElementId axis_element = xml::kNoElement;
+  Field<Vector3> axis;  ///< as written, in the joint frame; not normalised
+  std::optional<Limit> limit;
+  std::optional<Dynamics> dynamics;
+  std::optional<Mimic> mimic;
+  std::optional<SafetyController> safety_controller;
+  std::optional<Calibration> calibration;
+
+  bool is_movable() const { return type != JointType::fixed && type != JointType::unknown; }
+  bool has_one_axis() const {
+    return type == JointType::revolute || type == JointType::continuous ||
+           type == JointType::prismatic;
+  }
+};
+
+struct Robot {
+  xml::Document document;  ///< all elements, unknown ones included
+  Field<std::string> name;
+  Field<std::string> version;
+  std::vector<Material> materials;  ///< of the robot level
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  std::vector<xml::ElementId> extensions;  ///< other children: transmission, gazebo, sensor, ...
+};
+
+}  // namespace smurf::urdf

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The XML tree of a URDF: every element and attribute, known or not, with its byte spans.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/source.hpp"
+
+namespace smurf::xml {
+
+enum class ElementId : std::uint32_t {};
+inline constexpr ElementId kNoElement{0xffffffffU};
+
+struct Attribute {
+  std::string_view name;
+  std::string_view value;  ///< entities decoded
+  Span name_span;
+  Span value_span;  ///< between the quotes
+  Span span;        ///< from the name to the closing quote
+};
+
+struct Element {
+  std::string_view name;
+  std::string_view text;  ///< character data directly inside, first piece only, untrimmed
+  Span span;              ///< from '<' to the end of the end tag
+  Span tag_span;          ///< the start tag with its brackets
+  Span name_span;         ///< the name in the start tag
+  Span text_span;
+  std::uint32_t first_attribute = 0;
+  std::uint32_t attribute_count = 0;
+  ElementId parent = kNoElement;
+  ElementId first_child = kNoElement;
+  ElementId next_sibling = kNoElement;
+};
+
+class View;
+
+/// Moved, never copied: texts point into it and into the SourceMap.
+struct Document {
+  Document() = default;
+  Document(Document&&) = default;
+  Document& operator=(Document&&) = default;
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  SourceId source{};
+  std::vector<Element> elements;  ///< in document order
+  std::vector<Attribute> attributes;
+  std::vector<Span> comments;
+  std::deque<std::string> decoded;
+  ElementId root = kNoElement;
+
+  View view() const;
+};
+
+/// A cheap handle to an element; iterates over its child elements.
+class View {
+ public:
+  View() = default;
+  View(const Document& document, ElementId id) : document_(&document), id_(id) {}
+
+  explicit operator bool() const { return document_ != nullptr && id_ != kNoElement; }
+  ElementId id() const { return id_; }
+  const Document& document() const { return *document_; }
+  const Element& element() const { return document_->elements[static_cast<std::size_t>(id_)]; }
+  std::string_view name() const { return element().name; }
+  Span span() const { return element().span; }
+  Span tag_span() const { return element().tag_span; }
+  Span name_span() const { return element().name_span; }
+
+  const Attribute* attribute(std::string_view name) const;
+  /// Begin and end pointers of the attributes, in document order.
+  const Attribute* attributes_begin() const;
+  const Attribute* attributes_end() const;
+  /// First child element of this name.
+  View child(std::string_view name) const;
+  View parent() const { return document_ ? View(*document_, element().parent) : View(); }
+
+  class Iterator {
+   public:
+    using difference_type = std::ptrdiff_t;
+    using value_type = View;
+    Iterator() = default;
+    Iterator(const Document* document, ElementId id) : document_(document), id_(id) {}
+    View operator*() const { return View(*document_, id_); }
+    Iterator& operator++() {
+      id_ = document_->elements[static_cast<std::size_t>(id_)].next_sibling;
+      return *this;
+    }
+    Iterator operator++(int) {
+      Iterator old = *this;
+      ++*this;
+      return old;
+    }
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.id_ == b.id_; }
+
+   private:
+    const Document* document_ = nullptr;
+    ElementId id_ = kNoElement;
+  };
+  Iterator begin() const { return {document_, element().first_child}; }
+  Iterator end() const { return {document_, kNoElement}; }
+
+ private:
+  const Document* document_ = nullptr;
+  ElementId id_ = kNoElement;
+};
+
+inline View Document::view() const { return {*this, root}; }
+
+/// "/robot/joint[@name='a']/limit", with positions where names do not tell siblings apart.
+std::string xpath(const Document& document, ElementId id);
+/// The deepest element whose span holds the byte.
+ElementId element_at(const Document& document, std::uint32_t offset);
+
+}  // namespace smurf::xml

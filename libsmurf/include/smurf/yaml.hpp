@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The YAML tree: order, duplicates, styles and byte spans as the author wrote them.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/source.hpp"
+
+namespace smurf::yaml {
+
+enum class NodeId : std::uint32_t {};
+inline constexpr NodeId kNoNode{0xffffffffU};
+
+enum class Kind : std::uint8_t { null, scalar, sequence, mapping };
+enum class Style : std::uint8_t { plain, single_quoted, double_quoted, block };
+
+/// One node of the tree. An alias appears as a node whose `target` is the anchored node.
+struct Node {
+  Kind kind = Kind::null;
+  Style style = Style::plain;
+  std::uint32_t child_count = 0;
+  NodeId parent = kNoNode;
+  NodeId first_child = kNoNode;
+  NodeId next_sibling = kNoNode;
+  NodeId target = kNoNode;  ///< of an alias
+  Span span;                ///< the value's bytes; empty for a null by absence
+  Span key_span;            ///< the key's bytes when the parent is a mapping
+  std::string_view text;    ///< decoded scalar text; a view into the source or into the document
+  std::string_view key;     ///< decoded key text
+};
+
+struct Comment {
+  Span span;  ///< from '#' to the end of the line
+};
+
+class View;
+
+/// The first document of a YAML file. Moved, never copied: texts point into it and into the SourceMap.
+struct Document {
+  Document() = default;
+  Document(Document&&) = default;
+  Document& operator=(Document&&) = default;
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  SourceId source{};
+  std::vector<Node> nodes;
+  std::deque<std::string> decoded;  ///< texts that differ from their bytes
+  NodeId root = kNoNode;
+
+  View view() const;
+};
+
+/// What a plain scalar means in the YAML 1.2 core schema. Quoted and block scalars are always text.
+enum class ScalarType : std::uint8_t { null, boolean, integer, number, text };
+ScalarType classify(std::string_view text, Style style);
+
+/// A cheap handle to a node; aliases are followed.
+class View {
+ public:
+  View() = default;
+  View(const Document& document, NodeId id) : document_(&document), id_(id) {}
+
+  explicit operator bool() const { return document_ != nullptr && id_ != kNoNode; }
+  NodeId id() const { return id_; }
+  const Document& document() const { return *document_; }
+
+  Kind kind() const { return value().kind; }
+  bool is_mapping() const { return kind() == Kind::mapping; }
+  bool is_sequence() const { return kind() == Kind::sequence; }
+  bool is_scalar() const { return kind() == Kind::scalar; }
+  bool is_null() const { return kind() == Kind::null; }
+  std::size_t size() const { return value().child_count; }
+
+  std::string_view text() const { return value().text; }
+  Style style() const { return value().style; }
+  ScalarType type() const;
+  /// Number of a plain scalar that is one (YAML 1.2 core; infinities and NaN included).
+  std::optional<double> number() const;
+  std::optional<std::int64_t> integer() const;
+  std::optional<bool> boolean() const;
+
+  /// Where this node is used: of an alias the `*name`, not the anchored value.
+  Span span() const { return node().span; }
+  Span key_span() const { return node().key_span; }
+  std::string_view key() const { return node().key; }
+  /// The value's span, or the key's when the value is absent.
+  Span place() const { return node().span.empty() ? node().key_span : node().span; }
+
+  /// First child with this key; the first wins in configmaps (MARS) and yaml-cpp.
+  View find(std::string_view key) const;
+
+  class Iterator {
+   public:
+    using difference_type = std::ptrdiff_t;
+    using value_type = View;
+    Iterator() = default;
+    Iterator(const Document* document, NodeId id) : document_(document), id_(id) {}
+    View operator*() const { return View(*document_, id_); }
+    Iterator& operator++();
+    Iterator operator++(int);
+    friend bool operator==(const Iterator& a, const Iterator& b) { return a.id_ == b.id_; }
+
+   private:
+    const Document* document_ = nullptr;
+    NodeId id_ = kNoNode;
+  };
+  Iterator begin() const { return {document_, value().first_child}; }
+  Iterator end() const { return {document_, kNoNode}; }
+
+ private:
+  const Node& node() const { return document_->nodes[static_cast<std::size_t>(id_)]; }
+  const Node& value() const {
+    const Node& own = node();
+    return own.target == kNoNode ? own : document_->nodes[static_cast<std::size_t>(own.target)];
+  }
+
+  const Document* document_ = nullptr;
+  NodeId id_ = kNoNode;
+};
+
+inline View Document::view() const { return {*this, root}; }
+
+/// JSON-pointer-like path of a node: "/motors/3/joint".
+std::string pointer(const Document& document, NodeId id);
+/// The deepest node whose key or value holds the byte.
+NodeId node_at(const Document& document, std::uint32_t offset);
+
+}  // namespace smurf::yaml

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The strict grammar is that of urdfdom 3.0.1 (utils.h:73-88): the text must be a decimal number to
+// its last byte, vector components are separated by the space character.
+#include "ast/urdf_numbers.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/numbers.hpp"
+#include "base/path.hpp"
+#include "base/rules.hpp"
+
+namespace smurf {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+struct Token {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+std::vector<Token> split(std::string_view text) {
+  std::vector<Token> tokens;
+  std::uint32_t at = 0;
+  const auto size = static_cast<std::uint32_t>(text.size());
+  while (at < size) {
+    while (at < size && is_blank(text[at])) ++at;
+    const std::uint32_t begin = at;
+    while (at < size && !is_blank(text[at])) ++at;
+    if (at > begin) tokens.push_back({begin, at});
+  }
+  return tokens;
+}
+
+class NumberReader {
+ public:
+  NumberReader(const xml::Attribute& attribute, DiagnosticSink& sink)
+      : attribute_(attribute), text_(attribute.value), sink_(sink) {}
+
+  std::vector<double> read(std::size_t count) {
+    if (has_residue() || is_comma_separated()) return {};
+    const std::vector<Token> tokens = split(text_);
+    std::vector<double> values;
+    for (const Token token : tokens) {
+      const std::optional<double> value = number(token);
+      if (!value) return {};
+      values.push_back(*value);
+    }
+    if (!check_count(tokens, count)) return {};
+    check_blanks(tokens, count);
+    return values;
+  }
+
+ private:
+  /// Spans into the value are exact as long as no entity was decoded.
+  Span place(Token token) const {
+    const Span whole = attribute_.value_span;
+    if (whole.end - whole.begin != text_.size()) return whole;
+    return {whole.source, whole.begin + token.begin, whole.begin + token.end};
+  }
+  Token whole() const { return {0, static_cast<std::uint32_t>(text_.size())}; }
+
+  bool has_residue() {
+    for (const std::string_view mark : {"${", "$("}) {
+      const std::size_t at = text_.find(mark);
+      if (at == std::string_view::npos) continue;
+      sink_.report(rules::sml1009_xacro_residue, place(whole()),
+                   "`" + std::string(text_) + "` is a xacro expression that was never expanded")
+          .help = "run xacro and lint its output";
+      return true;
+    }
+    if (text_.find('%') != std::string_view::npos) {
+      sink_.report(rules::sml1012_percent_in_value, place(whole()),
+                   "`%` in a number: urdfdom before 5.1 passes this text to printf and crashes");
+      return true;
+    }
+    return false;
+  }
+
+  bool is_comma_separated() {
+    const std::vector<Token> tokens = split(text_);
+    const auto commas = std::count(text_.begin(), text_.end(), ',');
+    const bool all_joined = tokens.size() == 1 && commas >= 2;
+    const bool trailing = tokens.size() > 1 && std::any_of(tokens.begin(), tokens.end(),
+                                                           [&](Token t) { return text_[t.end - 1] == ','; });
+    if (!all_joined && !trailing) return false;
+    std::string fixed;
+    for (const char c : text_) {
+      if (c != ',') fixed += c;
+      else if (all_joined) fixed += ' ';
+    }
+    Diagnostic& diagnostic =
+        sink_.report(rules::sml1806_comma_separator, place(whole()),
+                     "commas separate the numbers of `" + std::string(attribute_.name) + "`");
+    diagnostic.help = "separate them by single spaces";
+    diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span, fixed}}});
+    return true;
+  }
+
+  std::optional<double> number(Token token) {
+    const std::string_view text = text_.substr(token.begin, token.end - token.begin);
+    if (const std::optional<double> value = parse_number(text)) return value;
+    const std::string lower = path::to_lower(text);
+    const std::string_view bare = lower.starts_with('-') || lower.starts_with('+')
+                                      ? std::string_view(lower).substr(1)
+                                      : std::string_view(lower);
+    const std::string shown = "`" + std::string(text) + "`";
+    if (bare == "nan") {
+      sink_.report(rules::sml1803_nan, place(token), shown + " is not a number to any robot");
+    } else if (bare == "inf" || bare == "infinity") {
+      sink_.report(rules::sml1804_inf, place(token), shown + " is infinite; urdfdom refuses it");
+    } else if (is_decimal_comma(text)) {
+      report_comma(token, text);
+    } else if (bare.starts_with("0x") || has_suffix(bare)) {
+      sink_.report(rules::sml1809_hex_or_suffix, place(token),
+                   shown + " is not a plain decimal number");
+    } else if (std::any_of(text.begin(), text.end(),
+                           [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
+      sink_.report(rules::sml1811_unicode_digit_or_space, place(token),
+                   shown + " holds a character that only looks like part of a number");
+    } else if (is_out_of_range(bare)) {
+      sink_.report(rules::sml1810_overflow_underflow, place(token),
+                   shown + " is outside the range of a double");
+    } else {
+      sink_.report(rules::sml1801_not_a_number, place(token), shown + " is not a number");
+    }
+    return std::nullopt;
+  }
+
+  static bool is_decimal_comma(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos || text.find(',', comma + 1) != std::string_view::npos) {
+      return false;
+    }
+    std::string point(text);
+    point[comma] = '.';
+    return parse_number(point).has_value();
+  }
+
+  void report_comma(Token token, std::string_view text) {
+    std::string point(text);
+    std::replace(point.begin(), point.end(), ',', '.');
+    Diagnostic& diagnostic = sink_.report(rules::sml1805_decimal_comma, place(token),
+                                          "`" + std::string(text) + "` has a decimal comma");
+    diagnostic.help = "write `" + point + "`";
+    diagnostic.fixes.push_back({Applicability::safe, {{place(token), point}}});
+  }
+
+  /// A number followed by letters: "1kg", "1.0f", "90deg".
+  static bool has_suffix(std::string_view text) {
+    std::size_t at = text.size();
+    while (at > 0 && !is_digit(text[at - 1]) && text[at - 1] != '.') --at;
+    return at > 0 && at < text.size() && parse_number(text.substr(0, at)).has_value();
+  }
+
+  static bool is_out_of_range(std::string_view text) {
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) {
+             return is_digit(c) || c == '.' || c == 'e' || c == '-' || c == '+';
+           }) &&
+           text.find('e') != std::string_view::npos && text.find('.') == text.rfind('.');
+  }
+
+  bool check_count(const std::vector<Token>& tokens, std::size_t count) {
+    if (tokens.empty()) {
+      sink_.report(rules::sml1801_not_a_number, attribute_.span,
+                   "`" + std::string(attribute_.name) + "` is empty");
+      return false;
+    }
+    if (count == 0 || tokens.size() == count) return true;
+    const auto plural = [](std::size_t n) {
+      return std::to_string(n) + (n == 1 ? " number" : " numbers");
+    };
+    sink_.report(rules::sml1807_vector_count, place(whole()),
+                 "`" + std::string(attribute_.name) + "` takes " + plural(count) + ", not " +
+                     std::to_string(tokens.size()));
+    return false;
+  }
+
+  void check_blanks(const std::vector<Token>& tokens, std::size_t count) {
+    const auto is_line_or_tab = [](char c) { return c == '\t' || c == '\n' || c == '\r'; };
+    std::string fixed;
+    for (const Token token : tokens) {
+      if (!fixed.empty()) fixed += ' ';
+      fixed += text_.substr(token.begin, token.end - token.begin);
+    }
+    if (count == 1 && fixed != text_) {
+      Diagnostic& diagnostic = sink_.report(rules::sml1802_trailing_space, place(whole()),
+                                            "a blank beside the number `" + fixed + "`");
+      diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span, fixed}}});
+    } else if (std::any_of(text_.begin(), text_.end(), is_line_or_tab)) {
+      Diagnostic& diagnostic =
+          sink_.report(rules::sml1808_vector_tab_newline, place(whole()),
+                       "a tab or line break between the numbers of `" +
+                           std::string(attribute_.name) + "`");
+      diagnostic.help = "separate them by single spaces";
+      diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span, fixed}}});
+    }
+  }
+
+  const xml::Attribute& attribute_;
+  std::string_view text_;
+  DiagnosticSink& sink_;
+};
+
+}  // namespace
+
+std::vector<double> read_numbers(const xml::Attribute& attribute, std::size_t count,
+                                 DiagnosticSink& sink) {
+  return NumberReader(attribute, sink).read(count);
+}
+
+namespace rules {
+
+constinit const Rule sml1009_xacro_residue{
+    .id = "SML1009",
+    .name = "xacro-residue",
+    .severity = Severity::error,
+    .summary = "A xacro expression was never expanded.",
+    .why = "No URDF reader knows xacro: numeric fields fail in urdfdom, names and paths are taken "
+           "literally.",
+    .remedy = "Run xacro and keep its output, or give the file the ending .urdf.xacro.",
+    .sources = "urdfdom 3.0.1, executed; 25 of 322 files of the Tola/Corke dataset."};
+
+constinit const Rule sml1012_percent_in_value{
+    .id = "SML1012",
+    .name = "percent-in-value",
+    .severity = Severity::error,
+    .summary = "A number, colour or material name holds `%`.",
+    .why = "urdfdom up to 5.0 passes this text to printf as the format: `%s` crashes check_urdf and "
+           "every program that links it, `%p` prints addresses of its memory.",
+    .remedy = "Remove the `%`.",
+    .sources = "urdfdom 3.0.1 link.cpp:93-334, executed (segmentation fault); fixed in 5.1.0 "
+               "(urdfdom pull requests 243, 244)."};
+
+constinit const Rule sml1801_not_a_number{
+    .id = "SML1801",
+    .name = "not-a-number",
+    .severity = Severity::error,
+    .summary = "An attribute that takes numbers holds something else.",
+    .why = "urdfdom refuses the file or silently drops the rest of the link; urdf-loader reads NaN, "
+           "Drake and Bullet the number at the front, if any.",
+    .remedy = "Write a decimal number.",
+    .sources = "urdfdom 3.0.1, Bullet and urdf-loader 0.13, executed; 35 of 941 public files."};
+
+constinit const Rule sml1802_trailing_space{
+    .id = "SML1802",
+    .name = "trailing-space",
+    .severity = Severity::error,
+    .summary = "A blank stands beside a single number.",
+    .why = "urdfdom refuses `\"1 \"`: a mass written so loses all visuals and collisions of its link "
+           "while the load \"succeeds\".",
+    .remedy = "Delete the blank.",
+    .sources = "urdfdom 3.0.1 utils.h:73-88, executed."};
+
+constinit const Rule sml1803_nan{
+    .id = "SML1803",
+    .name = "nan",
+    .severity = Severity::error,
+    .summary = "A number is `nan`.",
+    .why = "urdfdom, Drake and MuJoCo refuse it; Bullet and urdf-loader compute with it until "
+           "nothing in the simulation has a position.",
+    .remedy = "Write the number that was meant; look at the exporter that wrote it.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14, Bullet and urdf-loader 0.13, executed."};
+
+constinit const Rule sml1804_inf{
+    .id = "SML1804",
+    .name = "inf",
+    .severity = Severity::error,
+    .summary = "A number is infinite.",
+    .why = "urdfdom (RViz, Gazebo, DART, Pinocchio) and Drake refuse the file; MuJoCo and Bullet "
+           "accept it.",
+    .remedy = "Write a large finite number, or use a continuous joint.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and Bullet, executed."};
+
+constinit const Rule sml1805_decimal_comma{
+    .id = "SML1805",
+    .name = "decimal-comma",
+    .severity = Severity::error,
+    .summary = "A number is written with a decimal comma.",
+    .why = "Drake, Bullet, urdf-loader and Isaac silently read `1,5` as 1; urdfdom and MuJoCo refuse "
+           "it.",
+    .remedy = "Write a point.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14, Bullet and urdf-loader 0.13, executed."};
+
+constinit const Rule sml1806_comma_separator{
+    .id = "SML1806",
+    .name = "comma-separator",
+    .severity = Severity::error,
+    .summary = "Commas separate the numbers of a vector.",
+    .why = "urdfdom refuses it, Bullet silently reads a zero vector, yourdfpy accepts it for some "
+           "attributes.",
+    .remedy = "Separate the numbers by single spaces.",
+    .sources = "urdfdom 3.0.1 and Bullet, executed."};
+
+constinit const Rule sml1807_vector_count{
+    .id = "SML1807",
+    .name = "vector-count",
+    .severity = Severity::error,
+    .summary = "An attribute holds the wrong number of numbers.",
+    .why = "urdfdom and MuJoCo refuse it, Drake throws, Bullet takes a zero vector or cuts it.",
+    .remedy = "Write as many numbers as the attribute takes.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and Bullet, executed."};
+
+constinit const Rule sml1808_vector_tab_newline{
+    .id = "SML1808",
+    .name = "vector-tab-newline",
+    .severity = Severity::error,
+    .summary = "A tab or a line break separates the numbers of a vector.",
+    .why = "urdfdom splits at spaces only and refuses it; Bullet silently reads a zero vector.",
+    .remedy = "Separate the numbers by single spaces.",
+    .sources = "urdfdom 3.0.1 pose.h:61-83 and Bullet, executed."};
+
+constinit const Rule sml1809_hex_or_suffix{
+    .id = "SML1809",
+    .name = "hex-or-suffix",
+    .severity = Severity::error,
+    .summary = "A number is hexadecimal or carries a unit or suffix.",
+    .why = "urdfdom refuses it; MuJoCo and Bullet read `0x10` as 16, Drake and urdf-loader as 0; "
+           "`1kg` is 1 to Bullet and an error to urdfdom.",
+    .remedy = "Write a plain decimal number in SI units.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14, Bullet and urdf-loader 0.13, executed."};
+
+constinit const Rule sml1810_overflow_underflow{
+    .id = "SML1810",
+    .name = "overflow-underflow",
+    .severity = Severity::error,
+    .summary = "A number is too large or too small for a double.",
+    .why = "urdfdom, Drake and MuJoCo refuse `1e400`; Bullet reads infinity; MuJoCo also refuses "
+           "`1e-400`, which others read as 0.",
+    .remedy = "Write a number between 2.2e-308 and 1.8e308, or 0.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and Bullet, executed."};
+
+constinit const Rule sml1811_unicode_digit_or_space{
+    .id = "SML1811",
+    .name = "unicode-digit-or-space",
+    .severity = Severity::error,
+    .summary = "A number holds a character that only looks like a digit, minus or blank.",
+    .why = "A Unicode minus or a no-break space, pasted from a document, makes urdfdom and MuJoCo "
+           "refuse the file and Drake and Bullet read 0.",
+    .remedy = "Type the number again.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and Bullet, executed."};
+
+}  // namespace rules
+}  // namespace smurf

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers in URDF attributes: one grammar, and a name for every way readers disagree about a text.
+#pragma once
+
+#include <vector>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/xml.hpp"
+
+namespace smurf {
+
+/// Reads `count` numbers separated by blanks (any number of them when count is 0). Reports SML18xx,
+/// SML1009 or SML1012 at the attribute's value. A text whose meaning is clear although some reader
+/// refuses it (a trailing blank, tabs) still gives values.
+std::vector<double> read_numbers(const xml::Attribute& attribute, std::size_t count,
+                                 DiagnosticSink& sink);
+
+}  // namespace smurf

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// xml::Document -> urdf::Robot.
+#pragma once
+
+#include <optional>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/urdf.hpp"
+
+namespace smurf {
+
+/// Reports SML11xx about shape and SML18xx about numbers; none when the root is not a robot.
+std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sink);
+
+/// The checks of the element table: unknown, misspelt and repeated elements and attributes.
+void check_urdf_shape(const xml::Document& document, DiagnosticSink& sink);
+
+}  // namespace smurf

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: urdfdom 3.0.1 and 5.x parsers, the URDF XML specification on the ROS wiki; extensions as
+// read by sdformat, Drake, Bullet, MuJoCo, Pinocchio and Isaac.
+#include "ast/urdf_schema.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace smurf::urdf {
+namespace {
+
+constexpr AttributeSpec kRobotAttributes[] = {{"name"}, {"version"}};
+constexpr ChildSpec kRobotChildren[] = {{"link"}, {"joint"}, {"material"}};
+constexpr std::string_view kRobotExtensions[] = {
+    "transmission", "gazebo", "sensor", "ros2_control", "mujoco", "frame", "loop_joint",
+    "loop", "deformable", "reduced_deformable", "controller", "group", "disable_collisions",
+    "group_state", "end_effector", "virtual_joint", "passive_joint", "origin", "static", "export",
+    "plugin", "author", "submodel"};
+
+constexpr AttributeSpec kLinkAttributes[] = {{"name", true}, {"type"}};
+constexpr ChildSpec kLinkChildren[] = {{"inertial", true}, {"visual"}, {"collision"}};
+constexpr std::string_view kLinkExtensions[] = {"contact",       "collision_checking",
+                                                "audio_source",  "self_collision_checking",
+                                                "sensor",        "velocity_decay",
+                                                "kinematic",     "selfCollide",
+                                                "gravity",       "inertia_from_file"};
+
+constexpr ChildSpec kInertialChildren[] = {{"origin", true}, {"mass", true}, {"inertia", true}};
+constexpr AttributeSpec kMassAttributes[] = {{"value", true}};
+constexpr AttributeSpec kInertiaAttributes[] = {{"ixx", true}, {"ixy", true}, {"ixz", true},
+                                                {"iyy", true}, {"iyz", true}, {"izz", true}};
+constexpr AttributeSpec kOriginAttributes[] = {{"xyz"}, {"rpy"}, {"quat_xyzw"}};
+
+constexpr AttributeSpec kVisualAttributes[] = {{"name"}};
+constexpr ChildSpec kVisualChildren[] = {{"origin", true}, {"geometry", true}, {"material", true}};
+constexpr AttributeSpec kCollisionAttributes[] = {{"name"}};
+constexpr ChildSpec kCollisionChildren[] = {{"origin", true}, {"geometry", true}};
+constexpr std::string_view kCollisionExtensions[] = {
+    "group", "mask", "concave", "verbose", "material", "contact_coefficients", "max_contacts"};
+
+constexpr ChildSpec kGeometryChildren[] = {{"box"}, {"sphere"}, {"cylinder"}, {"capsule"}, {"mesh"}};
+constexpr std::string_view kGeometryExtensions[] = {"plane", "cdf", "ellipsoid", "verbose"};
+constexpr AttributeSpec kBoxAttributes[] = {{"size", true}};
+constexpr AttributeSpec kSphereAttributes[] = {{"radius", true}};
+constexpr AttributeSpec kCylinderAttributes[] = {{"radius", true}, {"length", true}};
+constexpr AttributeSpec kMeshAttributes[] = {{"filename", true}, {"scale"}};
+
+constexpr AttributeSpec kMaterialAttributes[] = {{"name", true}};
+constexpr ChildSpec kMaterialChildren[] = {{"color", true}, {"texture", true}};
+constexpr std::string_view kMaterialExtensions[] = {"specular", "shininess"};
+constexpr AttributeSpec kColorAttributes[] = {{"rgba", true}};
+constexpr AttributeSpec kTextureAttributes[] = {{"filename", true}};
+
+constexpr AttributeSpec kJointAttributes[] = {{"name", true}, {"type"}};
+constexpr ChildSpec kJointChildren[] = {{"origin", true},      {"parent", true},
+                                        {"child", true},       {"axis", true},
+                                        {"limit", true},       {"dynamics", true},
+                                        {"mimic", true},       {"safety_controller", true},
+                                        {"calibration", true}};
+constexpr std::string_view kJointExtensions[] = {"dont_collapse", "joint_properties", "hardwareInterface",
+                                                 "gearbox", "sensor", "motor", "actuator"};
+constexpr AttributeSpec kLinkReference[] = {{"link"}};
+constexpr AttributeSpec kAxisAttributes[] = {{"xyz", true}};
+constexpr AttributeSpec kLimitAttributes[] = {{"lower"}, {"upper"}, {"effort"}, {"velocity"},
+                                              {"acceleration"}, {"deceleration"}, {"jerk"}};
+constexpr AttributeSpec kDynamicsAttributes[] = {{"damping"}, {"friction"}};
+constexpr std::string_view kDynamicsExtensions[] = {"spring_stiffness", "spring_reference"};
+constexpr AttributeSpec kMimicAttributes[] = {{"joint", true}, {"multiplier"}, {"offset"}};
+constexpr AttributeSpec kSafetyAttributes[] = {
+    {"soft_lower_limit"}, {"soft_upper_limit"}, {"k_position"}, {"k_velocity", true}};
+constexpr AttributeSpec kCalibrationAttributes[] = {{"rising"}, {"falling"}, {"reference_position"}};
+
+constexpr ElementSpec kElements[] = {
+    {"robot", kRobotAttributes, kRobotChildren, kRobotExtensions},
+    {"link", kLinkAttributes, kLinkChildren, kLinkExtensions},
+    {"inertial", {}, kInertialChildren, {}},
+    {"mass", kMassAttributes, {}, {}},
+    {"inertia", kInertiaAttributes, {}, {}},
+    {"origin", kOriginAttributes, {}, {}},
+    {"visual", kVisualAttributes, kVisualChildren, kCollisionExtensions},
+    {"collision", kCollisionAttributes, kCollisionChildren, kCollisionExtensions},
+    {"geometry", {}, kGeometryChildren, kGeometryExtensions},
+    {"box", kBoxAttributes, {}, {}},
+    {"sphere", kSphereAttributes, {}, {}},
+    {"cylinder", kCylinderAttributes, {}, {}},
+    {"capsule", kCylinderAttributes, {}, {}},
+    {"mesh", kMeshAttributes, {}, {}},
+    {"material", kMaterialAttributes, kMaterialChildren, kMaterialExtensions},
+    {"color", kColorAttributes, {}, {}},
+    {"texture", kTextureAttributes, {}, {}},
+    {"joint", kJointAttributes, kJointChildren, kJointExtensions},
+    {"parent", kLinkReference, {}, {}},
+    {"child", kLinkReference, {}, {}},
+    {"axis", kAxisAttributes, {}, {}},
+    {"limit", kLimitAttributes, {}, {}},
+    {"dynamics", kDynamicsAttributes, {}, kDynamicsExtensions},
+    {"mimic", kMimicAttributes, {}, {}},
+    {"safety_controller", kSafetyAttributes, {}, {}},
+    {"calibration", kCalibrationAttributes, {}, {}},
+};
+
+constexpr auto kElementNames = [] {
+  std::array<std::string_view, std::size(kElements)> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kElements[i].name;
+  return names;
+}();
+
+}  // namespace
+
+const ElementSpec* find_element_spec(std::string_view name) {
+  const ElementSpec* found =
+      std::find_if(std::begin(kElements), std::end(kElements),
+                   [&](const ElementSpec& spec) { return spec.name == name; });
+  return found == std::end(kElements) ? nullptr : found;
+}
+
+std::span<const std::string_view> element_names() { return kElementNames; }
+
+}  // namespace smurf::urdf

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The elements and attributes of URDF as one table.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "smurf/diagnostic.hpp"
+
+namespace smurf::urdf {
+
+struct AttributeSpec {
+  std::string_view name;
+  bool required = false;
+};
+
+struct ChildSpec {
+  std::string_view name;
+  bool single = false;
+};
+
+struct ElementSpec {
+  std::string_view name;
+  std::span<const AttributeSpec> attributes;
+  std::span<const ChildSpec> children;
+  /// Children and attributes of vendors that some reader knows; their insides are not checked.
+  std::span<const std::string_view> extensions;
+};
+
+/// Null for a name the table does not hold.
+const ElementSpec* find_element_spec(std::string_view name);
+/// Every element name of URDF proper, for suggestions.
+std::span<const std::string_view> element_names();
+
+}  // namespace smurf::urdf

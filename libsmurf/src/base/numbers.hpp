@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers in and out, independent of the locale.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace smurf {
+
+/// Decimal grammar [+-]?(digits[.digits]|.digits)([eE][+-]?digits)? over the whole text; no spaces,
+/// no hex, no inf or nan; out of range is no number either.
+std::optional<double> parse_number(std::string_view text);
+std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// The shortest text that reads back as the same double. "-0" becomes "0"; 1e-5 <= |v| < 1e15 is
+/// written without exponent. Precondition: finite.
+std::string format_number(double value);
+
+/// For messages: at most `digits` significant digits, no trailing zeros.
+std::string format_rounded(double value, int digits = 6);
+
+}  // namespace smurf

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/path.hpp"
+
+#include <vector>
+
+namespace smurf::path {
+namespace {
+
+std::vector<std::string_view> split(std::string_view path) {
+  std::vector<std::string_view> parts;
+  std::size_t begin = 0;
+  while (begin <= path.size()) {
+    std::size_t end = path.find('/', begin);
+    if (end == std::string_view::npos) end = path.size();
+    if (end > begin) parts.push_back(path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::string_view parent(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  if (slash == std::string_view::npos) return {};
+  return slash == 0 ? path.substr(0, 1) : path.substr(0, slash);
+}
+
+std::string_view file_name(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+std::string_view extension(std::string_view path) {
+  const std::string_view name = file_name(path);
+  const std::size_t dot = name.rfind('.');
+  return dot == std::string_view::npos ? std::string_view{} : name.substr(dot);
+}
+
+std::string_view stem(std::string_view path) {
+  const std::string_view name = file_name(path);
+  return name.substr(0, name.size() - extension(path).size());
+}
+
+bool is_absolute(std::string_view path) { return path.starts_with('/'); }
+
+std::string normalize(std::string_view path) {
+  std::vector<std::string_view> kept;
+  for (const std::string_view part : split(path)) {
+    if (part == ".") continue;
+    if (part == ".." && !kept.empty() && kept.back() != "..") {
+      kept.pop_back();
+    } else if (part != ".." || !is_absolute(path)) {
+      kept.push_back(part);
+    }
+  }
+  std::string result = is_absolute(path) ? "/" : "";
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (i > 0) result += '/';
+    result += kept[i];
+  }
+  return result.empty() ? "." : result;
+}
+
+std::string join(std::string_view folder, std::string_view path) {
+  if (is_absolute(path) || folder.empty()) return normalize(path);
+  return normalize(std::string(folder) + "/" + std::string(path));
+}
+
+std::string relative(std::string_view path, std::string_view folder) {
+  const std::string whole = normalize(path);
+  const std::string base = normalize(folder.empty() ? "." : folder);
+  if (is_absolute(whole) != is_absolute(base)) return whole;
+  const std::vector<std::string_view> to = split(whole);
+  std::vector<std::string_view> from = split(base);
+  if (from.size() == 1 && from.front() == ".") from.clear();
+  std::size_t common = 0;
+  while (common < to.size() && common < from.size() && to[common] == from[common]) ++common;
+  std::string result;
+  for (std::size_t i = common; i < from.size(); ++i) {
+    if (from[i] == "..") return whole;
+    result += "../";
+  }
+  for (std::size_t i = common; i < to.size(); ++i) {
+    result += to[i];
+    if (i + 1 < to.size()) result += '/';
+  }
+  if (result.ends_with('/')) result.pop_back();
+  return result.empty() ? "." : result;
+}
+
+std::string to_lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+}  // namespace smurf::path

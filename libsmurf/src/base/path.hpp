@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Paths as text with '/': joined and normalised without asking the file system.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace smurf::path {
+
+/// Folder part without the trailing '/'; "" when there is none, "/" for the root.
+std::string_view parent(std::string_view path);
+std::string_view file_name(std::string_view path);
+/// From the last '.' of the file name: ".smurf"; "" when there is none.
+std::string_view extension(std::string_view path);
+/// File name without extension.
+std::string_view stem(std::string_view path);
+bool is_absolute(std::string_view path);
+/// `path` when absolute, otherwise folder/path, normalised.
+std::string join(std::string_view folder, std::string_view path);
+/// Resolves "." and ".." and doubled '/' in the text; "" becomes ".".
+std::string normalize(std::string_view path);
+/// A relative path from `folder` to `path` when both are of one kind, otherwise `path`.
+/// Both are normalised first; ".." inside `folder` beyond its start cannot be undone, then `path`.
+std::string relative(std::string_view path, std::string_view folder);
+std::string to_lower(std::string_view text);
+
+}  // namespace smurf::path

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Declares every rule of rules.def. The rows themselves stand beside the code that reports them.
+#pragma once
+
+#include "smurf/diagnostic.hpp"
+
+namespace smurf::rules {
+
+#define SMURF_RULE(name) extern const Rule name;
+#include "base/rules.def"
+#undef SMURF_RULE
+
+}  // namespace smurf::rules

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// "Did you mean": the nearest known name.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace smurf {
+
+/// Edits (insert, delete, replace, swap of neighbours) from one name to the other; names that differ
+/// only in case are one edit apart. Gives up above `limit` and returns limit + 1.
+int edit_distance(std::string_view a, std::string_view b, int limit);
+
+/// The known name close enough to be a slip of the pen: at most a third of the length in edits, or
+/// equal but for case. Ties go to the first. None when `name` itself is known.
+std::optional<std::string_view> nearest(std::string_view name,
+                                        std::span<const std::string_view> known);
+
+}  // namespace smurf

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// yaml-cpp and tinyxml2 accept bytes that other readers refuse, so the bytes are judged here.
+#include "syntax/text_check.hpp"
+
+#include <algorithm>
+
+#include "base/rules.hpp"
+#include "base/utf8.hpp"
+
+namespace smurf {
+
+namespace rules {
+
+constinit const Rule sml0003_invalid_utf8{
+    .id = "SML0003",
+    .name = "invalid-utf8",
+    .severity = Severity::error,
+    .summary = "A file holds bytes that are not valid UTF-8.",
+    .why = "PyYAML (Phobos) and every strict XML reader refuse the file; yaml-cpp (MARS) and tinyxml2 "
+           "pass the bytes on, so names with such bytes differ from reader to reader.",
+    .remedy = "Save the file as UTF-8.",
+    .sources = "YAML 1.2 section 5.2; XML 1.0 section 2.2; yaml-cpp 0.7 and PyYAML 6.0, executed."};
+
+constinit const Rule sml0004_control_character{
+    .id = "SML0004",
+    .name = "control-character",
+    .severity = Severity::error,
+    .summary = "A file holds a control character that neither YAML nor XML allows.",
+    .why = "PyYAML (Phobos) and strict XML readers refuse the file; yaml-cpp keeps the byte inside "
+           "names and values, where nobody sees it.",
+    .remedy = "Delete the character.",
+    .sources = "YAML 1.2 section 5.1; XML 1.0 section 2.2; yaml-cpp 0.7 and PyYAML 6.0, executed."};
+
+constinit const Rule sml0005_unsupported_encoding{
+    .id = "SML0005",
+    .name = "unsupported-encoding",
+    .severity = Severity::error,
+    .summary = "A file is encoded in UTF-16 or UTF-32.",
+    .why = "urdfdom, sdformat, MuJoCo and Bullet refuse such a URDF; of the YAML readers only some "
+           "transcode it.",
+    .remedy = "Save the file as UTF-8.",
+    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, executed."};
+
+}  // namespace rules
+
+std::uint32_t byte_order_mark_size(std::string_view text) {
+  return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+}
+
+bool check_text(const SourceMap& sources, SourceId id, DiagnosticSink& sink) {
+  const std::string_view text = sources.text(id);
+  if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") ||
+      text.starts_with(std::string_view("\0\0\xFE\xFF", 4))) {
+    sink.report(rules::sml0005_unsupported_encoding, {id, 0, 0},
+                "the file is not UTF-8 but UTF-16 or UTF-32")
+        .help = "save it as UTF-8";
+    return false;
+  }
+  const auto control = std::find_if(text.begin(), text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t') || byte == 0x7F;
+  });
+  if (control != text.end()) {
+    const auto at = static_cast<std::uint32_t>(control - text.begin());
+    constexpr std::string_view kHex = "0123456789ABCDEF";
+    const auto byte = static_cast<unsigned char>(*control);
+    sink.report(rules::sml0004_control_character, {id, at, at + 1},
+                std::string("the control character U+00") + kHex[byte / 16] + kHex[byte % 16] +
+                    " is not allowed in a text file");
+    return false;
+  }
+  if (const std::optional<std::size_t> at = utf8::find_invalid(text)) {
+    const auto begin = static_cast<std::uint32_t>(*at);
+    sink.report(rules::sml0003_invalid_utf8, {id, begin, begin + 1},
+                "byte " + std::to_string(begin) + " is not valid UTF-8")
+        .help = "save the file as UTF-8";
+    return false;
+  }
+  return true;
+}
+
+}  // namespace smurf

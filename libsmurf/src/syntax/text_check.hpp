@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks on the bytes of a text file before any parser sees them.
+#pragma once
+
+#include "smurf/diagnostic.hpp"
+
+namespace smurf {
+
+/// Bytes of a UTF-8 byte order mark at the start: 3 or 0.
+std::uint32_t byte_order_mark_size(std::string_view text);
+
+/// Reports SML0003-SML0005. False when the text cannot be parsed at all.
+bool check_text(const SourceMap& sources, SourceId id, DiagnosticSink& sink);
+
+}  // namespace smurf

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Source -> xml::Document. The only place that knows tinyxml2.
+#pragma once
+
+#include <optional>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/limits.hpp"
+#include "smurf/xml.hpp"
+
+namespace smurf {
+
+/// Reports SML00xx and SML100x; none when the structure of the file is broken.
+std::optional<xml::Document> parse_xml(const SourceMap& sources, SourceId id, const Limits& limits,
+                                       DiagnosticSink& sink);
+
+}  // namespace smurf

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One pass, no recursion. What breaks the structure ends the scan; what lenient readers accept
+// (bare '&', '--' in a comment, an undeclared prefix) is reported and the scan goes on.
+#include "syntax/xml_scanner.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "base/rules.hpp"
+#include "syntax/text_check.hpp"
+
+namespace smurf {
+namespace {
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_name_start(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalpha(byte) != 0 || c == '_' || c == ':' || byte >= 0x80;
+}
+bool is_name_char(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return is_name_start(c) || std::isdigit(byte) != 0 || c == '-' || c == '.';
+}
+
+class Scanner {
+ public:
+  Scanner(std::string_view text, SourceId id, const Limits& limits, DiagnosticSink& sink)
+      : text_(text), id_(id), limits_(limits), sink_(sink) {}
+
+  XmlIndex run() {
+    at_ = byte_order_mark_size(text_);
+    check_prolog();
+    while (index_.well_formed && at_ < size()) {
+      if (text_[at_] == '<') {
+        markup();
+      } else {
+        character_data();
+      }
+    }
+    if (index_.well_formed) finish();
+    return std::move(index_);
+  }
+
+ private:
+  struct OpenElement {
+    std::uint32_t element = 0;
+    std::size_t prefixes = 0;  ///< prefixes declared before this element
+  };
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(text_.size()); }
+  Span span(std::uint32_t begin, std::uint32_t end) const { return {id_, begin, end}; }
+  std::string quoted(Span s) const {
+    return "`" + std::string(text_.substr(s.begin, s.end - s.begin)) + "`";
+  }
+  bool looking_at(std::string_view word) const { return text_.substr(at_).starts_with(word); }
+  void skip_space() {
+    while (at_ < size() && is_space(text_[at_])) ++at_;
+  }
+
+  Diagnostic& malformed(Span place, std::string message) {
+    index_.well_formed = false;
+    return sink_.report(rules::sml1001_xml_malformed, place, std::move(message));
+  }
+
+  void check_prolog() {
+    const std::size_t declaration = text_.find("<?xml");
+    if (declaration == std::string_view::npos || declaration == at_) return;
+    const std::size_t next = declaration + 5;
+    if (next < text_.size() && !is_space(text_[next])) return;  // <?xml-stylesheet
+    if (text_.substr(0, declaration).find('<') != std::string_view::npos) return;
+    sink_.report(rules::sml1005_xml_junk_before_prolog,
+                 span(at_, static_cast<std::uint32_t>(declaration)),
+                 "the XML declaration is not the first thing in the file")
+        .fixes.push_back(
+            {Applicability::safe, {{span(at_, static_cast<std::uint32_t>(declaration)), ""}}});
+  }
+
+  void markup() {
+    if (looking_at("<!--")) return comment();
+    if (looking_at("<![CDATA[")) return skip_section("]]>", "this CDATA section is never closed");
+    if (looking_at("<!DOCTYPE")) return doctype();
+    if (looking_at("<?")) return skip_section("?>", "this processing instruction is never closed");
+    if (looking_at("</")) return end_tag();
+    start_tag();
+  }
+
+  void skip_section(std::string_view end, std::string_view message) {
+    const std::size_t found = text_.find(end, at_ + 2);
+    if (found == std::string_view::npos) {
+      malformed(span(at_, at_ + 2), std::string(message));
+      return;
+    }
+    at_ = static_cast<std::uint32_t>(found + end.size());
+  }
+
+  void comment() {
+    const std::uint32_t begin = at_;
+    const std::size_t found = text_.find("-->", begin + 4);
+    if (found == std::string_view::npos) {
+      malformed(span(begin, begin + 4), "this comment is never closed");
+      return;
+    }
+    at_ = static_cast<std::uint32_t>(found + 3);
+    index_.comments.push_back(span(begin, at_));
+    const std::string_view body = text_.substr(begin + 4, found - begin - 4);
+    std::size_t dashes = body.find("--");
+    if (dashes == std::string_view::npos && body.ends_with('-')) dashes = body.size() - 1;
+    if (dashes == std::string_view::npos) return;
+    const auto place = static_cast<std::uint32_t>(begin + 4 + dashes);
+    sink_.report(rules::sml1004_xml_comment_dashes, span(place, place + 2),
+                 "`--` inside a comment");
+  }
+
+  void doctype() {
+    const std::uint32_t begin = at_;
+    const std::size_t close = text_.find('>', begin);
+    const std::size_t subset = text_.find('[', begin);
+    if (subset != std::string_view::npos && subset < close) {
+      sink_.report(rules::sml1013_dtd_or_xinclude, span(begin, begin + 9),
+                   "a document type with its own declarations");
+      const std::size_t end = text_.find("]", subset);
+      at_ = static_cast<std::uint32_t>(
+          end == std::string_view::npos ? subset : text_.find('>', end));
+      if (at_ >= size()) at_ = static_cast<std::uint32_t>(subset);
+    }
+    skip_section(">", "this document type is never closed");
+  }
+
+  void end_tag() {
+    const std::uint32_t begin = at_;
+    at_ += 2;
+    const Span name = scan_name();
+    skip_space();
+    if (at_ >= size() || text_[at_] != '>') {
+      malformed(span(begin, std::max(at_, begin + 2)), "this end tag is not closed by `>`");
+      return;
+    }
+    ++at_;
+    if (open_.empty()) {
+      malformed(span(begin, at_), "the end tag " + quoted(name) + " closes nothing");
+      return;
+    }
+    ScannedElement& element = index_.elements[open_.back().element];
+    if (text_.substr(name.begin, name.end - name.begin) !=
+        text_.substr(element.name_span.begin, element.name_span.end - element.name_span.begin)) {
+      Diagnostic& diagnostic =
+          malformed(name, "the end tag " + quoted(name) + " does not close the open element " +
+                              quoted(element.name_span));
+      diagnostic.labels.push_back({element.name_span, "opened here"});
+      return;
+    }
+    close_element();
+  }
+
+  void close_element() {
+    index_.elements[open_.back().element].span.end = at_;
+    prefixes_.resize(open_.back().prefixes);
+    open_.pop_back();
+  }
+
+  Span scan_name() {
+    const std::uint32_t begin = at_;
+    if (at_ < size() && is_name_start(text_[at_])) {
+      while (at_ < size() && is_name_char(text_[at_])) ++at_;
+    }
+    return span(begin, at_);
+  }
+
+  void start_tag() {
+    const std::uint32_t begin = at_++;
+    ScannedElement element;
+    element.name_span = scan_name();
+    if (element.name_span.empty()) {
+      malformed(span(begin, begin + 1), "`<` begins no element here").help =
+          "write `&lt;` for the character itself";
+      return;
+    }
+    if (open_.empty() && !index_.elements.empty()) {
+      malformed_second_root(element.name_span);
+      return;
+    }
+    if (open_.size() >= limits_.xml_depth) {
+      index_.well_formed = false;
+      sink_.report(rules::sml0014_nesting_too_deep, element.name_span,
+                   "elements are nested deeper than " + std::to_string(limits_.xml_depth) +
+                       " levels");
+      return;
+    }
+    element.first_attribute = static_cast<std::uint32_t>(index_.attributes.size());
+    open_.push_back({static_cast<std::uint32_t>(index_.elements.size()), prefixes_.size()});
+    bool is_closed = false;
+    if (!attributes(element, is_closed)) return;
+    element.attribute_count =
+        static_cast<std::uint32_t>(index_.attributes.size()) - element.first_attribute;
+    element.tag_span = span(begin, at_);
+    element.span = element.tag_span;
+    index_.elements.push_back(element);
+    check_prefixes(element);
+    if (is_closed) close_element();
+  }
+
+  void malformed_second_root(Span name) {
+    index_.well_formed = false;
+    Diagnostic& diagnostic =
+        sink_.report(rules::sml1006_xml_several_roots, name,
+                     "a second root element " + quoted(name) + " begins after the first has ended");
+    diagnostic.labels.push_back({index_.elements.front().name_span, "the root element"});
+  }
+
+  bool attributes(ScannedElement& element, bool& is_closed) {
+    while (true) {
+      const std::uint32_t before = at_;
+      skip_space();
+      if (at_ >= size()) {
+        malformed(element.name_span, "the start tag of " + quoted(element.name_span) +
+                                         " is never closed by `>`");
+        return false;
+      }
+      if (text_[at_] == '>') {
+        ++at_;
+        return true;
+      }
+      if (looking_at("/>")) {
+        at_ += 2;
+        is_closed = true;
+        return true;
+      }
+      if (before == at_) {
+        malformed(span(at_, at_ + 1), "a blank is missing before this attribute");
+        return false;
+      }
+      if (!attribute(element)) return false;
+    }
+  }
+
+  bool attribute(const ScannedElement& element) {
+    ScannedAttribute attribute;
+    attribute.name_span = scan_name();
+    if (attribute.name_span.empty()) {
+      malformed(span(at_, at_ + 1), "this character cannot stand in the start tag of " +
+                                        quoted(element.name_span));
+      return false;
+    }
+    skip_space();
+    if (at_ >= size() || text_[at_] != '=') {
+      malformed(attribute.name_span,
+                "the attribute " + quoted(attribute.name_span) + " has no value");
+      return false;
+    }
+    ++at_;
+    skip_space();
+    if (at_ >= size() || (text_[at_] != '"' && text_[at_] != '\'')) {
+      malformed(attribute.name_span,
+                "the value of the attribute " + quoted(attribute.name_span) + " has no quotes");
+      return false;
+    }
+    const char quote = text_[at_++];
+    const std::uint32_t begin = at_;
+    while (at_ < size() && text_[at_] != quote && text_[at_] != '<') {
+      if (text_[at_] == '&') {
+        reference();
+      } else {
+        ++at_;
+      }
+    }
+    if (at_ >= size() || text_[at_] == '<') {
+      malformed(span(begin - 1, begin),
+                "the value of the attribute " + quoted(attribute.name_span) + " is never closed");
+      return false;
+    }
+    attribute.value_span = span(begin, at_);
+    attribute.span = span(attribute.name_span.begin, ++at_);
+    return add_attribute(element, attribute);
+  }
+
+  bool add_attribute(const ScannedElement& element, const ScannedAttribute& attribute) {
+    const auto name_of = [&](Span s) { return text_.substr(s.begin, s.end - s.begin); };
+    const std::string_view name = name_of(attribute.name_span);
+    const std::size_t count = index_.attributes.size() - element.first_attribute;
+    if (count >= limits_.xml_attributes) {
+      malformed(element.name_span, "the element " + quoted(element.name_span) + " has more than " +
+                                       std::to_string(limits_.xml_attributes) + " attributes");
+      return false;
+    }
+    for (std::size_t i = element.first_attribute; i < index_.attributes.size(); ++i) {
+      if (name_of(index_.attributes[i].name_span) != name) continue;
+      index_.well_formed = false;
+      Diagnostic& diagnostic =
+          sink_.report(rules::sml1007_xml_duplicate_attribute, attribute.name_span,
+                       "the attribute " + quoted(attribute.name_span) + " is written twice");
+      diagnostic.labels.push_back({index_.attributes[i].name_span, "first written here"});
+      return false;
+    }
+    if (name.starts_with("xmlns:")) prefixes_.push_back(name.substr(6));
+    index_.attributes.push_back(attribute);
+    return true;
+  }
+
+  /// A prefix without xmlns: expat, lxml and browsers refuse the file, tinyxml2 does not look.
+  void check_prefixes(const ScannedElement& element) {
+    check_prefix(element.name_span);
+    for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
+      check_prefix(index_.attributes[element.first_attribute + i].name_span);
+    }
+  }
+
+  void check_prefix(Span name) {
+    const std::string_view text = text_.substr(name.begin, name.end - name.begin);
+    const std::size_t colon = text.find(':');
+    if (colon == std::string_view::npos) return;
+    const std::string_view prefix = text.substr(0, colon);
+    if (prefix == "xml" || prefix == "xmlns") return;
+    // Residue of xacro has a rule of its own that says what to do.
+    if (prefix == "xacro") return;
+    if (std::find(prefixes_.begin(), prefixes_.end(), prefix) != prefixes_.end()) return;
+    if (std::find(reported_.begin(), reported_.end(), prefix) != reported_.end()) return;
+    reported_.push_back(prefix);
+    sink_.report(rules::sml1002_xml_undeclared_prefix,
+                 span(name.begin, name.begin + static_cast<std::uint32_t>(colon)),
+                 "the prefix `" + std::string(prefix) + "` is not declared")
+        .help = "declare it: `<robot xmlns:" + std::string(prefix) + "=\"...\">`";
+  }
+
+  void reference() {
+    const std::uint32_t begin = at_;
+    const std::size_t semicolon = text_.find_first_of("; <\"'&", begin + 1);
+    const bool is_closed = semicolon != std::string_view::npos && text_[semicolon] == ';';
+    const std::string_view name =
+        is_closed ? text_.substr(begin + 1, semicolon - begin - 1) : std::string_view{};
+    ++at_;
+    if (!is_closed || name.empty()) {
+      sink_.report(rules::sml1003_xml_bare_ampersand, span(begin, begin + 1),
+                   "`&` begins no character reference")
+          .fixes.push_back({Applicability::safe, {{span(begin, begin + 1), "&amp;"}}});
+      return;
+    }
+    at_ = static_cast<std::uint32_t>(semicolon + 1);
+    const bool is_known = name == "lt" || name == "gt" || name == "amp" || name == "quot" ||
+                          name == "apos" || name.front() == '#';
+    if (is_known) return;
+    sink_.report(rules::sml1013_dtd_or_xinclude, span(begin, at_),
+                 "the entity `&" + std::string(name) + ";` is not one of XML's own");
+  }
+
+  void character_data() {
+    const std::uint32_t begin = at_;
+    while (at_ < size() && text_[at_] != '<') {
+      if (text_[at_] == '&') {
+        reference();
+      } else {
+        ++at_;
+      }
+    }
+    if (!open_.empty()) return;
+    const std::size_t junk = text_.find_first_not_of(" \t\r\n", begin);
+    if (junk >= at_) return;
+    const auto place = static_cast<std::uint32_t>(junk);
+    malformed(span(place, at_), index_.elements.empty() ? "text before the root element"
+                                                        : "text after the root element");
+  }
+
+  void finish() {
+    if (!open_.empty()) {
+      const ScannedElement& element = index_.elements[open_.back().element];
+      Diagnostic& diagnostic =
+          malformed(span(size(), size()),
+                    "the file ends inside the element " + quoted(element.name_span));
+      diagnostic.labels.push_back({element.name_span, "opened here and never closed"});
+    } else if (index_.elements.empty()) {
+      malformed(span(0, 0), "the file holds no XML element");
+    }
+  }
+
+  std::string_view text_;
+  SourceId id_;
+  const Limits& limits_;
+  DiagnosticSink& sink_;
+  XmlIndex index_;
+  std::uint32_t at_ = 0;
+  std::vector<OpenElement> open_;
+  std::vector<std::string_view> prefixes_;
+  std::vector<std::string_view> reported_;
+};
+
+}  // namespace
+
+XmlIndex scan_xml(const SourceMap& sources, SourceId id, const Limits& limits,
+                  DiagnosticSink& sink) {
+  return Scanner(sources.text(id), id, limits, sink).run();
+}
+
+}  // namespace smurf

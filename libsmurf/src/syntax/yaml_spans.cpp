@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "syntax/yaml_spans.hpp"
+
+#include <algorithm>
+
+namespace smurf {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+std::uint32_t size_of(std::string_view text) { return static_cast<std::uint32_t>(text.size()); }
+
+/// One past the closing quote; none when the quote never closes.
+std::optional<std::uint32_t> quoted_end(std::string_view text, std::uint32_t begin) {
+  const char quote = text[begin];
+  for (std::uint32_t at = begin + 1; at < size_of(text); ++at) {
+    if (quote == '"' && text[at] == '\\') {
+      ++at;
+    } else if (text[at] == quote) {
+      if (quote == '\'' && at + 1 < size_of(text) && text[at + 1] == '\'') {
+        ++at;
+      } else {
+        return at + 1;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// The block scalar reaches to the last line indented like its first line.
+std::uint32_t block_end(std::string_view text, std::uint32_t begin) {
+  std::size_t line = text.find('\n', begin);
+  if (line == std::string_view::npos) return size_of(text);
+  auto end = static_cast<std::uint32_t>(line);
+  std::size_t indent = 0;
+  bool first = true;
+  for (++line; line < text.size();) {
+    const std::size_t stop = std::min(text.find('\n', line), text.size());
+    const std::size_t content = std::min(text.find_first_not_of(' ', line), stop);
+    const bool is_empty = content == stop || text[content] == '\r';
+    if (!is_empty) {
+      if (first) indent = content - line;
+      if (content - line < indent || indent == 0) break;
+      first = false;
+      end = static_cast<std::uint32_t>(stop);
+    }
+    line = stop + 1;
+  }
+  if (end > begin && text[end - 1] == '\r') --end;
+  return end;
+}
+
+/// A plain scalar folds line breaks, so source and value agree only in the characters between.
+std::uint32_t plain_end(std::string_view text, std::uint32_t begin, std::string_view value) {
+  if (text.substr(begin, value.size()) == value) return begin + size_of(value);
+  std::uint32_t at = begin;
+  for (const char c : value) {
+    if (is_blank(c)) continue;
+    while (at < size_of(text) && is_blank(text[at])) ++at;
+    if (at >= size_of(text) || text[at] != c) break;
+    ++at;
+  }
+  return at;
+}
+
+}  // namespace
+
+std::uint32_t skip_blank(std::string_view text, std::uint32_t at) {
+  while (at < size_of(text)) {
+    if (is_blank(text[at])) {
+      ++at;
+    } else if (text[at] == '#' && (at == 0 || is_blank(text[at - 1]))) {
+      at = static_cast<std::uint32_t>(std::min(text.find('\n', at), text.size()));
+    } else {
+      break;
+    }
+  }
+  return at;
+}
+
+std::uint32_t skip_properties(std::string_view text, std::uint32_t at) {
+  while (at < size_of(text) && (text[at] == '&' || text[at] == '!')) {
+    while (at < size_of(text) && !is_blank(text[at])) ++at;
+    at = skip_blank(text, at);
+  }
+  return at;
+}
+
+ScalarExtent scalar_extent(std::string_view text, std::uint32_t at, std::string_view value) {
+  ScalarExtent extent;
+  extent.begin = skip_properties(text, at);
+  if (extent.begin >= size_of(text)) {
+    extent.begin = extent.end = size_of(text);
+    return extent;
+  }
+  switch (text[extent.begin]) {
+    case '"':
+    case '\'': {
+      extent.style =
+          text[extent.begin] == '"' ? yaml::Style::double_quoted : yaml::Style::single_quoted;
+      const std::optional<std::uint32_t> end = quoted_end(text, extent.begin);
+      extent.closed = end.has_value();
+      extent.end = end.value_or(size_of(text));
+      break;
+    }
+    case '|':
+    case '>':
+      extent.style = yaml::Style::block;
+      extent.end = block_end(text, extent.begin);
+      break;
+    default: extent.end = plain_end(text, extent.begin, value); break;
+  }
+  return extent;
+}
+
+std::uint32_t flow_end(std::string_view text, std::uint32_t at) {
+  for (at = skip_blank(text, at); at < size_of(text); at = skip_blank(text, at + 1)) {
+    if (text[at] == ']' || text[at] == '}') return at + 1;
+    if (text[at] != ',' && text[at] != ':' && text[at] != '?') break;
+  }
+  return at;
+}
+
+}  // namespace smurf

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading a yaml::Document.
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <string>
+
+#include "base/numbers.hpp"
+#include "smurf/yaml.hpp"
+
+namespace smurf::yaml {
+namespace {
+
+bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+/// Hexadecimal and octal integers of the core schema: 0x1F, 0o17.
+std::optional<std::int64_t> parse_radix(std::string_view text) {
+  const int base = text.starts_with("0x") ? 16 : text.starts_with("0o") ? 8 : 0;
+  if (base == 0 || text.size() < 3) return std::nullopt;
+  std::int64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data() + 2, end, value, base);
+  if (result.ec != std::errc() || result.ptr != end || text[2] == '-') return std::nullopt;
+  return value;
+}
+
+bool looks_numeric(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; }
+
+}  // namespace
+
+ScalarType classify(std::string_view text, Style style) {
+  if (style != Style::plain) return ScalarType::text;
+  if (text.empty() || is_one_of(text, {"~", "null", "Null", "NULL"})) return ScalarType::null;
+  if (is_one_of(text, {"true", "True", "TRUE", "false", "False", "FALSE"})) {
+    return ScalarType::boolean;
+  }
+  if (!looks_numeric(text.front())) return ScalarType::text;
+  if (parse_integer(text) || parse_radix(text)) return ScalarType::integer;
+  if (parse_number(text)) return ScalarType::number;
+  std::string_view unsigned_text = text;
+  if (text.front() == '+' || text.front() == '-') unsigned_text.remove_prefix(1);
+  if (is_one_of(unsigned_text, {".inf", ".Inf", ".INF"}) ||
+      is_one_of(text, {".nan", ".NaN", ".NAN"})) {
+    return ScalarType::number;
+  }
+  return ScalarType::text;
+}
+
+ScalarType View::type() const {
+  const Node& own = value();
+  return own.kind == Kind::scalar ? classify(own.text, own.style) : ScalarType::null;
+}
+
+std::optional<double> View::number() const {
+  const Node& own = value();
+  if (own.kind != Kind::scalar) return std::nullopt;
+  switch (classify(own.text, own.style)) {
+    case ScalarType::integer:
+      if (const auto radix = parse_radix(own.text)) return static_cast<double>(*radix);
+      return parse_number(own.text);
+    case ScalarType::number:
+      if (const auto number = parse_number(own.text)) return number;
+      if (own.text.back() == 'n' || own.text.back() == 'N') {
+        return std::numeric_limits<double>::quiet_NaN();
+      }
+      return own.text.front() == '-' ? -std::numeric_limits<double>::infinity()
+                                     : std::numeric_limits<double>::infinity();
+    default: return std::nullopt;
+  }
+}
+
+std::optional<std::int64_t> View::integer() const {
+  const Node& own = value();
+  if (own.kind != Kind::scalar || own.style != Style::plain) return std::nullopt;
+  if (const auto radix = parse_radix(own.text)) return radix;
+  return parse_integer(own.text);
+}
+
+std::optional<bool> View::boolean() const {
+  const Node& own = value();
+  if (own.kind != Kind::scalar || classify(own.text, own.style) != ScalarType::boolean) {
+    return std::nullopt;
+  }
+  return own.text.front() == 't' || own.text.front() == 'T';
+}
+
+View View::find(std::string_view key) const {
+  if (!*this || !is_mapping()) return {};
+  for (const View child : *this) {
+    if (child.key() == key) return child;
+  }
+  return {};
+}
+
+View::Iterator& View::Iterator::operator++() {
+  id_ = document_->nodes[static_cast<std::size_t>(id_)].next_sibling;
+  return *this;
+}
+
+View::Iterator View::Iterator::operator++(int) {
+  Iterator old = *this;
+  ++*this;
+  return old;
+}
+
+std::string pointer(const Document& document, NodeId id) {
+  std::vector<std::string> steps;
+  while (id != kNoNode && id != document.root) {
+    const Node& node = document.nodes[static_cast<std::size_t>(id)];
+    if (node.parent == kNoNode) break;
+    const Node& parent = document.nodes[static_cast<std::size_t>(node.parent)];
+    if (parent.kind == Kind::mapping) {
+      std::string step;
+      for (const char c : node.key) {
+        if (c == '~') step += "~0";
+        else if (c == '/') step += "~1";
+        else step += c;
+      }
+      steps.push_back(std::move(step));
+    } else {
+      std::size_t position = 0;
+      for (NodeId child = parent.first_child; child != id && child != kNoNode;
+           child = document.nodes[static_cast<std::size_t>(child)].next_sibling) {
+        ++position;
+      }
+      steps.push_back(std::to_string(position));
+    }
+    id = node.parent;
+  }
+  std::string result;
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) result += "/" + *step;
+  return result;
+}
+
+NodeId node_at(const Document& document, std::uint32_t offset) {
+  NodeId found = kNoNode;
+  NodeId id = document.root;
+  while (id != kNoNode) {
+    const Node& node = document.nodes[static_cast<std::size_t>(id)];
+    const bool holds = (node.span.begin <= offset && offset < node.span.end) ||
+                       node.key_span.contains(offset) ||
+                       (id == document.root && node.span.begin <= offset);
+    if (holds) {
+      found = id;
+      id = node.target == kNoNode ? node.first_child : kNoNode;
+    } else {
+      id = node.next_sibling;
+    }
+  }
+  return found;
+}
+
+}  // namespace smurf::yaml
