@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading sections by the table: known ones into typed entries, others kept whole.
+#include "ast/sections.hpp"
+
+#include <algorithm>
+
+#include "base/rules.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr const SectionSpec* kSections[] = {
+#define SMURF_SECTION(name) &sections::name,
+#include "ast/sections.def"
+#undef SMURF_SECTION
+};
+
+void report_shape(const SectionSpec& section, yaml::View value, std::string_view expected,
+                  DiagnosticSink& sink) {
+  sink.report(rules::sml4001_wrong_type, value.place(),
+              "the section `" + std::string(section.name) + "` is " + std::string(expected) +
+                  ", not " + describe(value));
+}
+
+void read_section(const SectionSpec& section, yaml::View value, Annotations& out,
+                  DiagnosticSink& sink) {
+  if (value.is_null()) return;
+  if (!section.is_list) {
+    if (!value.is_mapping()) return report_shape(section, value, "a mapping", sink);
+    return section.read(value, value.key_span(), out, sink);
+  }
+  if (!value.is_sequence()) return report_shape(section, value, "a list of mappings", sink);
+  for (const yaml::View entry : value) {
+    if (entry.is_mapping()) {
+      section.read(entry, value.key_span(), out, sink);
+    } else {
+      report_shape(section, entry, "a list of mappings", sink);
+    }
+  }
+}
+
+}  // namespace
+
+std::span<const SectionSpec* const> all_sections() { return kSections; }
+
+const SectionSpec* find_section(std::string_view name) {
+  for (const SectionSpec* section : kSections) {
+    const auto& aliases = section->aliases;
+    if (section->name == name ||
+        std::find(aliases.begin(), aliases.end(), name) != aliases.end()) {
+      return section;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::string_view> section_names() {
+  std::vector<std::string_view> names;
+  for (const SectionSpec* section : kSections) names.push_back(section->name);
+  for (const SectionSpec* section : kSections) {
+    names.insert(names.end(), section->aliases.begin(), section->aliases.end());
+  }
+  return names;
+}
+
+void read_sections(yaml::View root, bool (*is_taken)(std::string_view key), Annotations& out,
+                   DiagnosticSink& sink) {
+  for (const yaml::View value : root) {
+    if (is_taken(value.key())) continue;
+    if (const SectionSpec* section = find_section(value.key())) {
+      read_section(*section, value, out, sink);
+    } else {
+      out.custom.push_back({{std::string(value.key()), value.key_span()}, value.id(), value.span()});
+    }
+  }
+}
+
+}  // namespace smurf

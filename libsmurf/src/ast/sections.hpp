@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The annotation sections as one table. A new section is one file in sections/ and one line in
+// sections.def.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "ast/keys.hpp"
+#include "smurf/model.hpp"
+
+namespace smurf {
+
+struct SectionSpec {
+  std::string_view name;                       ///< canonical: "motors"
+  std::span<const std::string_view> aliases = {};   ///< other names of the same section: "motor"
+  std::string_view entry;                      ///< what one entry is: "motor"
+  std::string_view doc;                        ///< one sentence, for the schema
+  bool is_list = true;                         ///< false: the section is one mapping
+  std::vector<const KeySpec*> (*keys)() = nullptr;
+  /// Reads one entry (a mapping) and appends it.
+  void (*read)(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) = nullptr;
+};
+
+std::span<const SectionSpec* const> all_sections();
+/// By canonical name or alias; null for a user's own section.
+const SectionSpec* find_section(std::string_view name);
+
+/// Reads every section of a mapping; keys for which `is_taken` is true are left alone.
+void read_sections(yaml::View root, bool (*is_taken)(std::string_view key), Annotations& out,
+                   DiagnosticSink& sink);
+
+namespace sections {
+
+#define SMURF_SECTION(name) extern const SectionSpec name;
+#include "ast/sections.def"
+#undef SMURF_SECTION
+
+/// The usual `read` of a section: one table row per key, one vector of entries.
+template <class T>
+void read_into(std::span<const Key<T>> keys, std::string_view entry_name, yaml::View entry,
+               Span section, std::vector<T>& entries, DiagnosticSink& sink) {
+  T& item = entries.emplace_back();
+  item.section = section;
+  read_entry(keys, entry, item, entry_name, sink);
+}
+
+}  // namespace sections
+}  // namespace smurf

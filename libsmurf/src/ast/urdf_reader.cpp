@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Elements to structs, in document order. What is absent or unreadable stays absent.
+#include "ast/urdf_reader.hpp"
+
+#include <algorithm>
+
+#include "ast/urdf_numbers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf {
+namespace {
+
+using xml::View;
+
+class Reader {
+ public:
+  explicit Reader(DiagnosticSink& sink) : sink_(sink) {}
+
+  void robot(View root, urdf::Robot& robot) {
+    text(root, "name", robot.name);
+    text(root, "version", robot.version);
+    for (const View child : root) {
+      if (child.name() == "link") {
+        robot.links.push_back(link(child));
+      } else if (child.name() == "joint") {
+        robot.joints.push_back(joint(child));
+      } else if (child.name() == "material") {
+        robot.materials.push_back(material(child));
+      } else {
+        robot.extensions.push_back(child.id());
+      }
+    }
+  }
+
+ private:
+  static void text(View element, std::string_view name, Field<std::string>& out) {
+    const xml::Attribute* attribute = element.attribute(name);
+    if (attribute == nullptr) return;
+    out = {std::string(attribute->value), attribute->value_span, true};
+  }
+
+  void number(View element, std::string_view name, Field<double>& out) {
+    const xml::Attribute* attribute = element.attribute(name);
+    if (attribute == nullptr) return;
+    out.span = attribute->value_span;
+    out.written = true;
+    const std::vector<double> values = read_numbers(*attribute, 1, sink_);
+    if (values.size() == 1) out.value = values.front();
+  }
+
+  template <std::size_t N>
+  void vector(View element, std::string_view name, Field<std::array<double, N>>& out) {
+    const xml::Attribute* attribute = element.attribute(name);
+    if (attribute == nullptr) return;
+    out.span = attribute->value_span;
+    out.written = true;
+    const std::vector<double> values = read_numbers(*attribute, N, sink_);
+    if (values.size() != N) return;
+    out.value.emplace();
+    std::copy(values.begin(), values.end(), out.value->begin());
+  }
+
+  urdf::Origin origin(View parent) {
+    urdf::Origin out;
+    const View element = parent.child("origin");
+    if (!element) return out;
+    out.element = element.id();
+    vector(element, "xyz", out.xyz);
+    vector(element, "rpy", out.rpy);
+    return out;
+  }
+
+  urdf::Inertial inertial(View element) {
+    urdf::Inertial out;
+    out.element = element.id();
+    out.span = element.span();
+    out.origin = origin(element);
+    if (const View mass = element.child("mass")) number(mass, "value", out.mass);
+    if (const View inertia = element.child("inertia")) {
+      number(inertia, "ixx", out.ixx);
+      number(inertia, "ixy", out.ixy);
+      number(inertia, "ixz", out.ixz);
+      number(inertia, "iyy", out.iyy);
+      number(inertia, "iyz", out.iyz);
+      number(inertia, "izz", out.izz);
+    }
+    return out;
+  }
+
+  urdf::Geometry geometry(View parent) {
+    urdf::Geometry out;
+    const View element = parent.child("geometry");
+    if (!element) return out;
+    out.element = element.id();
+    // urdfdom takes the first child (link.cpp:224); so do we, foreign elements included.
+    for (const View shape : element) {
+      out.shape_element = shape.id();
+      out.shape = this->shape(shape);
+      break;
+    }
+    return out;
+  }
+
+  urdf::Shape shape(View element) {
+    if (element.name() == "box") {
+      urdf::Box box;
+      vector(element, "size", box.size);
+      return box;
+    }
+    if (element.name() == "sphere") {
+      urdf::Sphere sphere;
+      number(element, "radius", sphere.radius);
+      return sphere;
+    }
+    if (element.name() == "cylinder") {
+      urdf::Cylinder cylinder;
+      number(element, "radius", cylinder.radius);
+      number(element, "length", cylinder.length);
+      return cylinder;
+    }
+    if (element.name() == "capsule") {
+      urdf::Capsule capsule;
+      number(element, "radius", capsule.radius);
+      number(element, "length", capsule.length);
+      return capsule;
+    }
+    if (element.name() == "mesh") {
+      urdf::Mesh mesh;
+      text(element, "filename", mesh.filename);
+      vector(element, "scale", mesh.scale);
+      return mesh;
+    }
+    return std::monostate{};
+  }
+
+  urdf::Material material(View element) {
+    urdf::Material out;
+    out.element = element.id();
+    out.span = element.span();
+    text(element, "name", out.name);
+    if (const View color = element.child("color")) vector(color, "rgba", out.rgba);
+    if (const View texture = element.child("texture")) text(texture, "filename", out.texture);
+    return out;
+  }
+
+  urdf::Link link(View element) {
+    urdf::Link out;
+    out.element = element.id();
+    out.span = element.span();
+    text(element, "name", out.name);
+    for (const View child : element) {
+      if (child.name() == "inertial" && !out.inertial) {
+        out.inertial = inertial(child);
+      } else if (child.name() == "visual") {
+        urdf::Visual visual;
+        visual.element = child.id();
+        visual.span = child.span();
+        text(child, "name", visual.name);
+        visual.origin = origin(child);
+        visual.geometry = geometry(child);
+        if (const View paint = child.child("material")) visual.material = material(paint);
+        out.visuals.push_back(std::move(visual));
+      } else if (child.name() == "collision") {
+        urdf::Collision collision;
+        collision.element = child.id();
+        collision.span = child.span();
+        text(child, "name", collision.name);
+        collision.origin = origin(child);
+        collision.geometry = geometry(child);
+        out.collisions.push_back(std::move(collision));
+      }
+    }
+    return out;
+  }
+
+  static urdf::JointType joint_type(std::string_view name) {
+    using enum urdf::JointType;
+    if (name == "revolute") return revolute;
+    if (name == "continuous") return continuous;
+    if (name == "prismatic") return prismatic;
+    if (name == "fixed") return fixed;
+    if (name == "floating") return floating;
+    if (name == "planar") return planar;
+    return unknown;
+  }
+
+  template <class T>
+  static void place(View element, T& out) {
+    out.element = element.id();
+    out.span = element.span();
+  }
+
+  urdf::Joint joint(View element) {
+    urdf::Joint out;
+    place(element, out);
+    text(element, "name", out.name);
+    text(element, "type", out.type_name);
+    if (out.type_name) out.type = joint_type(*out.type_name);
+    out.origin = origin(element);
+    if (const View parent = element.child("parent")) text(parent, "link", out.parent);
+    if (const View child = element.child("child")) text(child, "link", out.child);
+    if (const View axis = element.child("axis")) {
+      out.axis_element = axis.id();
+      vector(axis, "xyz", out.axis);
+    }
+    if (const View limit = element.child("limit")) {
+      place(limit, out.limit.emplace());
+      number(limit, "lower", out.limit->lower);
+      number(limit, "upper", out.limit->upper);
+      number(limit, "effort", out.limit->effort);
+      number(limit, "velocity", out.limit->velocity);
+    }
+    if (const View dynamics = element.child("dynamics")) {
+      place(dynamics, out.dynamics.emplace());
+      number(dynamics, "damping", out.dynamics->damping);
+      number(dynamics, "friction", out.dynamics->friction);
+    }
+    if (const View mimic = element.child("mimic")) {
+      place(mimic, out.mimic.emplace());
+      text(mimic, "joint", out.mimic->joint);
+      number(mimic, "multiplier", out.mimic->multiplier);
+      number(mimic, "offset", out.mimic->offset);
+    }
+    if (const View safety = element.child("safety_controller")) {
+      place(safety, out.safety_controller.emplace());
+      number(safety, "soft_lower_limit", out.safety_controller->soft_lower_limit);
+      number(safety, "soft_upper_limit", out.safety_controller->soft_upper_limit);
+      number(safety, "k_position", out.safety_controller->k_position);
+      number(safety, "k_velocity", out.safety_controller->k_velocity);
+    }
+    if (const View calibration = element.child("calibration")) {
+      place(calibration, out.calibration.emplace());
+      number(calibration, "rising", out.calibration->rising);
+      number(calibration, "falling", out.calibration->falling);
+    }
+    return out;
+  }
+
+  DiagnosticSink& sink_;
+};
+
+}  // namespace
+
+std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sink) {
+  const View root = document.view();
+  if (root.name() != "robot") {
+    Diagnostic& diagnostic =
+        sink.report(rules::sml1101_root_not_robot, root.name_span(),
+                    "the root element is `" + std::string(root.name()) + "`, not `robot`");
+    if (root.name() == "sdf") diagnostic.notes.push_back("this is an SDFormat file, not a URDF");
+    return std::nullopt;
+  }
+  check_urdf_shape(document, sink);
+  urdf::Robot robot;
+  Reader(sink).robot(root, robot);
+  robot.document = std::move(document);
+  return robot;
+}
+
+Pose urdf::to_pose(const Origin& origin) {
+  return {origin.xyz.value_or(Vector3{0, 0, 0}), from_rpy(origin.rpy.value_or(Vector3{0, 0, 0}))};
+}
+
+}  // namespace smurf

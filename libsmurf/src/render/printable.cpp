@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A file under test may hold anything, and what is printed may move the cursor, colour the screen or
+// hide text; so nothing of a file reaches the terminal undecoded.
+#include "render/printable.hpp"
+
+#include "base/utf8.hpp"
+
+namespace smurf::render {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+constexpr char32_t kByteOrderMark = 0xFEFF;
+
+bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
+
+/// Line and paragraph separators, and marks that reorder what follows them on the screen.
+bool is_layout(char32_t c) {
+  return c == 0x061C || c == 0x200E || c == 0x200F || (c >= 0x2028 && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069);
+}
+
+bool is_unsafe(char32_t c) { return is_control(c) || is_layout(c); }
+
+void append_escape(std::string& out, char32_t c) {
+  switch (c) {
+    case '\n': out += "\\n"; return;
+    case '\r': out += "\\r"; return;
+    case '\t': out += "\\t"; return;
+    default: break;
+  }
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  out += "\\u";
+  for (int shift = 12; shift >= 0; shift -= 4) {
+    out += kDigits[(static_cast<std::uint32_t>(c) >> static_cast<unsigned>(shift)) & 0xFU];
+  }
+}
+
+}  // namespace
+
+std::vector<Glyph> to_glyphs(std::string_view line, std::uint32_t offset) {
+  std::vector<Glyph> glyphs;
+  glyphs.reserve(line.size());
+  std::size_t at = 0;
+  while (at < line.size()) {
+    const utf8::CodePoint point = utf8::decode(line.substr(at));
+    Glyph glyph;
+    glyph.offset = offset + static_cast<std::uint32_t>(at);
+    glyph.text = line.substr(at, point.size);
+    if (point.value == '\t') {
+      glyph.is_tab = true;
+    } else if (point.value == kByteOrderMark) {
+      glyph.text = {};
+      glyph.width = 0;
+    } else if (is_unsafe(point.value) || point.value == 0xFFFD) {
+      glyph.text = kReplacement;
+    } else {
+      glyph.width = utf8::display_width(point.value);
+    }
+    glyphs.push_back(glyph);
+    at += point.size;
+  }
+  return glyphs;
+}
+
+std::string escape(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const utf8::CodePoint point = utf8::decode(text.substr(at));
+    if (is_unsafe(point.value) || point.value == kByteOrderMark) {
+      append_escape(out, point.value);
+    } else if (point.value == 0xFFFD) {
+      out += kReplacement;
+    } else {
+      out += text.substr(at, point.size);
+    }
+    at += point.size;
+  }
+  return out;
+}
+
+std::size_t width_of(std::string_view text) {
+  std::size_t width = 0;
+  while (!text.empty()) {
+    const utf8::CodePoint point = utf8::decode(text);
+    width += static_cast<std::size_t>(utf8::display_width(point.value));
+    text.remove_prefix(point.size);
+  }
+  return width;
+}
+
+}  // namespace smurf::render
