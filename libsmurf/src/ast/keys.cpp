@@ -201,6 +201,10 @@ void read_value(const KeySpec& spec, yaml::View value, Target target, Diagnostic
     case ValueType::vector3_list: return read_number_list(spec, value, 3, target, sink);
     case ValueType::vector3: return read_vector3(spec, value, target, sink);
     case ValueType::color: return read_color(spec, value, target, sink);
+    case ValueType::position:
+      if (value.is_mapping()) return read_vector3(spec, value, target, sink);
+      return read_number_list(spec, value, 3, target, sink);
+    case ValueType::rotation: return;  // its forms are told apart by the scene reader
     case ValueType::quaternion: {
       Field<double> parts[4];
       read_components(spec, value, kWxyz, parts, sink);
@@ -242,6 +246,8 @@ std::string_view describe(ValueType type) {
     case ValueType::vector3_list: return "a list of three numbers";
     case ValueType::quaternion: return "a mapping with `w`, `x`, `y`, `z`";
     case ValueType::color: return "a mapping with `r`, `g`, `b`, `a`";
+    case ValueType::position: return "a list of three numbers";
+    case ValueType::rotation: return "one, three or four numbers";
     case ValueType::mapping: return "a mapping";
     case ValueType::list: return "a list";
     case ValueType::any: return "anything";

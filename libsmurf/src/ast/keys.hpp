@@ -26,6 +26,8 @@ enum class ValueType : std::uint8_t {
   vector3_list,  ///< list of three numbers
   quaternion,   ///< mapping w, x, y, z
   color,        ///< mapping r, g, b, a
+  position,     ///< list of three numbers, or mapping x, y, z
+  rotation,     ///< number, list of one, three or four numbers, or mapping w, x, y, z
   mapping,
   list,
   any
