@@ -84,6 +84,8 @@ struct LinkedModel {
   NameTable link_names, joint_names, visual_names, collision_names, material_names;
   NameTable motor_names, sensor_names;
   std::vector<MeshReference> meshes;
+  /// Annotation files beside the main file, named like its own, that `files` does not list.
+  std::vector<std::string> unlisted_files;
   /// False when a file is missing or broken: names that seem unknown may be in it.
   bool is_complete = true;
 

@@ -3,7 +3,9 @@
 // The reader, the JSON schemas and the suggestions for misspelt keys are made from the same rows.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -15,36 +17,69 @@
 
 namespace smurf {
 
+/// How a value is written. Quoted text is text; a null says nothing, as if the key were absent.
 enum class ValueType : std::uint8_t {
-  text,         ///< any scalar but null
+  text,         ///< any scalar
   number,       ///< finite plain number
-  integer,      ///< plain whole number
-  boolean,      ///< true or false
+  integer,      ///< plain whole number; without bounds of its own it fits in 32 bits, as in MARS
+  boolean,      ///< true or false; 1 or 0
+  names,        ///< text or list of texts
   name_list,    ///< list of texts
   number_list,  ///< list of numbers
+  number_map,   ///< mapping from any names to numbers
+  vector2,      ///< mapping x, y
   vector3,      ///< mapping x, y, z
-  vector3_list,  ///< list of three numbers
+  vector3_list, ///< list of three numbers
   quaternion,   ///< mapping w, x, y, z
-  color,        ///< mapping r, g, b, a
+  orientation,  ///< mapping w, x, y, z or roll, pitch, yaw
+  color,        ///< mapping r, g, b, a; each 0 to 1
   position,     ///< list of three numbers, or mapping x, y, z
   rotation,     ///< number, list of one, three or four numbers, or mapping w, x, y, z
-  mapping,
-  list,
+  mapping,      ///< of the keys in `members`, or of any
+  list,         ///< of mappings with the keys in `members`, or of anything
   any
+};
+
+struct KeySpec;
+
+/// A table of keys; a view of an array.
+struct KeyTable {
+  const KeySpec* first = nullptr;
+  std::size_t size = 0;
+
+  constexpr KeyTable() = default;
+  template <std::size_t N>
+  constexpr KeyTable(const KeySpec (&keys)[N]) : first(keys), size(N) {}
+  std::span<const KeySpec> keys() const;
 };
 
 /// What a key holds. The texts go into the schema.
 struct KeySpec {
   std::string_view name;
   ValueType type = ValueType::any;
-  std::string_view doc = {};  ///< one sentence
-  std::string_view unit = {};  ///< "rad/s"; may be empty
-  std::string_view fallback = {};  ///< what MARS takes when it is absent, as JSON text; may be empty
+  std::string_view doc = {};      ///< one sentence
+  std::string_view unit = {};     ///< "rad/s"; may be empty
+  std::string_view fallback = {}; ///< what MARS takes when it is absent, as JSON text; may be empty
   bool required = false;
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
-  std::span<const std::string_view> choices = {};  ///< of a text; empty: any
+  std::span<const std::string_view> choices = {}; ///< of a text; empty: any
+  KeyTable members = {};                          ///< of a mapping, or of the mappings in a list
 };
+
+inline std::span<const KeySpec> KeyTable::keys() const {
+  return {first, size};
+}
+
+/// Bounds of a number, both inclusive; infinite where there are none.
+struct Bounds {
+  double minimum = 0;
+  double maximum = 0;
+};
+Bounds bounds_of(const KeySpec& spec);
+
+/// The names of the numbers in a mapping of this type: x, y, z of a vector3. Empty for others.
+std::span<const std::string_view> components_of(ValueType type);
 
 template <class T>
 using Member =
@@ -64,8 +99,12 @@ using Target = std::variant<std::monostate, Field<std::string>*, Field<double>*,
                             Field<Color>*>;
 
 /// Checks one value against its row and stores it. Reports SML4001 (wrong type), SML4002 (not one of
-/// the choices), SML4003 (out of range).
+/// the choices), SML4003 (out of range), and SML4004 (missing key) inside `members`.
 void read_value(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink);
+
+/// Checks a mapping against a table that keeps no values; `what` names it in messages.
+void check_keys(std::span<const KeySpec> keys, yaml::View mapping, std::string_view what,
+                DiagnosticSink& sink);
 
 /// Reports SML4004 for each required key that `mapping`, a `what` ("motor"), does not hold.
 void report_missing(std::span<const KeySpec* const> missing, yaml::View mapping,
@@ -76,44 +115,69 @@ std::string_view describe(ValueType type);
 /// What is written there, for messages: "a list", "the text `abc`".
 std::string describe(yaml::View value);
 
-/// Reads the entry `mapping` into `out` by a table. Keys without a row are left to the tree.
+/// Rows beside those of a section's own table: they keep no value and none of them is required.
+using MoreKeys = std::initializer_list<std::span<const KeySpec>>;
+
+/// Null when no table has the key; the first table that has it counts.
+const KeySpec* find_key(MoreKeys tables, std::string_view name);
+
+/// Reads the entry `mapping` into `out` by tables. Keys without a row are left to the tree.
 template <class T>
-void read_entry(std::span<const Key<T>> keys, yaml::View mapping, T& out, std::string_view what,
-                DiagnosticSink& sink) {
+void read_entry(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, T& out,
+                std::string_view what, DiagnosticSink& sink) {
   out.span = mapping.span();
   out.node = mapping.id();
   if (!mapping.is_mapping()) return;
   std::vector<bool> seen(keys.size(), false);
+  std::vector<bool> given(keys.size(), false);
   for (const yaml::View value : mapping) {
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      if (keys[i].spec.name != value.key()) continue;
-      if (seen[i]) break;  // a duplicate key is reported by the YAML reader; the first counts
-      seen[i] = true;
-      const Target target = std::visit(
-          [&](auto member) -> Target {
-            if constexpr (std::is_same_v<decltype(member), std::monostate>) {
-              return std::monostate{};
-            } else {
-              return &(out.*member);
-            }
-          },
-          keys[i].member);
-      read_value(keys[i].spec, value, target, sink);
-      break;
+    std::size_t i = 0;
+    while (i < keys.size() && keys[i].spec.name != value.key()) ++i;
+    if (i == keys.size()) {
+      if (const KeySpec* spec = find_key(more, value.key())) read_value(*spec, value, {}, sink);
+      continue;
     }
+    if (seen[i]) continue; // a duplicate key is reported by the YAML reader; the first counts
+    seen[i] = true;
+    given[i] = !value.is_null();
+    const Target target = std::visit(
+        [&](auto member) -> Target {
+          if constexpr (std::is_same_v<decltype(member), std::monostate>) {
+            return std::monostate{};
+          } else {
+            return &(out.*member);
+          }
+        },
+        keys[i].member);
+    read_value(keys[i].spec, value, target, sink);
   }
   std::vector<const KeySpec*> missing;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (keys[i].spec.required && !seen[i]) missing.push_back(&keys[i].spec);
+    if (keys[i].spec.required && !given[i]) missing.push_back(&keys[i].spec);
   }
   report_missing(missing, mapping, what, sink);
 }
 
 template <class T>
-std::vector<const KeySpec*> specs_of(std::span<const Key<T>> keys) {
+void read_entry(std::span<const Key<T>> keys, yaml::View mapping, T& out, std::string_view what,
+                DiagnosticSink& sink) {
+  read_entry<T>(keys, {}, mapping, out, what, sink);
+}
+
+/// All rows of an entry, for the schema; a name that an earlier table has is not repeated.
+template <class T>
+std::vector<const KeySpec*> specs_of(std::span<const Key<T>> keys, MoreKeys more = {}) {
   std::vector<const KeySpec*> specs;
   for (const Key<T>& key : keys) specs.push_back(&key.spec);
+  const std::size_t own = specs.size();
+  for (const std::span<const KeySpec> table : more) {
+    for (const KeySpec& spec : table) {
+      bool is_known = find_key(more, spec.name) != &spec;
+      for (std::size_t i = 0; i < own; ++i) is_known = is_known || specs[i]->name == spec.name;
+      if (!is_known) specs.push_back(&spec);
+    }
+  }
   return specs;
 }
 
-}  // namespace smurf
+} // namespace smurf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file under test may hold anything, and what is printed may move the cursor, colour the screen or
-// hide text; so nothing of a file reaches the terminal undecoded.
+// A file under test may hold anything, and what is printed may move the cursor, colour the screen
+// or hide text; so nothing of a file reaches the terminal undecoded.
 #include "render/printable.hpp"
 
 #include "base/utf8.hpp"
@@ -11,7 +11,9 @@ namespace {
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 constexpr char32_t kByteOrderMark = 0xFEFF;
 
-bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
+bool is_control(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0);
+}
 
 /// Line and paragraph separators, and marks that reorder what follows them on the screen.
 bool is_layout(char32_t c) {
@@ -19,14 +21,23 @@ bool is_layout(char32_t c) {
          (c >= 0x2066 && c <= 0x2069);
 }
 
-bool is_unsafe(char32_t c) { return is_control(c) || is_layout(c); }
+bool is_unsafe(char32_t c) {
+  return is_control(c) || is_layout(c);
+}
 
 void append_escape(std::string& out, char32_t c) {
   switch (c) {
-    case '\n': out += "\\n"; return;
-    case '\r': out += "\\r"; return;
-    case '\t': out += "\\t"; return;
-    default: break;
+  case '\n':
+    out += "\\n";
+    return;
+  case '\r':
+    out += "\\r";
+    return;
+  case '\t':
+    out += "\\t";
+    return;
+  default:
+    break;
   }
   constexpr std::string_view kDigits = "0123456789abcdef";
   out += "\\u";
@@ -35,7 +46,7 @@ void append_escape(std::string& out, char32_t c) {
   }
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Glyph> to_glyphs(std::string_view line, std::uint32_t offset) {
   std::vector<Glyph> glyphs;
@@ -45,6 +56,7 @@ std::vector<Glyph> to_glyphs(std::string_view line, std::uint32_t offset) {
     const utf8::CodePoint point = utf8::decode(line.substr(at));
     Glyph glyph;
     glyph.offset = offset + static_cast<std::uint32_t>(at);
+    glyph.size = static_cast<std::uint32_t>(point.size);
     glyph.text = line.substr(at, point.size);
     if (point.value == '\t') {
       glyph.is_tab = true;
@@ -90,4 +102,4 @@ std::size_t width_of(std::string_view text) {
   return width;
 }
 
-}  // namespace smurf::render
+} // namespace smurf::render

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kinematic tree of a robot and its checks.
+#pragma once
+
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// Joins links by joints. Unknown ends stay empty; nothing is reported here, the rules look at the
+/// result. Precondition: model.robot is set and the name tables are filled.
+KinematicTree build_tree(const LinkedModel& model);
+
+}  // namespace smurf

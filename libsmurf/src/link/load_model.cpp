@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files of a model: read once each, merged as smurf_parser does (SMURFParser.cpp:43-69), linked
+// by name.
+#include <algorithm>
+
+#include "ast/model_reader.hpp"
+#include "ast/sections.hpp"
+#include "ast/urdf_reader.hpp"
+#include "base/path.hpp"
+#include "base/rules.hpp"
+#include "link/kinematics.hpp"
+#include "link/read_file.hpp"
+#include "link/resources.hpp"
+#include "smurf/load.hpp"
+#include "syntax/xml_reader.hpp"
+#include "syntax/yaml_reader.hpp"
+
+namespace smurf {
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T>&& from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// Lists are concatenated in the order of the files; mappings keep all their files.
+void merge(Annotations& to, Annotations&& from) {
+  append(to.materials, std::move(from.materials));
+  append(to.motors, std::move(from.motors));
+  append(to.sensors, std::move(from.sensors));
+  append(to.controllers, std::move(from.controllers));
+  append(to.collisions, std::move(from.collisions));
+  append(to.visuals, std::move(from.visuals));
+  append(to.links, std::move(from.links));
+  append(to.nodes, std::move(from.nodes));
+  append(to.joints, std::move(from.joints));
+  append(to.lights, std::move(from.lights));
+  append(to.graphics, std::move(from.graphics));
+  append(to.poses, std::move(from.poses));
+  append(to.submechanisms, std::move(from.submechanisms));
+  append(to.custom, std::move(from.custom));
+}
+
+class ModelLoader {
+ public:
+  explicit ModelLoader(LoadContext& context) : context_(context) {}
+
+  LinkedModel load(const std::string& path) {
+    model_.path = path::normalize(path);
+    const std::string extension = path::to_lower(path::extension(path));
+    if (extension == ".smurf") {
+      model_.has_main = true;
+      main_file(path);
+    } else if (extension == ".yml" || extension == ".yaml") {
+      annotation_file(path, {}, rules::sml0001_unreadable_file);
+    } else {
+      urdf_file(path, {}, rules::sml0001_unreadable_file);
+    }
+    link();
+    return std::move(model_);
+  }
+
+ private:
+  std::optional<yaml::Document> parse(SourceId source, ModelFile::Kind kind) {
+    auto document = parse_yaml(context_.sources, source, context_.limits, context_.sink);
+    if (!document) model_.is_complete = false;
+    model_.files.push_back({kind, source, std::nullopt});
+    return document;
+  }
+
+  void main_file(const std::string& path) {
+    const auto source = read_source(path, {}, rules::sml0001_unreadable_file, context_);
+    if (!source) {
+      model_.is_complete = false;
+      return;
+    }
+    auto document = parse(*source, ModelFile::Kind::main);
+    if (!document) return;
+    auto main = read_model(*document, context_.sink);
+    model_.files.back().document = std::move(document);
+    if (!main) {
+      model_.is_complete = false;
+      return;
+    }
+    model_.main = std::move(*main);
+    merge(model_.annotations, std::move(model_.main.inline_annotations));
+    listed_files(path);
+    find_unlisted(path);
+  }
+
+  void listed_files(const std::string& main_path) {
+    const std::string_view folder = path::parent(main_path);
+    const NameList none;
+    for (const Spanned<std::string>& entry :
+         model_.main.files ? *model_.main.files : none) {
+      const std::string path = path::join(folder, entry.value);
+      const std::string extension = path::to_lower(path::extension(entry.value));
+      if (extension == ".urdf") {
+        urdf_file(path, entry.span, rules::sml2001_missing_file);
+      } else if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
+        annotation_file(path, entry.span, rules::sml2001_missing_file);
+      }
+    }
+  }
+
+  /// "arm_motors.yml" beside "arm.smurf": a name that Phobos gives to a section's file.
+  void find_unlisted(const std::string& main_path) {
+    if (!model_.main.files) return;
+    const std::string folder(path::parent(main_path));
+    const std::string prefix = std::string(path::stem(main_path)) + "_";
+    for (const std::string& name : context_.files.list(folder)) {
+      if (!name.starts_with(prefix) || path::extension(name) != ".yml") continue;
+      const std::string_view section = path::stem(name).substr(prefix.size());
+      if (find_section(section) == nullptr) continue;
+      const bool is_listed =
+          std::any_of(model_.main.files->begin(), model_.main.files->end(), [&](const auto& file) {
+            return path::join(folder, file.value) == path::join(folder, name);
+          });
+      if (!is_listed) model_.unlisted_files.push_back(name);
+    }
+  }
+
+  void annotation_file(const std::string& path, Span reference, const Rule& missing) {
+    const auto source = read_source(path, reference, missing, context_);
+    if (!source) {
+      model_.is_complete = false;
+      return;
+    }
+    auto document = parse(*source, ModelFile::Kind::annotation);
+    if (!document) return;
+    auto annotations = read_annotations(*document, context_.sink);
+    model_.files.back().document = std::move(document);
+    if (annotations) merge(model_.annotations, std::move(*annotations));
+  }
+
+  /// Several URDFs: the last one wins, as in MARS; a rule reports it.
+  void urdf_file(const std::string& path, Span reference, const Rule& missing) {
+    const auto source = read_source(path, reference, missing, context_);
+    model_.urdf_path = path::normalize(path);
+    model_.robot.reset();
+    if (source) {
+      model_.files.push_back({ModelFile::Kind::urdf, *source, std::nullopt});
+      auto document = parse_xml(context_.sources, *source, context_.limits, context_.sink);
+      if (document) model_.robot = read_urdf(std::move(*document), context_.sink);
+    }
+    if (!model_.robot) model_.is_complete = false;
+  }
+
+  template <class Items>
+  static void name_all(const Items& items, NameTable& table) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      if (items[i].name) table.add(*items[i].name, static_cast<std::uint32_t>(i));
+    }
+  }
+
+  void link() {
+    name_all(model_.annotations.motors, model_.motor_names);
+    name_all(model_.annotations.sensors, model_.sensor_names);
+    if (!model_.robot) return;
+    const urdf::Robot& robot = *model_.robot;
+    name_all(robot.links, model_.link_names);
+    name_all(robot.joints, model_.joint_names);
+    name_all(robot.materials, model_.material_names);
+    for (std::size_t i = 0; i < robot.links.size(); ++i) {
+      const auto index = static_cast<std::uint32_t>(i);
+      for (const urdf::Visual& visual : robot.links[i].visuals) {
+        if (visual.name) model_.visual_names.add(*visual.name, index);
+        // A material may be defined inside the visual that uses it.
+        if (visual.material && visual.material->name) {
+          model_.material_names.add(*visual.material->name, index);
+        }
+      }
+      for (const urdf::Collision& collision : robot.links[i].collisions) {
+        if (collision.name) model_.collision_names.add(*collision.name, index);
+      }
+    }
+    model_.tree = build_tree(model_);
+    model_.meshes = resolve_resources(model_, context_);
+  }
+
+  LoadContext& context_;
+  LinkedModel model_;
+};
+
+}  // namespace
+
+LinkedModel load_model(const std::string& path, LoadContext& context) {
+  return ModelLoader(context).load(path);
+}
+
+namespace rules {
+
+constinit const Rule sml2001_missing_file{
+    .id = "SML2001",
+    .name = "missing-file",
+    .severity = Severity::error,
+    .summary = "`files` lists a file that cannot be read.",
+    .why = "MARS ends with an uncaught exception (annotation file) or dereferences a null model "
+           "(URDF); Phobos logs an error and goes on without the annotations.",
+    .remedy = "Correct the path (relative to the .smurf's folder), or take the entry out.",
+    .sources = "smurf_parser SMURFParser.cpp:45-77 (run); Phobos io/smurfrobot.py:171-197."};
+
+}  // namespace rules
+}  // namespace smurf

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/read_file.hpp"
+
+#include "base/path.hpp"
+#include "base/rules.hpp"
+#include "base/suggest.hpp"
+
+namespace smurf {
+
+std::optional<SourceId> read_source(const std::string& path, Span reference, const Rule& rule,
+                                    LoadContext& context) {
+  FileContent content = context.files.read(path, context.limits.file_bytes);
+  if (content.status == ReadStatus::ok) {
+    return context.sources.add(path::normalize(path), std::move(content.text));
+  }
+  const bool is_too_large = content.status == ReadStatus::too_large;
+  const Rule& reported = is_too_large ? rules::sml0002_file_too_large : rule;
+  const bool is_named = !reference.empty();
+  if (!is_named) reference.source = context.sources.add_unreadable(path::normalize(path));
+  Diagnostic& diagnostic = context.sink.report(
+      reported, reference, "cannot read `" + path::normalize(path) + "`: " + content.reason);
+  if (is_too_large) {
+    diagnostic.message += "; at most " + std::to_string(context.limits.file_bytes) + " are read";
+  }
+  if (content.status != ReadStatus::not_found) return std::nullopt;
+  diagnostic.message = "there is no file `" + path::normalize(path) + "`";
+  if (const auto similar = similar_file(path, context.files)) {
+    diagnostic.help = "did you mean `" + *similar + "`?";
+    const std::string_view written =
+        is_named ? context.sources.text(reference) : std::string_view{};
+    const std::string_view name = path::file_name(path);
+    if (const std::size_t at = written.rfind(name); at != std::string_view::npos) {
+      const auto begin = static_cast<std::uint32_t>(reference.begin + at);
+      const auto end = static_cast<std::uint32_t>(begin + name.size());
+      diagnostic.fixes.push_back({Applicability::unsafe,
+                                  {{{reference.source, begin, end}, *similar}}});
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> similar_file(const std::string& path, const FileReader& files) {
+  const std::vector<std::string> names = files.list(std::string(path::parent(path)));
+  std::vector<std::string_view> same_kind;
+  const std::string extension = path::to_lower(path::extension(path));
+  for (const std::string& name : names) {
+    if (path::to_lower(path::extension(name)) == extension) same_kind.push_back(name);
+  }
+  if (const auto near = nearest(path::file_name(path), same_kind)) return std::string(*near);
+  return std::nullopt;
+}
+
+namespace rules {
+
+constinit const Rule sml0001_unreadable_file{
+    .id = "SML0001",
+    .name = "unreadable-file",
+    .severity = Severity::error,
+    .summary = "A file that was to be checked cannot be read.",
+    .why = "Nothing is known about it, so nothing can be promised.",
+    .remedy = "Check the path and its permissions.",
+    .sources = "The operating system."};
+
+constinit const Rule sml0002_file_too_large{
+    .id = "SML0002",
+    .name = "file-too-large",
+    .severity = Severity::error,
+    .summary = "A file is larger than the limit.",
+    .why = "A text file of this size is not a robot model; reading it whole could exhaust the memory.",
+    .remedy = "Name another file.",
+    .sources = "Limit of these tools."};
+
+}  // namespace rules
+}  // namespace smurf

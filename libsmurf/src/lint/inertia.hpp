@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Physics of inertia tensors.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "smurf/urdf.hpp"
+
+namespace smurf {
+
+/// Principal moments, ascending, kg m^2; none unless all six entries are readable.
+std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& inertial);
+
+}  // namespace smurf

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs the table of rules. Rules see the same immutable model and cannot affect each other.
+#include "smurf/lint.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace smurf {
+namespace {
+
+bool matches_any(const Rule& rule, const std::vector<std::string>& patterns) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const std::string& pattern) { return matches(rule, pattern); });
+}
+
+/// Diagnostics as people read them: by file, then place, then rule.
+auto order_key(const Diagnostic& diagnostic, const SourceMap& sources) {
+  return std::tuple<const std::string&, std::uint32_t, std::uint32_t, std::string_view,
+                    const std::string&>(sources.path(diagnostic.span.source),
+                                        diagnostic.span.begin, diagnostic.span.end,
+                                        diagnostic.rule->id, diagnostic.message);
+}
+
+}  // namespace
+
+bool matches(const Rule& rule, std::string_view pattern) {
+  if (pattern == rule.name) return true;
+  return pattern.starts_with("SML") && rule.id.starts_with(pattern);
+}
+
+bool RuleSelection::is_enabled(const Rule& rule) const {
+  if (!select.empty() && !matches_any(rule, select)) return false;
+  return !matches_any(rule, ignore);
+}
+
+void lint_model(const LinkedModel& model, const RuleSelection& selection, DiagnosticSink& sink) {
+  for (const Rule* rule : all_rules()) {
+    if (rule->check_model == nullptr || !selection.is_enabled(*rule)) continue;
+    Findings findings(*rule, sink);
+    rule->check_model(model, findings);
+  }
+}
+
+void lint_scene(const LinkedScene& scene, const RuleSelection& selection, DiagnosticSink& sink) {
+  for (const Rule* rule : all_rules()) {
+    if (rule->check_scene == nullptr || !selection.is_enabled(*rule)) continue;
+    Findings findings(*rule, sink);
+    rule->check_scene(scene, findings);
+  }
+}
+
+std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
+                               const RuleSelection& selection) {
+  std::erase_if(diagnostics,
+                [&](const Diagnostic& d) { return !selection.is_enabled(*d.rule); });
+  for (Diagnostic& diagnostic : diagnostics) {
+    for (const auto& [pattern, severity] : selection.severities) {
+      if (matches(*diagnostic.rule, pattern)) diagnostic.severity = severity;
+    }
+  }
+  std::stable_sort(diagnostics.begin(), diagnostics.end(),
+                   [&](const Diagnostic& a, const Diagnostic& b) {
+                     return order_key(a, sources) < order_key(b, sources);
+                   });
+  const auto same = [&](const Diagnostic& a, const Diagnostic& b) {
+    return order_key(a, sources) == order_key(b, sources);
+  };
+  diagnostics.erase(std::unique(diagnostics.begin(), diagnostics.end(), same), diagnostics.end());
+  return diagnostics;
+}
+
+}  // namespace smurf

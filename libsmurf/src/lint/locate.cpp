@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From byte spans back to YAML pointers and XPaths: rules report places, people and programs want
+// names of places too.
+#include <algorithm>
+
+#include "smurf/lint.hpp"
+
+namespace smurf {
+namespace {
+
+std::string pointer_in(const xml::Document& document, Span span) {
+  const xml::ElementId id = xml::element_at(document, span.begin);
+  if (id == xml::kNoElement) return {};
+  std::string path = xml::xpath(document, id);
+  const xml::View element(document, id);
+  const auto* attribute =
+      std::find_if(element.attributes_begin(), element.attributes_end(),
+                   [&](const xml::Attribute& a) {
+                     return a.span.begin <= span.begin && span.end <= a.span.end;
+                   });
+  if (attribute != element.attributes_end()) path += "/@" + std::string(attribute->name);
+  return path;
+}
+
+/// Empty when the span is in none of the model's trees.
+std::string pointer_in(const LinkedModel& model, Span span) {
+  if (const yaml::Document* document = model.document(span.source)) {
+    const yaml::NodeId id = yaml::node_at(*document, span.begin);
+    return id == yaml::kNoNode ? std::string() : yaml::pointer(*document, id);
+  }
+  if (model.robot && model.robot->document.source == span.source) {
+    return pointer_in(model.robot->document, span);
+  }
+  return {};
+}
+
+}  // namespace
+
+void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.pointer.empty()) diagnostic.pointer = pointer_in(model, diagnostic.span);
+  }
+}
+
+void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
+  for (const SceneFile& file : scene.scenes) {
+    if (!file.document) continue;
+    for (Diagnostic& diagnostic : diagnostics) {
+      if (!diagnostic.pointer.empty() || diagnostic.span.source != file.source) continue;
+      const yaml::NodeId id = yaml::node_at(*file.document, diagnostic.span.begin);
+      if (id != yaml::kNoNode) diagnostic.pointer = yaml::pointer(*file.document, id);
+    }
+  }
+  for (const LinkedModel& model : scene.models) locate(model, diagnostics);
+}
+
+}  // namespace smurf

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+#include <algorithm>
+
+#include "base/suggest.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr NameKind kKinds[] = {NameKind::link,      NameKind::joint,    NameKind::visual,
+                               NameKind::collision, NameKind::material, NameKind::motor,
+                               NameKind::sensor};
+
+Span visual_or_collision(const LinkedModel& model, NameKind kind, std::string_view name,
+                         std::uint32_t link) {
+  if (kind == NameKind::visual) {
+    for (const urdf::Visual& visual : model.robot->links[link].visuals) {
+      if (visual.name && *visual.name == name) return visual.name.span;
+    }
+  }
+  for (const urdf::Collision& collision : model.robot->links[link].collisions) {
+    if (collision.name && *collision.name == name) return collision.name.span;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
+
+std::string_view to_string(NameKind kind) {
+  switch (kind) {
+    case NameKind::link: return "link";
+    case NameKind::joint: return "joint";
+    case NameKind::visual: return "visual";
+    case NameKind::collision: return "collision";
+    case NameKind::material: return "material";
+    case NameKind::motor: return "motor";
+    case NameKind::sensor: return "sensor";
+  }
+  return "";
+}
+
+const NameTable& names(const LinkedModel& model, NameKind kind) {
+  switch (kind) {
+    case NameKind::link: return model.link_names;
+    case NameKind::joint: return model.joint_names;
+    case NameKind::visual: return model.visual_names;
+    case NameKind::collision: return model.collision_names;
+    case NameKind::material: return model.material_names;
+    case NameKind::motor: return model.motor_names;
+    case NameKind::sensor: break;
+  }
+  return model.sensor_names;
+}
+
+Span definition(const LinkedModel& model, NameKind kind, std::string_view name) {
+  const auto index = names(model, kind).find(name);
+  if (!index) return {};
+  switch (kind) {
+    case NameKind::link: return model.robot->links[*index].name.span;
+    case NameKind::joint: return model.robot->joints[*index].name.span;
+    case NameKind::visual:
+    case NameKind::collision: return visual_or_collision(model, kind, name, *index);
+    case NameKind::material: return {};
+    case NameKind::motor: return model.annotations.motors[*index].name.span;
+    case NameKind::sensor: break;
+  }
+  return model.annotations.sensors[*index].name.span;
+}
+
+bool can_judge(const LinkedModel& model, NameKind kind) {
+  const bool is_annotation = kind == NameKind::motor || kind == NameKind::sensor;
+  return is_annotation ? model.is_complete : model.robot.has_value();
+}
+
+void check_reference(const LinkedModel& model, NameKind kind, std::string_view name, Span place,
+                     std::string_view subject, Findings& findings) {
+  if (!can_judge(model, kind) || names(model, kind).contains(name)) return;
+  const std::string kind_name(to_string(kind));
+  Diagnostic& diagnostic =
+      findings.report(place, std::string(subject) + " names the " + kind_name + " " +
+                                 quoted(name) + ", which the model does not have");
+  for (const NameKind other : kKinds) {
+    // A motor is often named like its joint, so that is no hint for who needs a joint.
+    const bool is_annotation = other == NameKind::motor || other == NameKind::sensor;
+    if (other == kind || is_annotation || !names(model, other).contains(name)) continue;
+    diagnostic.message = std::string(subject) + " needs a " + kind_name + ", but " + quoted(name) +
+                         " is a " + std::string(to_string(other));
+    const Span defined = definition(model, other, name);
+    if (!defined.empty()) {
+      diagnostic.labels.push_back(
+          {defined, "the " + std::string(to_string(other)) + " is defined here"});
+    }
+    return;
+  }
+  diagnostic.caret = "no such " + kind_name;
+  if (!model.urdf_path.empty() && kind != NameKind::motor && kind != NameKind::sensor) {
+    diagnostic.caret += " in `" + model.urdf_path + "`";
+  }
+  const auto near = nearest(name, names(model, kind).names());
+  if (!near) return;
+  diagnostic.help = "did you mean " + quoted(*near) + "?";
+  diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
+  const Span defined = definition(model, kind, *near);
+  if (!defined.empty()) diagnostic.labels.push_back({defined, quoted(*near) + " is defined here"});
+}
+
+void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
+                      std::string_view subject, Findings& findings) {
+  if (!list) return;
+  for (const Spanned<std::string>& name : *list) {
+    check_reference(model, kind, name.value, name.span, subject, findings);
+  }
+}
+
+std::string subject(std::string_view what, const Annotation& annotation) {
+  if (annotation.name) return std::string(what) + " " + quoted(*annotation.name);
+  return "this " + std::string(what);
+}
+
+void for_each_link(const LinkedModel& model, const std::function<void(const urdf::Link&)>& visit) {
+  if (!model.robot) return;
+  for (const urdf::Link& link : model.robot->links) visit(link);
+}
+
+void for_each_joint(const LinkedModel& model,
+                    const std::function<void(const urdf::Joint&)>& visit) {
+  if (!model.robot) return;
+  for (const urdf::Joint& joint : model.robot->joints) visit(joint);
+}
+
+void for_each_material(const LinkedModel& model,
+                       const std::function<void(const urdf::Material&)>& visit) {
+  if (!model.robot) return;
+  for (const urdf::Material& material : model.robot->materials) visit(material);
+  for (const urdf::Link& link : model.robot->links) {
+    for (const urdf::Visual& visual : link.visuals) {
+      if (visual.material) visit(*visual.material);
+    }
+  }
+}
+
+std::optional<NameKind> sensor_target(std::string_view type) {
+  const auto holds = [&](std::string_view word) {
+    return type.find(word) != std::string_view::npos;
+  };
+  // The order of MARS, smurf.cpp:288-330.
+  if (holds("Joint") && !holds("6DOF")) return NameKind::joint;
+  if (holds("Node")) return holds("Contact") ? std::optional(NameKind::collision) : NameKind::link;
+  if (holds("Motor")) return NameKind::motor;
+  return std::nullopt;
+}
+
+bool creates_collision(const LinkedModel& model, const CollisionAnnotation& entry) {
+  const yaml::Document* document = model.document(entry.span.source);
+  return document != nullptr && yaml::View(*document, entry.node).find("geometry");
+}
+
+bool is_section_name(std::string_view key) {
+  const std::vector<std::string_view> names = section_names();
+  return std::find(names.begin(), names.end(), key) != names.end();
+}
+
+std::string title(const urdf::Link& link) {
+  return link.name ? "link " + quoted(*link.name) : "a link without name";
+}
+
+std::string title(const urdf::Joint& joint) {
+  return joint.name ? "joint " + quoted(*joint.name) : "a joint without name";
+}
+
+Span tag_name(const LinkedModel& model, xml::ElementId element) {
+  return xml::View(model.robot->document, element).name_span();
+}
+
+Span inertia_place(const LinkedModel& model, const urdf::Inertial& inertial) {
+  const xml::View element(model.robot->document, inertial.element);
+  const xml::View inertia = element.child("inertia");
+  return inertia ? inertia.name_span() : element.name_span();
+}
+
+Span name_place(const LinkedModel& model, const urdf::Link& link) {
+  return link.name.span.empty() ? tag_name(model, link.element) : link.name.span;
+}
+
+Span name_place(const LinkedModel& model, const urdf::Joint& joint) {
+  return joint.name.span.empty() ? tag_name(model, joint.element) : joint.name.span;
+}
+
+}  // namespace smurf

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Questions that several rules ask.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "smurf/lint.hpp"
+
+namespace smurf {
+
+/// "`name`".
+std::string quoted(std::string_view name);
+
+/// Kinds of things that YAML refers to by name.
+enum class NameKind : std::uint8_t { link, joint, visual, collision, material, motor, sensor };
+std::string_view to_string(NameKind kind);
+const NameTable& names(const LinkedModel& model, NameKind kind);
+/// Where the thing of this kind and name is defined.
+Span definition(const LinkedModel& model, NameKind kind, std::string_view name);
+
+/// True when a name of this kind can be judged: the files that define such names were all read.
+bool can_judge(const LinkedModel& model, NameKind kind);
+
+/// Reports a reference to a name that is not there: "`subject` names the joint `x`, ...". Says when
+/// the name exists as another kind, else suggests the nearest. Does nothing when it is known.
+void check_reference(const LinkedModel& model, NameKind kind, std::string_view name, Span place,
+                     std::string_view subject, Findings& findings);
+
+/// Same, for a whole list.
+void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
+                      std::string_view subject, Findings& findings);
+
+/// "motor `elbow`", or "this motor" for an entry without name.
+std::string subject(std::string_view what, const Annotation& annotation);
+
+/// Calls `visit` for every link (joint) of the robot, if there is one.
+void for_each_link(const LinkedModel& model, const std::function<void(const urdf::Link&)>& visit);
+void for_each_joint(const LinkedModel& model, const std::function<void(const urdf::Joint&)>& visit);
+
+/// Calls `visit` for every material definition or use: robot level, then visuals.
+void for_each_material(const LinkedModel& model,
+                       const std::function<void(const urdf::Material&)>& visit);
+
+/// What the names in `id` of a sensor are, by the words in its type: "JointPosition" joints,
+/// "NodeContact" collisions, "Motor..." motors, other "Node..." links; none when MARS takes no `id`.
+std::optional<NameKind> sensor_target(std::string_view type);
+/// Phobos 2 makes collisions that the URDF does not have from entries with a geometry.
+bool creates_collision(const LinkedModel& model, const CollisionAnnotation& entry);
+bool is_section_name(std::string_view key);
+
+/// "link `a`" at its name; "link" at its element when it has none.
+std::string title(const urdf::Link& link);
+std::string title(const urdf::Joint& joint);
+/// The name's place, or that of the element's name when there is none.
+Span name_place(const LinkedModel& model, const urdf::Link& link);
+Span name_place(const LinkedModel& model, const urdf::Joint& joint);
+/// The `inertia` element's name, or the inertial's.
+Span inertia_place(const LinkedModel& model, const urdf::Inertial& inertial);
+/// Place of an element's name in its start tag.
+Span tag_name(const LinkedModel& model, xml::ElementId element);
+
+}  // namespace smurf

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot || model.robot->links.empty() || !model.tree.roots.empty()) return;
+  // The joint to blame is the one whose child was first used as a parent.
+  const std::vector<urdf::Joint>& joints = model.robot->joints;
+  for (std::size_t i = joints.size(); i-- > 0;) {
+    const auto child = model.tree.joint_child[i];
+    if (!child || to_size(*child) != 0) continue;
+    Diagnostic& diagnostic = findings.report(
+        joints[i].child.span, title(joints[i]) + " closes a loop: every link has a parent");
+    diagnostic.labels.push_back({name_place(model, model.link(*child)), "the first link"});
+    return;
+  }
+  findings.report(tag_name(model, model.robot->document.root),
+                  "every link is the child of a joint, so there is no root link");
+}
+
+}  // namespace
+
+constinit const Rule sml1205_no_root{
+    .id = "SML1205",
+    .name = "no-root",
+    .severity = Severity::error,
+    .summary = "Every link of a robot is the child of a joint.",
+    .why = "There is no link to begin with: urdfdom, sdformat, MuJoCo and Bullet refuse the file.",
+    .remedy = "Remove the joint that closes the loop.",
+    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

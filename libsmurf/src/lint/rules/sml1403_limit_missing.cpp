@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    const bool needs_limit = joint.type == urdf::JointType::revolute ||
+                             joint.type == urdf::JointType::prismatic;
+    if (!needs_limit || joint.limit) return;
+    findings.report(name_place(model, joint),
+                    title(joint) + " is " + *joint.type_name + " and has no `limit`");
+  });
+}
+
+}  // namespace
+
+constinit const Rule sml1403_limit_missing{
+    .id = "SML1403",
+    .name = "limit-missing",
+    .severity = Severity::error,
+    .summary = "A revolute or prismatic joint has no limit element.",
+    .why = "urdfdom (RViz, Gazebo, Pinocchio, DART) and Bullet refuse the file; Drake and MuJoCo "
+           "let the joint turn without end.",
+    .remedy = "Add `<limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>`, or "
+              "make the joint continuous.",
+    .sources = "urdfdom 3.0.1, Bullet and MuJoCo 3.14, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kTolerance = 1e-3;  // shorter by rounding to three digits is no defect
+  constexpr double kShortest = 1e-8;
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.axis || !joint.has_one_axis()) return;
+    Vector3 axis = *joint.axis;
+    const double length = std::hypot(axis[0], axis[1], axis[2]);
+    if (length < kShortest || std::fabs(length - 1) <= kTolerance) return;
+    std::string unit;
+    for (const double component : axis) {
+      unit += (unit.empty() ? "" : " ") + format_number(component / length);
+    }
+    Diagnostic& diagnostic =
+        findings.report(joint.axis.span, "the axis of " + title(joint) + " has the length " +
+                                             format_rounded(length) + ", not 1");
+    diagnostic.notes.push_back("Bullet moves this joint " + format_rounded(length) +
+                               " times as far as commanded");
+    diagnostic.help = "write " + quoted(unit);
+    diagnostic.fixes.push_back({Applicability::safe, {{joint.axis.span, unit}}});
+  });
+}
+
+}  // namespace
+
+constinit const Rule sml1422_axis_not_unit{
+    .id = "SML1422",
+    .name = "axis-not-unit",
+    .severity = Severity::warning,
+    .summary = "The axis of a joint is not a unit vector.",
+    .why = "Bullet does not normalise it: `0 0 2` moves the joint twice as far as commanded. "
+           "MoveIt does not normalise prismatic axes; other readers do.",
+    .remedy = "Divide the axis by its length.",
+    .sources = "Bullet btMultiBody.cpp:237, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+std::optional<std::uint32_t> leader_of(const LinkedModel& model, std::uint32_t joint) {
+  const std::optional<urdf::Mimic>& mimic = model.robot->joints[joint].mimic;
+  if (!mimic || !mimic->joint) return std::nullopt;
+  return model.joint_names.find(*mimic->joint);
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  const auto count = static_cast<std::uint32_t>(model.robot->joints.size());
+  std::vector<std::uint32_t> seen_from(count, count);
+  for (std::uint32_t start = 0; start < count; ++start) {
+    std::optional<std::uint32_t> at = start;
+    while (at && seen_from[*at] == count) {
+      seen_from[*at] = start;
+      at = leader_of(model, *at);
+    }
+    if (!at || seen_from[*at] != start || !leader_of(model, *at)) continue;
+    const urdf::Joint& joint = model.robot->joints[*at];
+    findings.report(joint.mimic->joint.span,
+                    *joint.mimic->joint == joint.name.value_or("")
+                        ? title(joint) + " mimics itself"
+                        : title(joint) + " mimics itself through other joints");
+  }
+}
+
+}  // namespace
+
+constinit const Rule sml1433_mimic_self_or_cycle{
+    .id = "SML1433",
+    .name = "mimic-self-or-cycle",
+    .severity = Severity::error,
+    .summary = "Mimic joints follow one another in a circle.",
+    .why = "MuJoCo refuses a joint that mimics itself and makes contradicting equalities of a "
+           "longer circle, urdf-loader refuses it, MoveIt drops every mimic of the robot.",
+    .remedy = "Let one joint of the circle lead.",
+    .sources = "MuJoCo 3.14 and urdf-loader 0.13, executed; MoveIt robot_model.cpp:426.",
+    .check_model = check};
+
+}  // namespace smurf::rules

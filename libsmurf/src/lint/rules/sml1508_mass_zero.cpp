@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+#include "lint/inertia.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (!link.inertial || !link.inertial->mass || *link.inertial->mass != 0) return;
+    // Mass and inertia both zero: how frames are written on purpose for Bullet.
+    const auto moments = principal_moments(*link.inertial);
+    Diagnostic& diagnostic =
+        findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");
+    if (moments && (*moments)[2] == 0) diagnostic.severity = Severity::warning;
+  });
+}
+
+}  // namespace
+
+constinit const Rule sml1508_mass_zero{
+    .id = "SML1508",
+    .name = "mass-zero",
+    .severity = Severity::error,
+    .summary = "A link has an inertial with mass 0.",
+    .why = "sdformat drops the link with everything below it, MuJoCo refuses a moving one, ODE "
+           "(MARS) refuses the mass, Bullet fixes the base to the world.",
+    .remedy = "Write the mass, or remove the inertial of a link that is only a frame.",
+    .sources = "sdformat 12.3, MuJoCo 3.14, Bullet and ODE 0.16.2, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

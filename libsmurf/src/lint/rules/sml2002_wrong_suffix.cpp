@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/path.hpp"
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.main.files) return;
+  for (const Spanned<std::string>& file : *model.main.files) {
+    const std::string_view extension = path::extension(file.value);
+    const std::string lower = path::to_lower(extension);
+    std::string_view expected;
+    if (lower == ".urdf") expected = ".urdf";
+    if (lower == ".yml" || lower == ".yaml" || lower == ".json") expected = ".yml";
+    if (expected.empty() || extension == expected) continue;
+    Diagnostic& diagnostic =
+        findings.report(file.span, "MARS does not read files that end in " + quoted(extension));
+    diagnostic.help = "rename the file so that it ends in " + quoted(expected);
+  }
+}
+
+}  // namespace
+
+constinit const Rule sml2002_wrong_suffix{
+    .id = "SML2002",
+    .name = "wrong-suffix",
+    .severity = Severity::error,
+    .summary = "`files` lists a file whose ending MARS does not recognise.",
+    .why = "MARS compares endings literally: it ignores `.yaml`, `.YML` and `.json` silently, and "
+           "a `.URDF` leaves it without a model, which crashes it.",
+    .remedy = "Rename the file to .yml or .urdf.",
+    .sources = "smurf_parser SMURFParser.cpp:49-52 (run).",
+    .check_model = check};
+
+}  // namespace smurf::rules

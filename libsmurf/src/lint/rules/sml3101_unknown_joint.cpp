@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    if (motor.joint) {
+      check_reference(model, NameKind::joint, *motor.joint, motor.joint.span,
+                      subject("motor", motor), findings);
+    }
+  }
+  for (const Sensor& sensor : model.annotations.sensors) {
+    const std::string who = subject("sensor", sensor);
+    if (sensor.joint) {
+      check_reference(model, NameKind::joint, *sensor.joint, sensor.joint.span, who, findings);
+    }
+    check_references(model, NameKind::joint, sensor.joints, who, findings);
+    if (sensor.type && sensor_target(*sensor.type) == NameKind::joint) {
+      check_references(model, NameKind::joint, sensor.id, who, findings);
+    }
+  }
+  for (const JointAnnotation& joint : model.annotations.joints) {
+    if (joint.name) {
+      check_reference(model, NameKind::joint, *joint.name, joint.name.span, "this joint entry",
+                      findings);
+    }
+  }
+}
+
+}  // namespace
+
+constinit const Rule sml3101_unknown_joint{
+    .id = "SML3101",
+    .name = "unknown-joint",
+    .severity = Severity::error,
+    .summary = "An annotation names a joint that the URDF does not have.",
+    .why = "MARS looks names up in a map that answers 0 for unknown ones: the motor drives "
+           "nothing and crashes when a value is set, the entry has no effect. Phobos stops with "
+           "an error.",
+    .remedy = "Correct the name.",
+    .sources = "MARS smurf.cpp:264, SimMotor.cpp:786-806; Phobos representation.py:2399.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const CollisionAnnotation& entry : model.annotations.collisions) {
+    if (!entry.name || creates_collision(model, entry)) continue;
+    check_reference(model, NameKind::collision, *entry.name, entry.name.span,
+                    "this collision entry", findings);
+  }
+  for (const Sensor& sensor : model.annotations.sensors) {
+    const std::string who = subject("sensor", sensor);
+    check_references(model, NameKind::collision, sensor.collisions, who, findings);
+    if (sensor.type && sensor_target(*sensor.type) == NameKind::collision) {
+      check_references(model, NameKind::collision, sensor.id, who, findings);
+    }
+  }
+}
+
+}  // namespace
+
+constinit const Rule sml3103_unknown_collision{
+    .id = "SML3103",
+    .name = "unknown-collision",
+    .severity = Severity::error,
+    .summary = "An annotation names a collision that the URDF does not have.",
+    .why = "MARS looks names up in a map that answers 0 for unknown ones: the bitmask and contact "
+           "parameters have no effect, a contact sensor has no targets.",
+    .remedy = "Correct the name; collisions without name in the URDF cannot be referred to.",
+    .sources = "MARS smurf.cpp:427-449 and 302-305.",
+    .check_model = check};
+
+}  // namespace smurf::rules

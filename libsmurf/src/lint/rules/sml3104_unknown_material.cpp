@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const MaterialAnnotation& entry : model.annotations.materials) {
+    if (!entry.name) continue;
+    check_reference(model, NameKind::material, *entry.name, entry.name.span,
+                    "this material entry", findings);
+  }
+  for (const VisualAnnotation& entry : model.annotations.visuals) {
+    if (!entry.material_name) continue;
+    check_reference(model, NameKind::material, *entry.material_name, entry.material_name.span,
+                    subject("visual entry", entry), findings);
+  }
+}
+
+}  // namespace
+
+constinit const Rule sml3104_unknown_material{
+    .id = "SML3104",
+    .name = "unknown-material",
+    .severity = Severity::error,
+    .summary = "An annotation names a material that the URDF does not have.",
+    .why = "MARS and Phobos match materials by name and ignore an entry without counterpart "
+           "silently.",
+    .remedy = "Correct the name, or define the material in the URDF.",
+    .sources = "MARS smurf.cpp:333-352.",
+    .check_model = check};
+
+}  // namespace smurf::rules

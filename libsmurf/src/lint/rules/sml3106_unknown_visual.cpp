@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const VisualAnnotation& entry : model.annotations.visuals) {
+    if (!entry.name) continue;
+    check_reference(model, NameKind::visual, *entry.name, entry.name.span, "this visual entry",
+                    findings);
+  }
+}
+
+}  // namespace
+
+constinit const Rule sml3106_unknown_visual{
+    .id = "SML3106",
+    .name = "unknown-visual",
+    .severity = Severity::error,
+    .summary = "An annotation names a visual that the URDF does not have.",
+    .why = "MARS prints a message and ignores the entry.",
+    .remedy = "Correct the name; visuals without name cannot be referred to.",
+    .sources = "MARS smurf.cpp:404-426.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "base/rules.hpp"
+#include "base/suggest.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kTypes[] = {
+    "PID", "DC", "generic_bldc", "generic_dc", "direct_torque", "direct_effort", "1", "2", "7",
+    "DirectEffort", "FeedForwardEffort", "ff_torque",  // MARS 2
+    "position", "velocity", "force"};                  // Phobos 2
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    if (!motor.type) continue;
+    if (std::find(std::begin(kTypes), std::end(kTypes), *motor.type) != std::end(kTypes)) continue;
+    Diagnostic& diagnostic =
+        findings.report(motor.type.span, quoted(*motor.type) + " is not a motor type");
+    diagnostic.notes.push_back("MARS runs " + subject("motor", motor) +
+                               " as a position controller");
+    if (const auto near = nearest(*motor.type, kTypes)) {
+      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      diagnostic.fixes.push_back(
+          {Applicability::unsafe, {{motor.type.span, std::string(*near)}}});
+    }
+  }
+}
+
+}  // namespace
+
+constinit const Rule sml4101_unknown_motor_type{
+    .id = "SML4101",
+    .name = "unknown-motor-type",
+    .severity = Severity::error,
+    .summary = "A motor has a type that no reader knows.",
+    .why = "MARS takes every unknown type for a position controller, so a velocity motor never "
+           "turns; MARS 2 skips this and all following motors.",
+    .remedy = "Use one of the known types; they are case-sensitive.",
+    .sources = "MARS MotorData.cpp:126-135, SimMotor.cpp:290; envire_smurf_loader "
+               "Model.cpp:455-478; Phobos representation.py.",
+    .check_model = check};
+
+}  // namespace smurf::rules

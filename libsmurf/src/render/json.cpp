@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The JSON report and the JSON rule list. The only file of the stage that sees the JSON library.
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "smurf/render.hpp"
+
+namespace smurf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Invalid UTF-8, which a path or a scalar may hold, becomes U+FFFD.
+std::string dump(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json text(std::string_view view) {
+  return std::string(view);
+}
+
+void add_place(Json& json, Span span, const SourceMap& sources) {
+  const bool is_known = static_cast<std::size_t>(span.source) < sources.size();
+  Position begin;
+  Position end;
+  if (is_known) {
+    const auto size = static_cast<std::uint32_t>(sources.text(span.source).size());
+    begin = sources.position(span.source, std::min(span.begin, size));
+    end = sources.position(span.source, std::clamp(span.end, std::min(span.begin, size), size));
+  }
+  json["file"] = is_known ? sources.path(span.source) : "";
+  json["line"] = begin.line;
+  json["column"] = begin.column;
+  json["end_line"] = end.line;
+  json["end_column"] = end.column;
+}
+
+Json to_json(const Fix& fix, const SourceMap& sources) {
+  Json edits = Json::array();
+  for (const Edit& edit : fix.edits) {
+    edits.push_back({{"file", sources.path(edit.span.source)},
+                     {"begin", edit.span.begin},
+                     {"end", edit.span.end},
+                     {"text", edit.text}});
+  }
+  const bool is_safe = fix.applicability == Applicability::safe;
+  return {{"applicability", is_safe ? "safe" : "unsafe"}, {"edits", std::move(edits)}};
+}
+
+Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
+  Json json;
+  json["id"] = text(diagnostic.rule->id);
+  json["name"] = text(diagnostic.rule->name);
+  json["severity"] = text(to_string(diagnostic.severity));
+  json["message"] = diagnostic.message;
+  add_place(json, diagnostic.span, sources);
+  if (!diagnostic.pointer.empty()) json["pointer"] = diagnostic.pointer;
+  if (!diagnostic.help.empty()) json["help"] = diagnostic.help;
+  if (!diagnostic.notes.empty()) json["notes"] = diagnostic.notes;
+  for (const Label& label : diagnostic.labels) {
+    Json place;
+    add_place(place, label.span, sources);
+    place["message"] = label.message;
+    json["labels"].push_back(std::move(place));
+  }
+  if (!diagnostic.fixes.empty()) json["fix"] = to_json(diagnostic.fixes.front(), sources);
+  return json;
+}
+
+} // namespace
+
+std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                        const Summary& summary, const ToolName& tool) {
+  Json report;
+  report["schema_version"] = "1.0";
+  report["tool"] = {{"name", text(tool.name)}, {"version", text(tool.version)}};
+  report["summary"] = {{"error", summary.errors}, {"warning", summary.warnings},
+                       {"info", summary.infos},   {"suppressed", summary.suppressed},
+                       {"files", summary.files},  {"models", summary.models},
+                       {"scenes", summary.scenes}};
+  Json list = Json::array();
+  for (const Diagnostic& diagnostic : diagnostics)
+    list.push_back(to_json(diagnostic, sources));
+  report["diagnostics"] = std::move(list);
+  return dump(report);
+}
+
+std::string render_rule_list_json(std::span<const Rule* const> rules) {
+  Json list = Json::array();
+  for (const Rule* rule : rules) {
+    list.push_back({{"id", text(rule->id)},
+                    {"name", text(rule->name)},
+                    {"severity", text(to_string(rule->severity))},
+                    {"summary", text(rule->summary)},
+                    {"why", text(rule->why)},
+                    {"remedy", text(rule->remedy)},
+                    {"sources", text(rule->sources)}});
+  }
+  return dump(list);
+}
+
+} // namespace smurf

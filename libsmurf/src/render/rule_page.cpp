@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a rule says about itself, for `--explain` and `--list-rules`.
+#include <algorithm>
+
+#include "render/paint.hpp"
+#include "render/wrap.hpp"
+#include "smurf/render.hpp"
+
+namespace smurf {
+namespace {
+
+using render::Ink;
+using render::Painter;
+using render::wrap;
+
+constexpr std::size_t kPageColumns = 80;
+
+} // namespace
+
+std::string render_rule(const Rule& rule, const TextStyle& style) {
+  const Painter paint(style.color);
+  const std::size_t columns =
+      style.width > 0 ? std::clamp<std::size_t>(static_cast<std::size_t>(style.width), 40, 80)
+                      : kPageColumns;
+  std::string out = paint(Ink::strong, std::string(rule.id) + " " + std::string(rule.name)) + " (" +
+                    paint(render::ink_of(rule.severity), to_string(rule.severity)) + ")\n\n";
+  out += wrap(rule.summary, 0, columns);
+  const auto section = [&](std::string_view heading, std::string_view text) {
+    if (!text.empty()) out += "\n" + paint(Ink::strong, heading) + "\n" + wrap(text, 2, columns);
+  };
+  section("Why it matters", rule.why);
+  section("What to do", rule.remedy);
+  section("Sources", rule.sources);
+  return out;
+}
+
+std::string render_rule_list(std::span<const Rule* const> rules, const TextStyle& style) {
+  const Painter paint(style.color);
+  std::string out;
+  for (const Rule* rule : rules) {
+    const std::string_view severity = to_string(rule->severity);
+    out += std::string(rule->id) + "  " + paint(render::ink_of(rule->severity), severity) +
+           std::string(9 - severity.size(), ' ') + paint(Ink::strong, rule->name) + ": " +
+           std::string(rule->summary) + "\n";
+  }
+  return out;
+}
+
+} // namespace smurf

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One line of source and the columns of what is marked under it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/printable.hpp"
+
+namespace smurf::render {
+
+/// Half-open byte range of a source; what a mark covers on one line.
+struct ByteRange {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
+class SourceLine {
+ public:
+  SourceLine(std::string_view line, std::uint32_t offset);
+
+  /// Shows at most `columns` columns, chosen around `focus`.
+  void cut(int columns, ByteRange focus);
+
+  /// As shown: cut with "...", without trailing white space.
+  std::string text() const;
+  /// What stands before `offset` in the row below: `fill` for each column, tabs as tabs, so that
+  /// the row stays aligned whatever the width of a tab.
+  std::string lead(std::uint32_t offset, char fill) const;
+  /// `fill` for each column that the range takes; at least one.
+  std::string underline(ByteRange range, char fill) const;
+  /// True when nothing but white space stands before `offset`.
+  bool is_first_text(std::uint32_t offset) const;
+
+ private:
+  bool is_cut_left() const { return first_ > 0; }
+  bool is_cut_right() const { return last_ < glyphs_.size(); }
+  int columns_between(std::size_t first, std::size_t last) const;
+  std::size_t index_of(std::uint32_t offset) const;
+
+  std::vector<Glyph> glyphs_;
+  std::size_t first_ = 0; ///< the glyphs shown: [first_, last_)
+  std::size_t last_ = 0;
+};
+
+} // namespace smurf::render

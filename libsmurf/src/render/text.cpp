@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Diagnostics for people: the full layout, the one-line layout, the summary and the statistics.
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "render/frame.hpp"
+#include "render/paint.hpp"
+#include "render/printable.hpp"
+#include "smurf/render.hpp"
+
+namespace smurf {
+namespace {
+
+using render::escape;
+using render::Ink;
+using render::Painter;
+
+bool has_source(Span span, const SourceMap& sources) {
+  return static_cast<std::size_t>(span.source) < sources.size();
+}
+
+/// A file that could not be read, or has nothing in it, has no line to show.
+bool has_text(Span span, const SourceMap& sources) {
+  return has_source(span, sources) && sources.is_readable(span.source) &&
+         !sources.text(span.source).empty();
+}
+
+Span clamp(Span span, const SourceMap& sources) {
+  const auto size = static_cast<std::uint32_t>(sources.text(span.source).size());
+  span.begin = std::min(span.begin, size);
+  span.end = std::clamp(span.end, span.begin, size);
+  return span;
+}
+
+std::string place(Span span, const SourceMap& sources) {
+  const Position position = sources.position(span.source, clamp(span, sources).begin);
+  return escape(sources.path(span.source)) + ":" + std::to_string(position.line) + ":" +
+         std::to_string(position.column);
+}
+
+std::string arrow(std::size_t indent, std::string_view where, const Painter& paint) {
+  return std::string(indent, ' ') + paint(Ink::frame, "-->") + " " + std::string(where) + "\n";
+}
+
+std::string tag(const Diagnostic& diagnostic) {
+  const bool is_safe = diagnostic.fixes.front().applicability == Applicability::safe;
+  return is_safe ? "[safe fix]" : "[unsafe fix]";
+}
+
+std::string header(const Diagnostic& diagnostic, const Painter& paint) {
+  const std::string severity =
+      std::string(to_string(diagnostic.severity)) + "[" + std::string(diagnostic.rule->id) + "]";
+  return paint(render::ink_of(diagnostic.severity), severity) +
+         paint(Ink::strong, ": " + escape(diagnostic.message)) + "\n";
+}
+
+/// "= note: ..." rows under a frame.
+std::string remarks(const Diagnostic& diagnostic, std::size_t indent, const Painter& paint) {
+  const auto remark = [&](std::string_view kind, std::string_view text) {
+    return std::string(indent + 1, ' ') + paint(Ink::frame, "=") + " " + paint(Ink::strong, kind) +
+           ": " + escape(text) + "\n";
+  };
+  std::string out;
+  for (const std::string& note : diagnostic.notes)
+    out += remark("note", note);
+  std::string help = diagnostic.help;
+  if (!diagnostic.fixes.empty()) {
+    if (help.empty()) help = "a fix is known";
+    help += " " + tag(diagnostic);
+  }
+  if (!help.empty()) out += remark("help", help);
+  return out;
+}
+
+/// A label in another file than the diagnostic.
+std::string note_frame(const Label& label, const SourceMap& sources, const TextStyle& style) {
+  const Painter paint(style.color);
+  std::string out = paint(Ink::strong, "note: " + escape(label.message)) + "\n";
+  if (!has_source(label.span, sources)) return out;
+  if (!has_text(label.span, sources)) {
+    return out + arrow(1, escape(sources.path(label.span.source)), paint);
+  }
+  const render::Frame frame(sources, style, {clamp(label.span, sources), {}, Ink::frame, '-'}, {},
+                            0);
+  return out + arrow(frame.gutter(), place(label.span, sources), paint) + frame.draw();
+}
+
+std::string main_frame(const Diagnostic& diagnostic, const SourceMap& sources,
+                       const TextStyle& style) {
+  const Painter paint(style.color);
+  if (!has_source(diagnostic.span, sources)) return remarks(diagnostic, 1, paint);
+  if (!has_text(diagnostic.span, sources)) {
+    return arrow(1, escape(sources.path(diagnostic.span.source)), paint) +
+           remarks(diagnostic, 1, paint);
+  }
+  std::vector<render::Mark> others;
+  for (const Label& label : diagnostic.labels) {
+    if (label.span.source != diagnostic.span.source) continue;
+    others.push_back({clamp(label.span, sources), label.message, Ink::frame, '-'});
+  }
+  const render::Frame frame(
+      sources, style,
+      {clamp(diagnostic.span, sources), diagnostic.caret, render::ink_of(diagnostic.severity), '^'},
+      std::move(others), 1);
+  return arrow(frame.gutter(), place(diagnostic.span, sources), paint) + frame.draw() +
+         remarks(diagnostic, frame.gutter(), paint);
+}
+
+std::string count(std::size_t number, std::string_view noun) {
+  return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
+}
+
+/// "a", "a and b", "a, b and c".
+std::string enumerate(const std::vector<std::string>& parts) {
+  std::string out;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) out += i + 1 == parts.size() ? " and " : ", ";
+    out += parts[i];
+  }
+  return out;
+}
+
+} // namespace
+
+Summary summarize(std::span<const Diagnostic> diagnostics) {
+  Summary summary;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    switch (diagnostic.severity) {
+    case Severity::error:
+      ++summary.errors;
+      break;
+    case Severity::warning:
+      ++summary.warnings;
+      break;
+    case Severity::info:
+      ++summary.infos;
+      break;
+    }
+  }
+  return summary;
+}
+
+std::string render_full(const Diagnostic& diagnostic, const SourceMap& sources,
+                        const TextStyle& style) {
+  const Painter paint(style.color);
+  std::string out = header(diagnostic, paint) + main_frame(diagnostic, sources, style);
+  for (const Label& label : diagnostic.labels) {
+    if (label.span.source != diagnostic.span.source || !has_text(diagnostic.span, sources)) {
+      out += note_frame(label, sources, style);
+    }
+  }
+  return out + "\n";
+}
+
+std::string render_concise(const Diagnostic& diagnostic, const SourceMap& sources,
+                           const TextStyle& style) {
+  const Painter paint(style.color);
+  std::string out;
+  if (has_source(diagnostic.span, sources)) out = place(diagnostic.span, sources) + ": ";
+  out += paint(render::ink_of(diagnostic.severity), to_string(diagnostic.severity));
+  out += "[" + std::string(diagnostic.rule->id) + "] " + escape(diagnostic.message);
+  if (!diagnostic.help.empty()) out += " (" + escape(diagnostic.help) + ")";
+  return out + "\n";
+}
+
+std::string render_summary(const Summary& summary, const TextStyle& style) {
+  const Painter paint(style.color);
+  std::vector<std::string> found;
+  if (summary.errors > 0) found.push_back(paint(Ink::error, count(summary.errors, "error")));
+  if (summary.warnings > 0) {
+    found.push_back(paint(Ink::warning, count(summary.warnings, "warning")));
+  }
+  if (summary.infos > 0) found.push_back(paint(Ink::info, count(summary.infos, "info")));
+  std::string out = found.empty() ? "no findings" : "found " + enumerate(found);
+  out += " in " + count(summary.files, "file");
+
+  std::vector<std::string> loaded;
+  if (summary.models > 0) loaded.push_back(count(summary.models, "model"));
+  if (summary.scenes > 0) loaded.push_back(count(summary.scenes, "scene"));
+  if (loaded.size() == 2) {
+    out += " (" + loaded[0] + ", " + loaded[1] + ")";
+  } else if (loaded.size() == 1) {
+    out += " (" + loaded[0] + ")";
+  }
+  out += "\n";
+  if (summary.suppressed > 0) out += std::to_string(summary.suppressed) + " suppressed\n";
+  return out;
+}
+
+std::string render_statistics(std::span<const Diagnostic> diagnostics, const TextStyle& style) {
+  const Painter paint(style.color);
+  using Key = std::pair<std::string_view, Severity>;
+  std::map<Key, std::pair<const Rule*, std::size_t>> counts;
+  std::size_t digits = 1;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    auto& [rule, number] = counts[{diagnostic.rule->id, diagnostic.severity}];
+    rule = diagnostic.rule;
+    digits = std::max(digits, std::to_string(++number).size());
+  }
+  std::vector<std::pair<Key, std::pair<const Rule*, std::size_t>>> rows(counts.begin(),
+                                                                        counts.end());
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.second.second > b.second.second; });
+  std::string out;
+  for (const auto& [key, value] : rows) {
+    const std::string number = std::to_string(value.second);
+    const std::string_view severity = to_string(key.second);
+    out += std::string(digits - number.size(), ' ') + number + "  ";
+    out += paint(render::ink_of(key.second), severity) + std::string(9 - severity.size(), ' ');
+    out += std::string(value.first->id) + " " + std::string(value.first->name) + "\n";
+  }
+  return out;
+}
+
+} // namespace smurf
