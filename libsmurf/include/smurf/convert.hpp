@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SMURF models to plain URDF, with the proof that the result is the same robot.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+struct UrdfExport {
+  /// Folder the URDF is written to; mesh and texture paths are re-based so that they resolve there.
+  std::string output_folder = ".";
+  /// Absolute path that relative paths start from.
+  std::string current_folder = "/";
+};
+
+/// The model's own URDF, byte for byte but for relative mesh and texture paths that would not resolve
+/// from the output folder. Precondition: model.robot is set.
+std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
+                        const UrdfExport& options);
+
+/// How far two models differ. Zero everywhere means the same robot.
+struct Proof {
+  std::size_t links = 0;
+  std::size_t joint_positions = 0;  ///< number of configurations that were compared
+  double position = 0;              ///< largest distance of a link frame, m
+  double angle = 0;                 ///< largest rotation between link frames, rad
+  double mass = 0;                  ///< relative difference of the total mass
+  double center_of_mass = 0;        ///< m, at zero positions
+  double inertia = 0;               ///< relative difference of the inertia about the centre of mass
+  double limits = 0;                ///< largest difference of a limit
+  std::string difference;           ///< first difference in words; empty when there is none
+
+  bool holds() const { return difference.empty(); }
+};
+
+/// Compares kinematics at zero and at seeded random joint positions, masses and limits, by names.
+/// Links and joints that only one of the two has are a difference.
+Proof compare_models(const LinkedModel& source, const LinkedModel& result);
+
+/// What urdfdom says of a URDF text.
+struct RefereeVerdict {
+  bool was_asked = false;  ///< false: the text is not safe to hand to urdfdom
+  bool accepts = false;
+  std::string messages;  ///< urdfdom's own words, a line each
+};
+
+/// Asks urdfdom in this process. Precondition: our own checks found no error in the text (urdfdom
+/// before 5.1 crashes on some inputs); texts with '%' and very large ones are not handed over.
+RefereeVerdict ask_urdfdom(const std::string& urdf);
+
+}  // namespace smurf

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/edits.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace smurf {
+
+std::string apply_edits(std::string_view text, std::span<const Edit> edits) {
+  std::vector<const Edit*> sorted;
+  for (const Edit& edit : edits) sorted.push_back(&edit);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Edit* a, const Edit* b) {
+    return a->span.begin < b->span.begin;
+  });
+  std::string result;
+  std::size_t at = 0;
+  for (const Edit* edit : sorted) {
+    if (edit->span.begin < at) continue;
+    result += text.substr(at, edit->span.begin - at);
+    result += edit->text;
+    at = edit->span.end;
+  }
+  result += text.substr(at);
+  return result;
+}
+
+std::string escape_xml(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&': escaped += "&amp;"; break;
+      case '<': escaped += "&lt;"; break;
+      case '"': escaped += "&quot;"; break;
+      case '\'': escaped += "&apos;"; break;
+      default: escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace smurf

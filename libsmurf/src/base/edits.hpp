@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Byte-range edits of a text: what is not edited stays identical.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "smurf/diagnostic.hpp"
+
+namespace smurf {
+
+/// Applies edits of one source to its text. Edits are applied in the order of their places; one that
+/// overlaps an earlier one is left out.
+std::string apply_edits(std::string_view text, std::span<const Edit> edits);
+
+/// Text as it stands inside an XML attribute of either quote.
+std::string escape_xml(std::string_view text);
+
+}  // namespace smurf

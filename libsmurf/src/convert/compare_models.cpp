@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The proof of a conversion: two models, compared by what a simulator computes from them.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/numbers.hpp"
+#include "convert/mass_properties.hpp"
+#include "smurf/convert.hpp"
+
+namespace smurf {
+namespace {
+
+/// Relative to the larger of the two, and absolute below 1.
+double relative_difference(double a, double b) {
+  return std::fabs(a - b) / std::max({1.0, std::fabs(a), std::fabs(b)});
+}
+
+class Comparison {
+ public:
+  Comparison(const LinkedModel& source, const LinkedModel& result)
+      : source_(source), result_(result) {}
+
+  Proof run() {
+    same_names("link", source_.link_names, result_.link_names);
+    same_names("joint", source_.joint_names, result_.joint_names);
+    if (!proof_.difference.empty()) return proof_;
+    proof_.links = source_.robot->links.size();
+    same_limits();
+    same_masses();
+    constexpr int kConfigurations = 5;
+    std::mt19937 random(20260101);  // seeded: the same proof on every run
+    for (int i = 0; i < kConfigurations; ++i) same_poses(i == 0 ? JointPositions{} : draw(random));
+    return proof_;
+  }
+
+ private:
+  static constexpr double kTolerance = 1e-12;  // contract: equal to 1e-12 relative
+
+  void note(const std::string& difference) {
+    if (proof_.difference.empty()) proof_.difference = difference;
+  }
+
+  void same_names(const std::string& kind, const NameTable& a, const NameTable& b) {
+    for (const std::string_view name : a.names()) {
+      if (!b.contains(name)) note("the " + kind + " `" + std::string(name) + "` is lost");
+    }
+    for (const std::string_view name : b.names()) {
+      if (!a.contains(name)) note("the " + kind + " `" + std::string(name) + "` is new");
+    }
+  }
+
+  const urdf::Joint& result_joint(const urdf::Joint& joint) const {
+    return result_.robot->joints[*result_.joint_names.find(*joint.name)];
+  }
+
+  void same_limits() {
+    for (const urdf::Joint& joint : source_.robot->joints) {
+      if (!joint.name) continue;
+      const urdf::Joint& other = result_joint(joint);
+      const urdf::Limit a = joint.limit.value_or(urdf::Limit{});
+      const urdf::Limit b = other.limit.value_or(urdf::Limit{});
+      bool differs = joint.type != other.type || joint.limit.has_value() != other.limit.has_value();
+      const auto compare = [&](const Field<double>& x, const Field<double>& y) {
+        if (x.value.has_value() != y.value.has_value()) differs = true;
+        const double difference = relative_difference(x.value_or(0), y.value_or(0));
+        proof_.limits = std::max(proof_.limits, difference);
+        if (difference > kTolerance) differs = true;
+      };
+      compare(a.lower, b.lower);
+      compare(a.upper, b.upper);
+      compare(a.effort, b.effort);
+      compare(a.velocity, b.velocity);
+      if (differs) note("type or limits of the joint `" + *joint.name + "` differ");
+    }
+  }
+
+  void same_masses() {
+    const MassProperties a = total(source_, forward_kinematics(source_, {}));
+    const MassProperties b = total(result_, forward_kinematics(result_, {}));
+    proof_.mass = relative_difference(a.mass, b.mass);
+    proof_.center_of_mass = (a.center - b.center).norm();
+    proof_.inertia = (a.inertia - b.inertia).norm() / std::max(1.0, a.inertia.norm());
+    if (proof_.mass > kTolerance) note("the total mass differs");
+    if (proof_.center_of_mass > kTolerance * std::max(1.0, a.center.norm())) {
+      note("the centre of mass differs");
+    }
+    if (proof_.inertia > kTolerance) note("the inertia differs");
+  }
+
+  JointPositions draw(std::mt19937& random) const {
+    JointPositions positions;
+    for (const urdf::Joint& joint : source_.robot->joints) {
+      if (!joint.name || !joint.has_one_axis() || joint.mimic) continue;
+      double low = -1;
+      double high = 1;
+      if (joint.limit && joint.limit->lower && joint.limit->upper) {
+        low = std::clamp(*joint.limit->lower, -3.0, 3.0);
+        high = std::clamp(*joint.limit->upper, low, 3.0);
+      }
+      // std::uniform_real_distribution differs between standard libraries.
+      const double unit = static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+      positions[*joint.name] = low + (high - low) * unit;
+    }
+    return positions;
+  }
+
+  void same_poses(const JointPositions& positions) {
+    ++proof_.joint_positions;
+    const auto a = forward_kinematics(source_, positions);
+    const auto b = forward_kinematics(result_, positions);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const urdf::Link& link = source_.robot->links[i];
+      if (!link.name || source_.link_names.find(*link.name) != i) continue;
+      const std::optional<Pose>& other = b[*result_.link_names.find(*link.name)];
+      if (a[i].has_value() != other.has_value()) {
+        note("the link `" + *link.name + "` is connected in one model only");
+        continue;
+      }
+      if (!a[i]) continue;
+      double distance = 0;
+      double size = 1;
+      for (std::size_t k = 0; k < 3; ++k) {
+        distance = std::hypot(distance, a[i]->position[k] - other->position[k]);
+        size = std::max(size, std::fabs(a[i]->position[k]));
+      }
+      const double angle = angle_between(a[i]->orientation, other->orientation);
+      proof_.position = std::max(proof_.position, distance);
+      proof_.angle = std::max(proof_.angle, angle);
+      if (distance > kTolerance * size || angle > kTolerance) {
+        note("the pose of the link `" + *link.name + "` differs by " + format_rounded(distance) +
+             " m and " + format_rounded(angle) + " rad");
+      }
+    }
+  }
+
+  const LinkedModel& source_;
+  const LinkedModel& result_;
+  Proof proof_;
+};
+
+}  // namespace
+
+Proof compare_models(const LinkedModel& source, const LinkedModel& result) {
+  return Comparison(source, result).run();
+}
+
+}  // namespace smurf

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every rule against its fixtures: `bad` raises it and nothing else, `good`, which is a near miss,
+// raises nothing; the full text of `bad` is compared with the expected output beside it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "smurf/lint.hpp"
+#include "smurf/load.hpp"
+#include "smurf/render.hpp"
+
+namespace fs = std::filesystem;
+using namespace smurf;
+
+namespace {
+
+const fs::path kFixtures = fs::path(SMURF_FIXTURES) / "rules";
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Files with the case's folder in front, so that paths in messages do not depend on the machine.
+struct Case {
+  SourceMap sources;
+  MemoryFiles files;
+  std::vector<Diagnostic> diagnostics;
+
+  explicit Case(const fs::path& folder) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (entry.is_regular_file()) {
+        files.add(fs::relative(entry.path(), folder).generic_string(), read(entry.path()));
+      }
+    }
+    DiagnosticSink sink;
+    LoadContext context{sources, files, sink, {}, {}};
+    if (files.is_file("scene.smurfs")) {
+      const LinkedScene scene = load_scene("scene.smurfs", context);
+      lint_scene(scene, {}, sink);
+      for (const LinkedModel& model : scene.models) lint_model(model, {}, sink);
+      diagnostics = sink.take();
+      locate(scene, diagnostics);
+    } else {
+      const std::string entry = files.is_file("model.smurf") ? "model.smurf" : "robot.urdf";
+      REQUIRE_MESSAGE(files.is_file(entry), folder.generic_string() << " has no entry file");
+      const LinkedModel model = load_model(entry, context);
+      lint_model(model, {}, sink);
+      diagnostics = sink.take();
+      locate(model, diagnostics);
+    }
+    diagnostics = finish(std::move(diagnostics), sources, {});
+  }
+
+  std::string text() const {
+    std::string all;
+    for (const Diagnostic& diagnostic : diagnostics) {
+      all += render_full(diagnostic, sources, {});
+    }
+    return all;
+  }
+};
+
+void check_snapshot(const fs::path& expected_path, const std::string& actual) {
+  if (std::getenv("SMURF_UPDATE_SNAPSHOTS") != nullptr) {
+    std::ofstream(expected_path, std::ios::binary) << actual;
+    return;
+  }
+  CHECK(read(expected_path) == actual);
+}
+
+std::string folder_name(const Rule& rule) {
+  return std::string(rule.id) + "-" + std::string(rule.name);
+}
+
+}  // namespace
+
+TEST_CASE("bad fixtures raise their rule and nothing else, good ones nothing") {
+  for (const Rule* rule : all_rules()) {
+    const fs::path folder = kFixtures / folder_name(*rule);
+    CAPTURE(folder_name(*rule));
+    if (!fs::exists(folder)) continue;  // the next test insists on it
+    const Case bad(folder / "bad");
+    CHECK_MESSAGE(!bad.diagnostics.empty(), "the bad fixture raises nothing");
+    for (const Diagnostic& diagnostic : bad.diagnostics) {
+      CHECK_MESSAGE(diagnostic.rule->id == rule->id, bad.text());
+      CHECK(!diagnostic.message.empty());
+      CHECK(diagnostic.message.back() != '.');
+    }
+    check_snapshot(folder / "bad.expected.txt", bad.text());
+    const Case good(folder / "good");
+    CHECK_MESSAGE(good.diagnostics.empty(), good.text());
+  }
+}
+
+TEST_CASE("every rule has fixtures, and every fixture a rule") {
+  std::set<std::string> folders;
+  for (const auto& entry : fs::directory_iterator(kFixtures)) {
+    folders.insert(entry.path().filename().string());
+  }
+  // Not reachable from files: they report what the operating system says.
+  const std::set<std::string> no_fixture = {"SML0001-unreadable-file", "SML0002-file-too-large"};
+  for (const Rule* rule : all_rules()) {
+    const std::string name = folder_name(*rule);
+    if (no_fixture.contains(name)) continue;
+    CHECK_MESSAGE(folders.erase(name) == 1, name << " has no fixtures");
+  }
+  CHECK_MESSAGE(folders.empty(), "fixtures without a rule: " << *folders.begin());
+}
+
+TEST_CASE("the rule table keeps its promises") {
+  std::string previous;
+  std::set<std::string_view> names;
+  const std::set<std::string> stages = {"SML0", "SML1", "SML2", "SML3", "SML4",
+                                        "SML5", "SML6", "SML7", "SML8", "SML9"};
+  for (const Rule* rule : all_rules()) {
+    CAPTURE(rule->id);
+    CHECK(std::string(rule->id) > previous);
+    previous = rule->id;
+    CHECK(rule->id.size() == 7);
+    CHECK(stages.contains(std::string(rule->id.substr(0, 4))));
+    CHECK(names.insert(rule->name).second);
+    for (const char c : rule->name) CHECK((std::islower(c) || std::isdigit(c) || c == '-'));
+    CHECK(rule->summary.size() <= 100);
+    CHECK(rule->summary.ends_with('.'));
+    CHECK(!rule->why.empty());
+    CHECK(!rule->remedy.empty());
+    CHECK(!rule->sources.empty());
+    CHECK(find_rule(rule->id) == rule);
+    CHECK(find_rule(rule->name) == rule);
+  }
+}
