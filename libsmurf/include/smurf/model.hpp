@@ -91,7 +91,7 @@ struct Light : Annotation {
   Field<std::string> node_name;
 };
 
-/// The section `graphics` is one mapping.
+/// What `graphics` holds; MARS takes one mapping as well as a list.
 struct Graphics : Annotation {
   Field<Color> clear_color, fog_color;
   Field<bool> fog_enabled;
@@ -111,6 +111,24 @@ struct Submechanism : Annotation {
   Field<std::string> contextual_name, type;
   Field<NameList> joint_names, joint_names_spanning_tree, joint_names_active,
       joint_names_independent;
+};
+
+/// A part of a human that wears the mechanism; like a submechanism.
+struct Exoskeleton : Annotation {
+  Field<std::string> contextual_name, around;
+  Field<NameList> joint_names, joint_names_spanning_tree, joint_names_dependent;
+};
+
+/// Where another model can be attached.
+struct Interface : Annotation {
+  Field<std::string> parent, type, direction;
+  Field<Vector3> position, rotation;  ///< in the parent link's frame; m, rad (rpy)
+};
+
+/// An entry of the mapping `submodels`; `name` is its key.
+struct Submodel : Annotation {
+  Field<std::string> export_directory, start;  ///< `start` is a link
+  Field<NameList> stop;                        ///< links
 };
 
 /// A section the format does not define, kept whole.
@@ -135,6 +153,9 @@ struct Annotations {
   std::vector<Graphics> graphics;
   std::vector<JointPoseSet> poses;
   std::vector<Submechanism> submechanisms;
+  std::vector<Exoskeleton> exoskeletons;
+  std::vector<Interface> interfaces;
+  std::vector<Submodel> submodels;
   std::vector<CustomSection> custom;
 };
 
@@ -147,7 +168,7 @@ struct Model {
   Field<std::string> version;
   Field<NameList> files;
   Annotations inline_annotations;
-  /// Keys that are neither known nor sections: scene-entity keys, descriptions, plug-in data.
+  /// Keys that are neither known nor sections: scene-entity keys, plug-in data.
   std::vector<CustomSection> extra;
 };
 

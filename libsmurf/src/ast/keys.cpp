@@ -11,50 +11,76 @@
 namespace smurf {
 namespace {
 
-std::string name_of(const KeySpec& spec) { return "`" + std::string(spec.name) + "`"; }
+std::string name_of(const KeySpec& spec) {
+  return "`" + std::string(spec.name) + "`";
+}
 
-void report_type(const KeySpec& spec, yaml::View value, std::string_view expected,
-                 DiagnosticSink& sink) {
-  sink.report(rules::sml4001_wrong_type, value.place(),
-              name_of(spec) + " takes " + std::string(expected) + ", not " + describe(value));
+/// A help with an edit that replaces the value; not safe, because some reader understood the value
+/// as it is.
+void offer(Diagnostic& diagnostic, std::string help, Span place, std::string_view text) {
+  diagnostic.help = std::move(help);
+  diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(text)}}});
+}
+
+bool is_word_of(std::string_view text, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+Diagnostic& report_type(const KeySpec& spec, yaml::View value, std::string_view expected,
+                        DiagnosticSink& sink) {
+  return sink.report(rules::sml4001_wrong_type, value.place(),
+                     name_of(spec) + " takes " + std::string(expected) + ", not " +
+                         describe(value));
+}
+
+void report_not_number(const KeySpec& spec, yaml::View value, std::string_view expected,
+                       DiagnosticSink& sink) {
+  Diagnostic& diagnostic = report_type(spec, value, expected, sink);
+  const yaml::ScalarType type = type_without_quotes(value);
+  if (type == yaml::ScalarType::integer || type == yaml::ScalarType::number) {
+    offer(diagnostic, "remove the quotes: MARS reads the number, YAML readers with types a text",
+          value.span(), value.text());
+  }
 }
 
 /// A finite number, reported otherwise.
 std::optional<double> finite_number(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   const std::optional<double> number = value.number();
   if (number && std::isfinite(*number)) return number;
-  report_type(spec, value, "a number", sink);
+  report_not_number(spec, value, "a number", sink);
   return std::nullopt;
 }
 
 bool check_range(const KeySpec& spec, yaml::View value, double number, DiagnosticSink& sink) {
-  if (number >= spec.minimum && number <= spec.maximum) return true;
-  const std::string bound =
-      number < spec.minimum ? "at least " + format_number(spec.minimum)
-                            : "at most " + format_number(spec.maximum);
+  const Bounds bounds = bounds_of(spec);
+  if (number >= bounds.minimum && number <= bounds.maximum) return true;
+  const std::string bound = number < bounds.minimum ? "at least " + format_number(bounds.minimum)
+                                                    : "at most " + format_number(bounds.maximum);
   sink.report(rules::sml4003_out_of_range, value.span(),
               name_of(spec) + " is " + format_number(number) + ", but must be " + bound);
   return false;
 }
 
-bool check_choice(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
-  if (spec.choices.empty()) return true;
-  if (std::find(spec.choices.begin(), spec.choices.end(), value.text()) != spec.choices.end()) {
-    return true;
-  }
-  Diagnostic& diagnostic = sink.report(
-      rules::sml4002_unknown_value, value.span(),
-      "`" + std::string(value.text()) + "` is not a value of " + name_of(spec));
+/// Numbers among the choices (types of old MARS files) are compared as numbers.
+bool is_choice(const KeySpec& spec, yaml::View value) {
+  const std::optional<double> number = value.number();
+  return std::any_of(spec.choices.begin(), spec.choices.end(), [&](std::string_view choice) {
+    return choice == value.text() || (number && parse_number(choice) == number);
+  });
+}
+
+void check_choice(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
+  if (spec.choices.empty() || is_choice(spec, value)) return;
+  Diagnostic& diagnostic =
+      sink.report(rules::sml4002_unknown_value, value.span(),
+                  "`" + std::string(value.text()) + "` is not a value of " + name_of(spec));
   if (const auto near = nearest(value.text(), spec.choices)) {
-    diagnostic.help = "did you mean `" + std::string(*near) + "`?";
-    diagnostic.fixes.push_back({Applicability::unsafe, {{value.span(), std::string(*near)}}});
-  } else {
-    diagnostic.help = "known values:";
-    for (const std::string_view choice : spec.choices) {
-      diagnostic.help += " `" + std::string(choice) + "`";
-    }
+    return offer(diagnostic, "did you mean `" + std::string(*near) + "`?", value.span(), *near);
   }
-  return false;
+  diagnostic.help = "known values:";
+  for (const std::string_view choice : spec.choices) {
+    diagnostic.help += " `" + std::string(choice) + "`";
+  }
 }
 
 template <class T>
@@ -83,32 +109,48 @@ void read_number(const KeySpec& spec, yaml::View value, Target target, Diagnosti
   store(target, value, number);
 }
 
+/// 10.0 is whole, and configmaps reads it as 10.
 void read_integer(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
-  const std::optional<std::int64_t> number = value.integer();
-  if (number) {
-    check_range(spec, value, static_cast<double>(*number), sink);
-  } else {
-    report_type(spec, value, "a whole number", sink);
+  const std::optional<double> number = value.number();
+  std::optional<std::int64_t> whole;
+  if (!number || !std::isfinite(*number) || std::trunc(*number) != *number) {
+    report_not_number(spec, value, "a whole number", sink);
+  } else if (check_range(spec, value, *number, sink)) {
+    whole = static_cast<std::int64_t>(*number);
   }
-  store(target, value, number);
+  store(target, value, whole);
 }
 
 void read_boolean(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
   std::optional<bool> boolean = value.boolean();
-  // configmaps (MARS) reads 0 and 1 as booleans as well.
-  if (const auto number = value.integer(); number && (*number == 0 || *number == 1)) {
+  // configmaps reads 0 and 1 as booleans as well.
+  if (const auto number = value.number(); number && (*number == 0 || *number == 1)) {
     boolean = *number == 1;
   }
-  if (!boolean) report_type(spec, value, "true or false", sink);
+  if (!boolean) {
+    Diagnostic& diagnostic = report_type(spec, value, "true or false", sink);
+    if (is_word_of(value.text(), {"yes", "Yes", "YES", "on", "On", "ON", "y", "Y"})) {
+      offer(diagnostic, "write `true`: MARS does not know this word", value.span(), "true");
+    } else if (is_word_of(value.text(), {"no", "No", "NO", "off", "Off", "OFF", "n", "N"})) {
+      offer(diagnostic, "write `false`: MARS does not know this word", value.span(), "false");
+    } else if (type_without_quotes(value) == yaml::ScalarType::boolean) {
+      offer(diagnostic, "remove the quotes: MARS reads the boolean, YAML readers with types a text",
+            value.span(), value.text());
+    }
+  }
   store(target, value, boolean);
 }
 
 void read_names(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
+  NameList names;
+  if (spec.type == ValueType::names && value.is_scalar()) {
+    names.push_back({std::string(value.text()), value.span()});
+    return store(target, value, std::optional(std::move(names)));
+  }
   if (!value.is_sequence()) {
-    report_type(spec, value, "a list of names", sink);
+    report_type(spec, value, describe(spec.type), sink);
     return store<NameList>(target, value, std::nullopt);
   }
-  NameList names;
   for (const yaml::View item : value) {
     if (item.is_scalar()) {
       names.push_back({std::string(item.text()), item.span()});
@@ -135,36 +177,27 @@ void read_number_list(const KeySpec& spec, yaml::View value, std::size_t count, 
   store(target, value, vector);
 }
 
-/// A mapping whose known members must be numbers, e.g. x, y, z. Absent members stay absent.
-bool read_components(const KeySpec& spec, yaml::View value,
-                     std::span<const std::string_view> members, std::span<Field<double>> out,
+/// A mapping whose components, if they are there, must be numbers. Absent ones stay absent.
+bool read_components(const KeySpec& spec, yaml::View value, std::span<Field<double>> out,
                      DiagnosticSink& sink) {
   if (!value.is_mapping()) {
-    std::string expected = "a mapping with";
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      expected += (i == 0 ? " `" : ", `") + std::string(members[i]) + "`";
-    }
-    report_type(spec, value, expected, sink);
+    report_type(spec, value, describe(spec.type), sink);
     return false;
   }
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const yaml::View member = value.find(members[i]);
-    if (!member) continue;
-    out[i].written = true;
-    out[i].span = member.place();
-    out[i].value = finite_number(spec, member, sink);
+  const auto names = components_of(spec.type);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const yaml::View member = value.find(names[i]);
+    if (!member || member.is_null()) continue;
+    const std::optional<double> number = finite_number(spec, member, sink);
+    if (i < out.size()) out[i] = {number, member.place(), true};
   }
   return true;
 }
 
-constexpr std::string_view kXyz[] = {"x", "y", "z"};
-constexpr std::string_view kWxyz[] = {"w", "x", "y", "z"};
-constexpr std::string_view kRgba[] = {"r", "g", "b", "a"};
-
 void read_vector3(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
   Field<double> parts[3];
   std::optional<Vector3> vector;
-  if (read_components(spec, value, kXyz, parts, sink)) {
+  if (read_components(spec, value, parts, sink)) {
     vector = Vector3{parts[0].value_or(0), parts[1].value_or(0), parts[2].value_or(0)};
   }
   store(target, value, vector);
@@ -173,11 +206,11 @@ void read_vector3(const KeySpec& spec, yaml::View value, Target target, Diagnost
 void read_color(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
   Field<double> parts[4];
   std::optional<Color> color;
-  if (read_components(spec, value, kRgba, parts, sink)) {
+  if (read_components(spec, value, parts, sink)) {
     for (std::size_t i = 0; i < 4; ++i) {
       if (parts[i] && (*parts[i] < 0 || *parts[i] > 1)) {
         sink.report(rules::sml4003_out_of_range, parts[i].span,
-                    name_of(spec) + " has " + std::string(kRgba[i]) + " = " +
+                    name_of(spec) + " has " + std::string(components_of(spec.type)[i]) + " = " +
                         format_number(*parts[i]) + ", but colours lie between 0 and 1");
       }
     }
@@ -186,132 +219,96 @@ void read_color(const KeySpec& spec, yaml::View value, Target target, Diagnostic
   store(target, value, std::move(color));
 }
 
-}  // namespace
+void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
+  if (!value.is_mapping()) {
+    report_type(spec, value, describe(spec.type), sink);
+    return;
+  }
+  for (const yaml::View member : value) {
+    if (member.is_null() || !is_first(value, member)) continue;
+    const KeySpec inner{.name = member.key(), .type = ValueType::number};
+    finite_number(inner, member, sink);
+  }
+}
+
+void check_mapping(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
+  if (!value.is_mapping()) {
+    report_type(spec, value, describe(spec.type), sink);
+  } else {
+    check_keys(spec.members.keys(), value, spec.name, sink);
+  }
+}
+
+void check_list(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
+  if (!value.is_sequence()) {
+    report_type(spec, value, describe(spec.type), sink);
+    return;
+  }
+  if (spec.members.size == 0) return;
+  for (const yaml::View item : value) {
+    if (item.is_mapping()) {
+      check_keys(spec.members.keys(), item, spec.name, sink);
+    } else {
+      report_type(spec, item, "a list of mappings", sink);
+    }
+  }
+}
+
+} // namespace
 
 void read_value(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
   // configmaps and PyYAML both treat a null as a key that says nothing.
   if (value.is_null()) return;
   switch (spec.type) {
-    case ValueType::text: return read_text(spec, value, target, sink);
-    case ValueType::number: return read_number(spec, value, target, sink);
-    case ValueType::integer: return read_integer(spec, value, target, sink);
-    case ValueType::boolean: return read_boolean(spec, value, target, sink);
-    case ValueType::name_list: return read_names(spec, value, target, sink);
-    case ValueType::number_list: return read_number_list(spec, value, 0, target, sink);
-    case ValueType::vector3_list: return read_number_list(spec, value, 3, target, sink);
-    case ValueType::vector3: return read_vector3(spec, value, target, sink);
-    case ValueType::color: return read_color(spec, value, target, sink);
-    case ValueType::position:
-      if (value.is_mapping()) return read_vector3(spec, value, target, sink);
-      return read_number_list(spec, value, 3, target, sink);
-    case ValueType::rotation: return;  // its forms are told apart by the scene reader
-    case ValueType::quaternion: {
-      Field<double> parts[4];
-      read_components(spec, value, kWxyz, parts, sink);
-      return;
-    }
-    case ValueType::mapping:
-      if (!value.is_mapping()) report_type(spec, value, describe(spec.type), sink);
-      return;
-    case ValueType::list:
-      if (!value.is_sequence()) report_type(spec, value, describe(spec.type), sink);
-      return;
-    case ValueType::any: return;
+  case ValueType::text:
+    return read_text(spec, value, target, sink);
+  case ValueType::number:
+    return read_number(spec, value, target, sink);
+  case ValueType::integer:
+    return read_integer(spec, value, target, sink);
+  case ValueType::boolean:
+    return read_boolean(spec, value, target, sink);
+  case ValueType::names:
+  case ValueType::name_list:
+    return read_names(spec, value, target, sink);
+  case ValueType::number_list:
+    return read_number_list(spec, value, 0, target, sink);
+  case ValueType::number_map:
+    return check_number_map(spec, value, sink);
+  case ValueType::vector3_list:
+    return read_number_list(spec, value, 3, target, sink);
+  case ValueType::vector3:
+    return read_vector3(spec, value, target, sink);
+  case ValueType::color:
+    return read_color(spec, value, target, sink);
+  case ValueType::position:
+    if (value.is_mapping()) return read_vector3(spec, value, target, sink);
+    return read_number_list(spec, value, 3, target, sink);
+  case ValueType::rotation:
+    return; // its forms are told apart by the scene reader
+  case ValueType::vector2:
+  case ValueType::quaternion:
+  case ValueType::orientation:
+    read_components(spec, value, {}, sink);
+    return;
+  case ValueType::mapping:
+    return check_mapping(spec, value, sink);
+  case ValueType::list:
+    return check_list(spec, value, sink);
+  case ValueType::any:
+    return;
   }
 }
 
-void report_missing(std::span<const KeySpec* const> missing, yaml::View mapping,
-                    std::string_view what, DiagnosticSink& sink) {
-  for (const KeySpec* spec : missing) {
-    // The place is the entry's first line, not the whole entry.
-    Span place = mapping.span();
-    for (const yaml::View child : mapping) {
-      place = child.key_span();
-      break;
-    }
-    sink.report(rules::sml4004_missing_key, place,
-                "this " + std::string(what) + " has no " + name_of(*spec));
+void check_keys(std::span<const KeySpec> keys, yaml::View mapping, std::string_view what,
+                DiagnosticSink& sink) {
+  std::vector<const KeySpec*> missing;
+  for (const KeySpec& spec : keys) {
+    const yaml::View value = mapping.find(spec.name);
+    if (value) read_value(spec, value, {}, sink);
+    if (spec.required && (!value || value.is_null())) missing.push_back(&spec);
   }
+  report_missing(missing, mapping, what, sink);
 }
 
-std::string_view describe(ValueType type) {
-  switch (type) {
-    case ValueType::text: return "a text";
-    case ValueType::number: return "a number";
-    case ValueType::integer: return "a whole number";
-    case ValueType::boolean: return "true or false";
-    case ValueType::name_list: return "a list of names";
-    case ValueType::number_list: return "a list of numbers";
-    case ValueType::vector3: return "a mapping with `x`, `y`, `z`";
-    case ValueType::vector3_list: return "a list of three numbers";
-    case ValueType::quaternion: return "a mapping with `w`, `x`, `y`, `z`";
-    case ValueType::color: return "a mapping with `r`, `g`, `b`, `a`";
-    case ValueType::position: return "a list of three numbers";
-    case ValueType::rotation: return "one, three or four numbers";
-    case ValueType::mapping: return "a mapping";
-    case ValueType::list: return "a list";
-    case ValueType::any: return "anything";
-  }
-  return "";
-}
-
-std::string describe(yaml::View value) {
-  switch (value.kind()) {
-    case yaml::Kind::null: return "nothing";
-    case yaml::Kind::sequence: return "a list";
-    case yaml::Kind::mapping: return "a mapping";
-    case yaml::Kind::scalar: break;
-  }
-  constexpr std::size_t kLongest = 40;
-  std::string text(value.text().substr(0, kLongest));
-  if (value.text().size() > kLongest) text += "...";
-  return (value.type() == yaml::ScalarType::text ? "the text `" : "`") + text + "`";
-}
-
-namespace rules {
-
-constinit const Rule sml4001_wrong_type{
-    .id = "SML4001",
-    .name = "wrong-type",
-    .severity = Severity::error,
-    .summary = "A key holds a value of the wrong kind.",
-    .why = "MARS keeps every scalar as text and reads uninitialised memory when it is not the number "
-           "or boolean it needs (`yes`, `abc`, `.inf`); a list where it needs a mapping, or the "
-           "reverse, is an uncaught exception.",
-    .remedy = "Write the kind of value that the message names; `smurf-lint --explain` of the key's "
-              "section and the schemas list them.",
-    .sources = "configmaps ConfigAtom.hpp:83-91 and 335-386, MaterialData.cpp:53-80, Color.cpp:28-34 "
-               "(run)."};
-
-constinit const Rule sml4002_unknown_value{
-    .id = "SML4002",
-    .name = "unknown-value",
-    .severity = Severity::error,
-    .summary = "A key holds a word that is not one of its values.",
-    .why = "MARS compares these words literally; an unknown one leaves the object undefined or stops "
-           "the loading of everything that follows.",
-    .remedy = "Use one of the known values; they are case-sensitive.",
-    .sources = "MARS NodeData.cpp:98-286, JointData.cpp:89-164."};
-
-constinit const Rule sml4003_out_of_range{
-    .id = "SML4003",
-    .name = "out-of-range",
-    .severity = Severity::error,
-    .summary = "A number lies outside what its key allows.",
-    .why = "MARS takes the number as it is: a negative effort, size or rate is read as another "
-           "number (unsigned keys wrap around) or makes the physics engine refuse the object.",
-    .remedy = "Write a number within the bounds of the message.",
-    .sources = "configmaps ConfigAtom.hpp:335-386 (run: -1 is read as 18446744073709551615)."};
-
-constinit const Rule sml4004_missing_key{
-    .id = "SML4004",
-    .name = "missing-key",
-    .severity = Severity::error,
-    .summary = "An entry lacks a key without which it means nothing.",
-    .why = "MARS reads an absent key as 0 or the empty text: a motor without joint drives joint 0, "
-           "an entry without name matches nothing; Phobos stops with a KeyError.",
-    .remedy = "Add the key.",
-    .sources = "configmaps (run); MARS smurf.cpp:264; Phobos representation.py:2399."};
-
-}  // namespace rules
-}  // namespace smurf
+} // namespace smurf

@@ -82,10 +82,9 @@ Bounds bounds_of(const KeySpec& spec);
 std::span<const std::string_view> components_of(ValueType type);
 
 template <class T>
-using Member =
-    std::variant<std::monostate, Field<std::string> T::*, Field<double> T::*,
-                 Field<std::int64_t> T::*, Field<bool> T::*, Field<NameList> T::*,
-                 Field<Vector3> T::*, Field<Color> T::*>;
+using Member = std::variant<std::monostate, Field<std::string> T::*, Field<double> T::*,
+                            Field<std::int64_t> T::*, Field<bool> T::*, Field<NameList> T::*,
+                            Field<Vector3> T::*, Field<Color> T::*>;
 
 /// A key and the member that keeps its value; without a member the value stays in the tree only.
 template <class T>
@@ -94,21 +93,27 @@ struct Key {
   Member<T> member;
 };
 
-using Target = std::variant<std::monostate, Field<std::string>*, Field<double>*,
-                            Field<std::int64_t>*, Field<bool>*, Field<NameList>*, Field<Vector3>*,
-                            Field<Color>*>;
+using Target =
+    std::variant<std::monostate, Field<std::string>*, Field<double>*, Field<std::int64_t>*,
+                 Field<bool>*, Field<NameList>*, Field<Vector3>*, Field<Color>*>;
 
-/// Checks one value against its row and stores it. Reports SML4001 (wrong type), SML4002 (not one of
-/// the choices), SML4003 (out of range), and SML4004 (missing key) inside `members`.
+/// Checks one value against its row and stores it. Reports SML4001 (wrong type), SML4002 (not one
+/// of the choices), SML4003 (out of range), and SML4004 (missing key) inside `members`.
 void read_value(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink);
 
 /// Checks a mapping against a table that keeps no values; `what` names it in messages.
 void check_keys(std::span<const KeySpec> keys, yaml::View mapping, std::string_view what,
                 DiagnosticSink& sink);
 
+/// False for a duplicate key, which the YAML reader reports; readers take the first.
+bool is_first(yaml::View mapping, yaml::View member);
+
 /// Reports SML4004 for each required key that `mapping`, a `what` ("motor"), does not hold.
 void report_missing(std::span<const KeySpec* const> missing, yaml::View mapping,
                     std::string_view what, DiagnosticSink& sink);
+
+/// The type of a quoted scalar when the quotes are taken away; text for everything else.
+yaml::ScalarType type_without_quotes(yaml::View value);
 
 /// "a number", "a list of names": for messages.
 std::string_view describe(ValueType type);
@@ -121,23 +126,22 @@ using MoreKeys = std::initializer_list<std::span<const KeySpec>>;
 /// Null when no table has the key; the first table that has it counts.
 const KeySpec* find_key(MoreKeys tables, std::string_view name);
 
-/// Reads the entry `mapping` into `out` by tables. Keys without a row are left to the tree.
+/// Reads `mapping` into `out` by tables. Keys without a row are left to the tree.
 template <class T>
-void read_entry(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, T& out,
-                std::string_view what, DiagnosticSink& sink) {
-  out.span = mapping.span();
-  out.node = mapping.id();
-  if (!mapping.is_mapping()) return;
+void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, T& out,
+               std::string_view what, DiagnosticSink& sink) {
   std::vector<bool> seen(keys.size(), false);
   std::vector<bool> given(keys.size(), false);
   for (const yaml::View value : mapping) {
     std::size_t i = 0;
-    while (i < keys.size() && keys[i].spec.name != value.key()) ++i;
+    while (i < keys.size() && keys[i].spec.name != value.key())
+      ++i;
     if (i == keys.size()) {
-      if (const KeySpec* spec = find_key(more, value.key())) read_value(*spec, value, {}, sink);
+      const KeySpec* spec = find_key(more, value.key());
+      if (spec != nullptr && is_first(mapping, value)) read_value(*spec, value, {}, sink);
       continue;
     }
-    if (seen[i]) continue; // a duplicate key is reported by the YAML reader; the first counts
+    if (seen[i]) continue;
     seen[i] = true;
     given[i] = !value.is_null();
     const Target target = std::visit(
@@ -158,6 +162,15 @@ void read_entry(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping,
   report_missing(missing, mapping, what, sink);
 }
 
+/// Reads an entry of a list; `out` learns its place as well.
+template <class T>
+void read_entry(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, T& out,
+                std::string_view what, DiagnosticSink& sink) {
+  out.span = mapping.span();
+  out.node = mapping.id();
+  if (mapping.is_mapping()) read_keys(keys, more, mapping, out, what, sink);
+}
+
 template <class T>
 void read_entry(std::span<const Key<T>> keys, yaml::View mapping, T& out, std::string_view what,
                 DiagnosticSink& sink) {
@@ -168,12 +181,14 @@ void read_entry(std::span<const Key<T>> keys, yaml::View mapping, T& out, std::s
 template <class T>
 std::vector<const KeySpec*> specs_of(std::span<const Key<T>> keys, MoreKeys more = {}) {
   std::vector<const KeySpec*> specs;
-  for (const Key<T>& key : keys) specs.push_back(&key.spec);
+  for (const Key<T>& key : keys)
+    specs.push_back(&key.spec);
   const std::size_t own = specs.size();
   for (const std::span<const KeySpec> table : more) {
     for (const KeySpec& spec : table) {
       bool is_known = find_key(more, spec.name) != &spec;
-      for (std::size_t i = 0; i < own; ++i) is_known = is_known || specs[i]->name == spec.name;
+      for (std::size_t i = 0; i < own; ++i)
+        is_known = is_known || specs[i]->name == spec.name;
       if (!is_known) specs.push_back(&spec);
     }
   }

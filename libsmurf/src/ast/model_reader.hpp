@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
+#include "ast/keys.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/model.hpp"
 
@@ -12,7 +14,11 @@ namespace smurf {
 /// Reads a main file (.smurf). None when the root is not a mapping.
 std::optional<Model> read_model(const yaml::Document& document, DiagnosticSink& sink);
 
+/// The keys of a main file that are not sections. Keys of a scene entity are not among them,
+/// although MARS lets a main file replace those of the entity that names it.
+std::span<const Key<Model>> main_keys();
+
 /// Reads an annotation file (.yml). None when the root is not a mapping.
 std::optional<Annotations> read_annotations(const yaml::Document& document, DiagnosticSink& sink);
 
-}  // namespace smurf
+} // namespace smurf

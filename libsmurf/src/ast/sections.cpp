@@ -22,32 +22,42 @@ void report_shape(const SectionSpec& section, yaml::View value, std::string_view
                   ", not " + describe(value));
 }
 
-void read_section(const SectionSpec& section, yaml::View value, Annotations& out,
-                  DiagnosticSink& sink) {
-  if (value.is_null()) return;
-  if (!section.is_list) {
-    if (!value.is_mapping()) return report_shape(section, value, "a mapping", sink);
-    return section.read(value, value.key_span(), out, sink);
-  }
-  if (!value.is_sequence()) return report_shape(section, value, "a list of mappings", sink);
+void read_entries(const SectionSpec& section, yaml::View value, std::string_view expected,
+                  Annotations& out, DiagnosticSink& sink) {
   for (const yaml::View entry : value) {
     if (entry.is_mapping()) {
       section.read(entry, value.key_span(), out, sink);
     } else {
-      report_shape(section, entry, "a list of mappings", sink);
+      report_shape(section, entry, expected, sink);
     }
   }
 }
 
-}  // namespace
+void read_section(const SectionSpec& section, yaml::View value, Annotations& out,
+                  DiagnosticSink& sink) {
+  if (value.is_null()) return;
+  const bool is_named = section.form == SectionForm::named;
+  const std::string_view expected =
+      is_named ? "a mapping from names to mappings" : "a list of mappings";
+  if (is_named ? value.is_mapping() : value.is_sequence()) {
+    return read_entries(section, value, expected, out, sink);
+  }
+  if (section.form == SectionForm::list_or_mapping && value.is_mapping()) {
+    return section.read(value, value.key_span(), out, sink);
+  }
+  report_shape(section, value, expected, sink);
+}
 
-std::span<const SectionSpec* const> all_sections() { return kSections; }
+} // namespace
+
+std::span<const SectionSpec* const> all_sections() {
+  return kSections;
+}
 
 const SectionSpec* find_section(std::string_view name) {
   for (const SectionSpec* section : kSections) {
     const auto& aliases = section->aliases;
-    if (section->name == name ||
-        std::find(aliases.begin(), aliases.end(), name) != aliases.end()) {
+    if (section->name == name || std::find(aliases.begin(), aliases.end(), name) != aliases.end()) {
       return section;
     }
   }
@@ -56,7 +66,8 @@ const SectionSpec* find_section(std::string_view name) {
 
 std::vector<std::string_view> section_names() {
   std::vector<std::string_view> names;
-  for (const SectionSpec* section : kSections) names.push_back(section->name);
+  for (const SectionSpec* section : kSections)
+    names.push_back(section->name);
   for (const SectionSpec* section : kSections) {
     names.insert(names.end(), section->aliases.begin(), section->aliases.end());
   }
@@ -66,13 +77,14 @@ std::vector<std::string_view> section_names() {
 void read_sections(yaml::View root, bool (*is_taken)(std::string_view key), Annotations& out,
                    DiagnosticSink& sink) {
   for (const yaml::View value : root) {
-    if (is_taken(value.key())) continue;
+    if (is_taken(value.key()) || !is_first(root, value)) continue;
     if (const SectionSpec* section = find_section(value.key())) {
       read_section(*section, value, out, sink);
     } else {
-      out.custom.push_back({{std::string(value.key()), value.key_span()}, value.id(), value.span()});
+      out.custom.push_back(
+          {{std::string(value.key()), value.key_span()}, value.id(), value.span()});
     }
   }
 }
 
-}  // namespace smurf
+} // namespace smurf

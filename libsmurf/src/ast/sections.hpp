@@ -12,12 +12,19 @@
 
 namespace smurf {
 
+/// What the value of a section is.
+enum class SectionForm : std::uint8_t {
+  list,            ///< a list of entries
+  list_or_mapping, ///< a list of entries, or one entry
+  named            ///< a mapping from names to entries
+};
+
 struct SectionSpec {
-  std::string_view name;                       ///< canonical: "motors"
-  std::span<const std::string_view> aliases = {};   ///< other names of the same section: "motor"
-  std::string_view entry;                      ///< what one entry is: "motor"
-  std::string_view doc;                        ///< one sentence, for the schema
-  bool is_list = true;                         ///< false: the section is one mapping
+  std::string_view name;                          ///< canonical: "motors"
+  std::span<const std::string_view> aliases = {}; ///< other names of the same section: "motor"
+  std::string_view entry;                         ///< what one entry is: "motor"
+  std::string_view doc;                           ///< one sentence, for the schema
+  SectionForm form = SectionForm::list;
   std::vector<const KeySpec*> (*keys)() = nullptr;
   /// Reads one entry (a mapping) and appends it.
   void (*read)(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) = nullptr;
@@ -39,12 +46,16 @@ namespace sections {
 
 /// The usual `read` of a section: one table row per key, one vector of entries.
 template <class T>
-void read_into(std::span<const Key<T>> keys, std::string_view entry_name, yaml::View entry,
-               Span section, std::vector<T>& entries, DiagnosticSink& sink) {
+void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view entry_name,
+               yaml::View entry, Span section, std::vector<T>& entries, DiagnosticSink& sink) {
   T& item = entries.emplace_back();
   item.section = section;
-  read_entry(keys, entry, item, entry_name, sink);
+  read_entry(keys, more, entry, item, entry_name, sink);
 }
 
-}  // namespace sections
-}  // namespace smurf
+/// The keys that describe a node of MARS: entries of `collision`, `visuals`, `link` and `nodes`
+/// replace them one by one.
+std::span<const KeySpec> node_keys();
+
+} // namespace sections
+} // namespace smurf

@@ -10,7 +10,9 @@ using enum ValueType;
 constexpr Key<MaterialAnnotation> kKeys[] = {
     {{.name = "name", .type = text, .doc = "Name of a material of the URDF.", .required = true},
      &MaterialAnnotation::name},
-    {{.name = "ambientColor", .type = color, .doc = "Ambient colour; absent components are 0 in MARS."},
+    {{.name = "ambientColor",
+      .type = color,
+      .doc = "Ambient colour; absent components are 0 in MARS."},
      &MaterialAnnotation::ambient_color},
     {{.name = "diffuseColor", .type = color, .doc = "Diffuse colour; replaces the URDF's rgba."},
      &MaterialAnnotation::diffuse_color},
@@ -18,49 +20,82 @@ constexpr Key<MaterialAnnotation> kKeys[] = {
      &MaterialAnnotation::specular_color},
     {{.name = "emissionColor", .type = color, .doc = "Colour that the material emits."},
      &MaterialAnnotation::emission_color},
-    {{.name = "ambientFront", .type = color, .doc = "Old name of ambientColor."}, {}},
-    {{.name = "diffuseFront", .type = color, .doc = "Old name of diffuseColor."}, {}},
-    {{.name = "specularFront", .type = color, .doc = "Old name of specularColor."}, {}},
-    {{.name = "emissionFront", .type = color, .doc = "Old name of emissionColor."}, {}},
-    {{.name = "ambientBack", .type = color, .doc = "Ambient colour of the back side."}, {}},
-    {{.name = "diffuseBack", .type = color, .doc = "Diffuse colour of the back side."}, {}},
-    {{.name = "specularBack", .type = color, .doc = "Specular colour of the back side."}, {}},
-    {{.name = "emissionBack", .type = color, .doc = "Emitted colour of the back side."}, {}},
-    {{.name = "transparency", .type = number, .doc = "0 is opaque, 1 invisible.", .fallback = "0",
-      .minimum = 0, .maximum = 1},
+    {{.name = "transparency",
+      .type = number,
+      .doc = "0 is opaque, 1 invisible.",
+      .fallback = "0",
+      .minimum = 0,
+      .maximum = 1},
      &MaterialAnnotation::transparency},
-    {{.name = "shininess", .type = number, .doc = "Exponent of the specular highlight.",
-      .fallback = "0", .minimum = 0},
+    {{.name = "shininess",
+      .type = number,
+      .doc = "Exponent of the specular highlight.",
+      .fallback = "0",
+      .minimum = 0},
      &MaterialAnnotation::shininess},
     {{.name = "diffuseTexture", .type = text, .doc = "Image file, relative to the .smurf."},
      &MaterialAnnotation::diffuse_texture},
-    {{.name = "texturename", .type = text, .doc = "Old name of diffuseTexture."}, {}},
     {{.name = "normalTexture", .type = text, .doc = "Normal map, relative to the .smurf."},
      &MaterialAnnotation::normal_texture},
-    {{.name = "bumpmap", .type = text, .doc = "Old name of normalTexture."}, {}},
-    {{.name = "displacementTexture", .type = text, .doc = "Displacement map, relative to the .smurf."},
+    {{.name = "displacementTexture",
+      .type = text,
+      .doc = "Displacement map, relative to the .smurf."},
      &MaterialAnnotation::displacement_texture},
-    {{.name = "displacementmap", .type = text, .doc = "Old name of displacementTexture."}, {}},
-    {{.name = "tex_scale", .type = number, .doc = "Scale of the texture coordinates.",
-      .fallback = "1"},
-     {}},
-    {{.name = "bumpNorFac", .type = number, .doc = "Strength of the normal map.", .fallback = "1"},
-     {}},
-    {{.name = "reflect", .type = boolean, .doc = "Mirror the surroundings.", .fallback = "false"},
-     {}},
-    {{.name = "getLight", .type = boolean, .doc = "Be lit by lights.", .fallback = "true"}, {}},
-    {{.name = "exists", .type = boolean, .doc = "The material is used.", .fallback = "true"}, {}},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<MaterialAnnotation>(kKeys); }
+constexpr KeySpec kMoreKeys[] = {
+    {.name = "ambientFront", .type = color, .doc = "Old name of ambientColor."},
+    {.name = "diffuseFront", .type = color, .doc = "Old name of diffuseColor."},
+    {.name = "specularFront", .type = color, .doc = "Old name of specularColor."},
+    {.name = "emissionFront", .type = color, .doc = "Old name of emissionColor."},
+    {.name = "ambientBack", .type = color, .doc = "Ambient colour of the back side."},
+    {.name = "diffuseBack", .type = color, .doc = "Diffuse colour of the back side."},
+    {.name = "specularBack", .type = color, .doc = "Specular colour of the back side."},
+    {.name = "emissionBack", .type = color, .doc = "Emitted colour of the back side."},
+    {.name = "texturename", .type = text, .doc = "Old name of diffuseTexture."},
+    {.name = "bumpmap", .type = text, .doc = "Old name of normalTexture."},
+    {.name = "displacementmap", .type = text, .doc = "Old name of displacementTexture."},
+    {.name = "tex_scale",
+     .type = number,
+     .doc = "Scale of the texture coordinates.",
+     .fallback = "1"},
+    {.name = "bumpNorFac", .type = number, .doc = "Strength of the normal map.", .fallback = "1"},
+    {.name = "reflect", .type = boolean, .doc = "Mirror the surroundings.", .fallback = "false"},
+    {.name = "getLight", .type = boolean, .doc = "Be lit by lights.", .fallback = "true"},
+    {.name = "exists", .type = boolean, .doc = "The material is used.", .fallback = "true"},
+    {.name = "cullMask", .type = any, .doc = "Accepted and ignored by MARS."},
+    {.name = "brightness", .type = any, .doc = "Accepted and ignored by MARS."},
+    {.name = "users", .type = integer, .doc = "Counter of Phobos up to 1.0, without meaning."},
+    {.name = "culling", .type = any, .doc = "Renderer of MARS: do not draw back sides."},
+    {.name = "envMapSpecular", .type = any, .doc = "Renderer of MARS: environment map."},
+    {.name = "envMapScale", .type = any, .doc = "Renderer of MARS: environment map."},
+    {.name = "instancing", .type = any, .doc = "Renderer of MARS: draw many copies."},
+    {.name = "instancesWidth", .type = number, .doc = "Renderer of MARS: extent of the copies."},
+    {.name = "instancesLength", .type = number, .doc = "Renderer of MARS: extent of the copies."},
+    {.name = "instancesHeight", .type = number, .doc = "Renderer of MARS: extent of the copies."},
+    {.name = "maxNumLights",
+     .type = integer,
+     .doc = "Renderer of MARS: lights that count.",
+     .minimum = 0},
+    {.name = "renderBin", .type = any, .doc = "Renderer of MARS: order of drawing."},
+    {.name = "shader", .type = any, .doc = "Renderer of MARS: shader program."},
+    {.name = "shaderSources", .type = any, .doc = "Renderer of MARS: shader files."},
+    {.name = "textures", .type = list, .doc = "Renderer of MARS: further textures."},
+    {.name = "printShader", .type = any, .doc = "Renderer of MARS: write the shader to a file."},
+};
+
+std::vector<const KeySpec*> keys() {
+  return specs_of<MaterialAnnotation>(kKeys, {kMoreKeys});
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
-  read_into<MaterialAnnotation>(kKeys, "material", entry, section, out.materials, sink);
+  read_into<MaterialAnnotation>(kKeys, {kMoreKeys}, "material", entry, section, out.materials,
+                                sink);
 }
 
 constexpr std::string_view kAliases[] = {"material"};
 
-}  // namespace
+} // namespace
 
 constinit const SectionSpec materials{.name = "materials",
                                       .aliases = kAliases,
@@ -69,4 +104,4 @@ constinit const SectionSpec materials{.name = "materials",
                                       .keys = keys,
                                       .read = read};
 
-}  // namespace smurf::sections
+} // namespace smurf::sections

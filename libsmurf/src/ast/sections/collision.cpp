@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: MARS smurf.cpp:427-449; rock-cpp/smurf Robot.cpp:53-83; mars_ode_collision
+// Object.cpp:56-79; Phobos representation.py.
+#include "ast/sections.hpp"
+
+namespace smurf::sections {
+namespace {
+
+using enum ValueType;
+
+constexpr Key<CollisionAnnotation> kKeys[] = {
+    {{.name = "name", .type = text, .doc = "Name of a collision of the URDF.", .required = true},
+     &CollisionAnnotation::name},
+    {{.name = "link",
+      .type = text,
+      .doc = "Link of the collision; MARS 2 and rock-cpp/smurf match by it as well."},
+     &CollisionAnnotation::link},
+    {{.name = "bitmask",
+      .type = integer,
+      .doc = "Two objects collide when their masks share a bit; ray sensors see bit 15 (32768). "
+             "Absent, rock-cpp/smurf takes 0: no collisions.",
+      .fallback = "65535"},
+     &CollisionAnnotation::bitmask},
+};
+
+constexpr KeySpec kMoreKeys[] = {
+    {.name = "geometry", .type = any, .doc = "Shape, written by Phobos 2."},
+    {.name = "primitives", .type = any, .doc = "Replacement by simple shapes, Phobos 2."},
+    {.name = "capsules", .type = list, .doc = "Written by Phobos 0.7, read by nobody."},
+};
+
+std::vector<const KeySpec*> keys() {
+  return specs_of<CollisionAnnotation>(kKeys, {kMoreKeys, node_keys()});
+}
+
+void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
+  read_into<CollisionAnnotation>(kKeys, {kMoreKeys, node_keys()}, "collision", entry, section,
+                                 out.collisions, sink);
+}
+
+constexpr std::string_view kAliases[] = {"collisions"};
+
+} // namespace
+
+constinit const SectionSpec collision{.name = "collision",
+                                      .aliases = kAliases,
+                                      .entry = "collision",
+                                      .doc = "Contact parameters of URDF collisions.",
+                                      .keys = keys,
+                                      .read = read};
+
+} // namespace smurf::sections

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: MARS GraphicData.cpp, smurf.cpp:458-464.
+#include "ast/sections.hpp"
+
+namespace smurf::sections {
+namespace {
+
+using enum ValueType;
+
+constexpr Key<Graphics> kKeys[] = {
+    {{.name = "clearColor",
+      .type = color,
+      .doc = "Background colour.",
+      .fallback = R"({"r": 0.25, "g": 0.27, "b": 0.48, "a": 1})"},
+     &Graphics::clear_color},
+    {{.name = "fogEnabled", .type = boolean, .doc = "There is fog.", .fallback = "false"},
+     &Graphics::fog_enabled},
+    {{.name = "fogDensity",
+      .type = number,
+      .doc = "Density of the fog.",
+      .fallback = "0.35",
+      .minimum = 0},
+     &Graphics::fog_density},
+    {{.name = "fogStart",
+      .type = number,
+      .doc = "Distance at which the fog begins.",
+      .unit = "m",
+      .fallback = "10",
+      .minimum = 0},
+     &Graphics::fog_start},
+    {{.name = "fogEnd",
+      .type = number,
+      .doc = "Distance at which the fog is full.",
+      .unit = "m",
+      .fallback = "30",
+      .minimum = 0},
+     &Graphics::fog_end},
+    {{.name = "fogColor",
+      .type = color,
+      .doc = "Colour of the fog.",
+      .fallback = R"({"r": 0.2, "g": 0.2, "b": 0.2, "a": 1})"},
+     &Graphics::fog_color},
+};
+
+std::vector<const KeySpec*> keys() {
+  return specs_of<Graphics>(kKeys, {});
+}
+
+void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
+  read_into<Graphics>(kKeys, {}, "graphics entry", entry, section, out.graphics, sink);
+}
+
+} // namespace
+
+constinit const SectionSpec graphics{.name = "graphics",
+                                     .entry = "graphics entry",
+                                     .doc = "Settings of the display, for the whole scene.",
+                                     .form = SectionForm::list_or_mapping,
+                                     .keys = keys,
+                                     .read = read};
+
+} // namespace smurf::sections

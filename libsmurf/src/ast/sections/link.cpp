@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: MARS smurf.cpp:353-365; envire_smurf_loader Model.cpp:216-230; Phobos
+// representation.py:1764.
+#include "ast/sections.hpp"
+
+namespace smurf::sections {
+namespace {
+
+using enum ValueType;
+
+constexpr Key<LinkAnnotation> kKeys[] = {
+    {{.name = "name", .type = text, .doc = "Name of a link of the URDF, for MARS and Phobos."},
+     &LinkAnnotation::name},
+    {{.name = "link",
+      .type = text,
+      .doc = "The same name once more, for MARS 2, which stops at an entry without it."},
+     &LinkAnnotation::link},
+};
+
+constexpr KeySpec kMoreKeys[] = {
+    {.name = "visuals", .type = name_list, .doc = "Visuals of the link, written by Phobos 2."},
+    {.name = "collisions",
+     .type = name_list,
+     .doc = "Collisions of the link, written by Phobos 2."},
+    {.name = "is_human",
+     .type = boolean,
+     .doc = "The link is part of a human (Phobos 2).",
+     .fallback = "false"},
+    {.name = "kccd_hull", .type = any, .doc = "Hull for collision detection by KCCD (Phobos 2)."},
+    {.name = "origin", .type = any, .doc = "Pose of the link (Phobos 2)."},
+};
+
+std::vector<const KeySpec*> keys() {
+  return specs_of<LinkAnnotation>(kKeys, {kMoreKeys, node_keys()});
+}
+
+void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
+  read_into<LinkAnnotation>(kKeys, {kMoreKeys, node_keys()}, "link", entry, section, out.links,
+                            sink);
+}
+
+constexpr std::string_view kAliases[] = {"links"};
+
+} // namespace
+
+constinit const SectionSpec link{.name = "link",
+                                 .aliases = kAliases,
+                                 .entry = "link",
+                                 .doc = "Changes to the frame nodes of URDF links.",
+                                 .keys = keys,
+                                 .read = read};
+
+} // namespace smurf::sections

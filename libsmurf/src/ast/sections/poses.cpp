@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: MARS SimEntity.cpp:503-513; Phobos poses.py.
+#include "ast/sections.hpp"
+
+namespace smurf::sections {
+namespace {
+
+using enum ValueType;
+
+constexpr Key<JointPoseSet> kKeys[] = {
+    {{.name = "name",
+      .type = text,
+      .doc = "Name that entities of a scene refer to by `pose`.",
+      .required = true},
+     &JointPoseSet::name},
+    {{.name = "joints",
+      .type = number_map,
+      .doc = "Position of each motor (MARS) or joint (Phobos): give both the same name.",
+      .unit = "rad or m",
+      .required = true},
+     {}},
+};
+
+/// The positions; what is no number was reported by the table and has no value.
+void read_joints(yaml::View joints, JointPoseSet& pose) {
+  if (!joints || !joints.is_mapping()) return;
+  for (const yaml::View joint : joints) {
+    if (joint.is_null() || !is_first(joints, joint)) continue;
+    pose.joints.push_back(
+        {{std::string(joint.key()), joint.key_span()}, {joint.number(), joint.place(), true}});
+  }
+}
+
+std::vector<const KeySpec*> keys() {
+  return specs_of<JointPoseSet>(kKeys, {});
+}
+
+void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
+  read_into<JointPoseSet>(kKeys, {}, "joint pose set", entry, section, out.poses, sink);
+  read_joints(entry.find("joints"), out.poses.back());
+}
+
+} // namespace
+
+constinit const SectionSpec poses{.name = "poses",
+                                  .entry = "joint pose set",
+                                  .doc = "Named joint positions.",
+                                  .keys = keys,
+                                  .read = read};
+
+} // namespace smurf::sections

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: Phobos hyrodyn.py, robot.py:352-360; HyRoDyn files of ARC-OPT/wbc.
+#include "ast/sections.hpp"
+
+namespace smurf::sections {
+namespace {
+
+using enum ValueType;
+
+constexpr Key<Submechanism> kKeys[] = {
+    {{.name = "name", .type = text, .doc = "Kind of mechanism; may repeat.", .required = true},
+     &Submechanism::name},
+    {{.name = "contextual_name",
+      .type = text,
+      .doc = "Name of this one in the robot.",
+      .required = true},
+     &Submechanism::contextual_name},
+    {{.name = "type",
+      .type = text,
+      .doc = "Structure of the mechanism: serial, R, RRR, 2SPU+1U, ...",
+      .fallback = "\"numerical\""},
+     &Submechanism::type},
+    {{.name = "jointnames", .type = name_list, .doc = "All joints, fixed ones included."},
+     &Submechanism::joint_names},
+    {{.name = "jointnames_spanningtree", .type = name_list, .doc = "Movable joints."},
+     &Submechanism::joint_names_spanning_tree},
+    {{.name = "jointnames_active", .type = name_list, .doc = "Joints with a motor."},
+     &Submechanism::joint_names_active},
+    {{.name = "jointnames_independent",
+      .type = name_list,
+      .doc = "Joints whose positions determine all others."},
+     &Submechanism::joint_names_independent},
+};
+
+constexpr KeySpec kAxisKeys[] = {
+    {.name = "name", .type = text, .doc = "Name of the axis."},
+    {.name = "axis", .type = any, .doc = "Direction of the axis."},
+};
+
+constexpr KeySpec kLoopKeys[] = {
+    {.name = "cut_joint", .type = text, .doc = "Joint where the loop is cut."},
+    {.name = "predecessor_body", .type = text, .doc = "Link before the cut."},
+    {.name = "successor_body", .type = text, .doc = "Link after the cut."},
+    {.name = "constraint_axes",
+     .type = list,
+     .doc = "Axes of the cut joint.",
+     .members = kAxisKeys},
+};
+
+constexpr KeySpec kDependencyKeys[] = {
+    {.name = "name", .type = text, .doc = "Joint that follows others."},
+    {.name = "depends_on", .type = list, .doc = "Joints that it follows."},
+};
+
+constexpr KeySpec kMoreKeys[] = {
+    {.name = "loop_constraints", .type = list, .doc = "Closed loops.", .members = kLoopKeys},
+    {.name = "multi_joint_dependencies",
+     .type = list,
+     .doc = "Joints that follow others.",
+     .members = kDependencyKeys},
+    {.name = "file_path", .type = text, .doc = "URDF of the mechanism alone."},
+    {.name = "auto_gen",
+     .type = boolean,
+     .doc = "Written by Phobos from the joints, and not read back.",
+     .fallback = "false"},
+};
+
+std::vector<const KeySpec*> keys() {
+  return specs_of<Submechanism>(kKeys, {kMoreKeys});
+}
+
+void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
+  read_into<Submechanism>(kKeys, {kMoreKeys}, "submechanism", entry, section, out.submechanisms,
+                          sink);
+}
+
+} // namespace
+
+constinit const SectionSpec submechanisms{.name = "submechanisms",
+                                          .entry = "submechanism",
+                                          .doc = "Mechanisms of the robot, for Phobos and HyRoDyn.",
+                                          .keys = keys,
+                                          .read = read};
+
+} // namespace smurf::sections

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: Phobos robot.py:412-424 and 790-830.
+#include "ast/sections.hpp"
+
+namespace smurf::sections {
+namespace {
+
+using enum ValueType;
+
+constexpr Key<Submodel> kKeys[] = {
+    {{.name = "export_dir", .type = text, .doc = "Folder of the submodel, relative to this file."},
+     &Submodel::export_directory},
+    {{.name = "start", .type = text, .doc = "Root link of the submodel."}, &Submodel::start},
+    {{.name = "stop", .type = names, .doc = "Links at which the submodel ends."}, &Submodel::stop},
+};
+
+std::vector<const KeySpec*> keys() {
+  return specs_of<Submodel>(kKeys, {});
+}
+
+void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
+  read_into<Submodel>(kKeys, {}, "submodel", entry, section, out.submodels, sink);
+  out.submodels.back().name = {std::string(entry.key()), entry.key_span(), true};
+}
+
+} // namespace
+
+constinit const SectionSpec submodels{
+    .name = "submodels",
+    .entry = "submodel",
+    .doc = "Parts of the model that Phobos exported as models of their own.",
+    .form = SectionForm::named,
+    .keys = keys,
+    .read = read};
+
+} // namespace smurf::sections
