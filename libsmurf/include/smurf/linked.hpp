@@ -22,6 +22,7 @@ enum class LinkIndex : std::uint32_t {};
 enum class JointIndex : std::uint32_t {};
 enum class ModelIndex : std::uint32_t {};
 enum class SceneIndex : std::uint32_t {};
+enum class UseIndex : std::uint32_t {};
 enum class InstanceIndex : std::uint32_t {};
 
 template <class Index>
@@ -117,40 +118,59 @@ std::optional<JointPositions> joint_positions(const LinkedModel& model, std::str
 struct Attachment {
   enum class Kind : std::uint8_t { none, world, link };
   Kind kind = Kind::none;
-  std::optional<InstanceIndex> instance;  ///< kind link
-  std::string link;                       ///< kind link
+  InstanceIndex instance{};  ///< kind link
+  std::string link;          ///< kind link
+
+  friend bool operator==(const Attachment&, const Attachment&) = default;
 };
 
-/// An entity after nested scenes are expanded.
-struct Instance {
-  std::string name;  ///< as written
-  std::string path;  ///< unique: "outer/inner"
-  SceneIndex scene{};
-  std::size_t entity = 0;  ///< in scenes[scene].scene.entities
-  std::string type;
-  std::optional<ModelIndex> model;
-  Attachment parent;   ///< the frame position and rotation are relative to; none: the world
+/// Where an entity stands once the includes around it are accounted for.
+struct Placement {
+  Attachment parent;  ///< the frame of X_PE; none: the world
   Attachment anchor;
-  std::string pose_name;
-  JointPositions joint_positions;
-  /// World pose of the root link frame; absent when a parent could not be resolved.
-  std::optional<Pose> X_WE;
+  /// Own pose, after those of the includes up to the one that brings the parent.
+  Pose X_PE;
+  bool is_known = true;  ///< false when a parent or a pose could not be understood
 };
 
-/// A scene file; nested ones are included in the table once per use.
+/// A scene file, read once however often it is included.
 struct SceneFile {
   std::string path;
   SourceId source{};
   std::optional<yaml::Document> document;
   Scene scene;
-  std::optional<SceneIndex> included_by;  ///< none for the scene that was loaded
-  std::size_t including_entity = 0;       ///< in the including scene
 };
 
+/// One use of a scene file: the scene that was loaded, or an include.
+struct SceneUse {
+  SceneIndex scene{};
+  std::string path;                ///< "outer/inner"; empty for the loaded scene
+  std::optional<UseIndex> outer;   ///< none for the loaded scene
+  std::size_t including_entity = 0;  ///< in the scene of `outer`
+  Placement placement;             ///< what its entities without own parent inherit
+};
+
+/// An entity after nested scenes are expanded.
+struct Instance {
+  std::string name;  ///< as written; empty when there is none
+  std::string path;  ///< unique: "outer/inner"
+  UseIndex use{};
+  std::size_t entity = 0;  ///< in the scene of `use`
+  std::string type;        ///< as written, else the extension of the file
+  std::string file;        ///< resolved; empty when there is none
+  std::optional<ModelIndex> model;
+  Placement placement;
+  JointPositions joint_positions;  ///< of the named joint pose set; without mimicking joints
+  /// World pose of the root link frame; absent when something it depends on is in error.
+  std::optional<Pose> X_WE;
+};
+
+/// A loaded scene. A .smurf or .urdf counts as a scene of one entity; its scene file has no document.
 struct LinkedScene {
   std::string path;
-  std::vector<SceneFile> scenes;  ///< the loaded one first
-  std::vector<LinkedModel> models;
+  std::vector<SceneFile> scenes;    ///< the loaded one first
+  std::vector<SceneUse> uses;       ///< the loaded scene first, outer uses before inner ones
+  std::vector<LinkedModel> models;  ///< each file once
   std::vector<Instance> instances;  ///< depth-first, in file order
   bool is_complete = true;          ///< false when a file is missing or broken
 
@@ -160,9 +180,17 @@ struct LinkedScene {
   LinkedScene(const LinkedScene&) = delete;
   LinkedScene& operator=(const LinkedScene&) = delete;
 
+  const SceneUse& use(const Instance& instance) const { return uses[to_size(instance.use)]; }
+  const SceneFile& file(const SceneUse& use) const { return scenes[to_size(use.scene)]; }
   const Entity& entity(const Instance& instance) const {
-    return scenes[to_size(instance.scene)].scene.entities[instance.entity];
+    return file(use(instance)).scene.entities[instance.entity];
   }
+  /// The entity that includes a scene; null for the loaded scene.
+  const Entity* entity(const SceneUse& use) const {
+    return use.outer ? &file(uses[to_size(*use.outer)]).scene.entities[use.including_entity]
+                     : nullptr;
+  }
+  const Instance& instance(InstanceIndex index) const { return instances[to_size(index)]; }
   const LinkedModel* model(const Instance& instance) const {
     return instance.model ? &models[to_size(*instance.model)] : nullptr;
   }

@@ -2,7 +2,9 @@
 // A SMURF scene or assembly as written.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,7 @@ namespace smurf {
 /// The list an entity stands in; all three may coexist in MARS.
 enum class EntityList : std::uint8_t { smurfs, entities, smurfa };
 
-/// How a rotation is written. The numbers keep the order of the file.
+/// How a rotation is written.
 enum class RotationForm : std::uint8_t {
   absent,
   yaw,         ///< a number or a list of one: degrees about z
@@ -28,15 +30,17 @@ enum class RotationForm : std::uint8_t {
 struct Rotation {
   RotationForm form = RotationForm::absent;
   Span span;
-  std::vector<double> values;  ///< yaw: 1, euler: 3, quaternion: 4 as w, x, y, z; not normalised
+  std::array<double, 4> values{};  ///< yaw: 1, euler: 3, quaternion: w, x, y, z; not normalised
   bool is_mapping = false;
 };
+/// As a unit quaternion; the identity when absent or invalid.
+Quaternion to_quaternion(const Rotation& rotation);
 
-/// One entry of a scene. `path` of the YAML node gives keys that are not listed here.
+/// One entry of a scene.
 struct Entity {
   EntityList list = EntityList::entities;
-  std::size_t index = 0;  ///< in its list
   Span span;
+  Span head;  ///< its first key, for findings about the whole
   yaml::NodeId node = yaml::kNoNode;
   Field<std::string> name, file, type, parent, anchor, pose;
   Field<std::string> uri;
@@ -44,10 +48,16 @@ struct Entity {
   bool position_is_mapping = false;
   Rotation rotation;
   Field<bool> root;
-  std::vector<CustomSection> extra;  ///< every other key
+  std::vector<JointPoseSet> poses;   ///< of this entity alone; MARS merges them before the model's
+  std::vector<CustomSection> extra;  ///< every key without a member above
 };
 
+/// Where a finding about the whole entity points: its name, else its first key.
+Span place_of(const Entity& entity);
+
 struct Physics {
+  Span span;
+  yaml::NodeId node = yaml::kNoNode;
   Field<Vector3> gravity;   ///< m/s^2
   Field<double> step_size;  ///< `ode.stepsize`, milliseconds in MARS
   Field<double> cfm, erp;
@@ -55,10 +65,9 @@ struct Physics {
 
 struct Scene {
   std::vector<Entity> entities;  ///< in MARS's order: `smurfs`, `entities`, `smurfa`
-  Physics physics;
-  yaml::NodeId physics_node = yaml::kNoNode;
+  std::optional<Physics> physics;
   yaml::NodeId environment = yaml::kNoNode;
-  std::vector<Light> lights;
+  std::vector<Light> lights;  ///< in the world frame
   std::vector<CustomSection> extra;
 };
 

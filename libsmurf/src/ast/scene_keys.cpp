@@ -8,206 +8,211 @@ namespace {
 
 using enum ValueType;
 
-constexpr Key<Entity> kEntityKeys[] = {
-    {{.name = "name",
-      .type = text,
-      .doc = "Name of the entity; `parent` and `anchor` of others refer to it, so it is unique."},
-     &Entity::name},
-    {{.name = "file",
-      .type = text,
-      .doc = "Model, scene or data file, relative to the folder of this scene."},
-     &Entity::file},
-    {{.name = "type",
-      .type = text,
-      .doc = "smurf, urdf, smurfs, smurfa, scn, scene, yml, primitive or a type of a plug-in; "
-             "absent, it is the extension of `file`."},
-     &Entity::type},
-    {{.name = "position",
-      .type = position,
-      .doc = "Where the root link's frame is, seen from the parent's frame.",
-      .unit = "m",
-      .fallback = "[0, 0, 0]"},
-     &Entity::position},
-    {{.name = "rotation",
-      .type = rotation,
-      .doc = "How the root link's frame is turned, seen from the parent's frame: one number turns "
-             "about z, three turn about the fixed axes x, then y, then z (all in degrees), four "
-             "are a unit quaternion w, x, y, z.",
-      .unit = "deg",
-      .fallback = "[1, 0, 0, 0]"},
-     {}},
-    {{.name = "parent",
-      .type = text,
-      .doc = "Frame that position and rotation refer to: `world`, or `ENTITY::LINK`.",
-      .fallback = "\"world\""},
-     &Entity::parent},
-    {{.name = "anchor",
-      .type = text,
-      .doc = "What the root link is fixed to: `none`, `world`, `parent` (the link named by "
-             "`parent`), or `ENTITY::LINK`. Fixing moves nothing.",
-      .fallback = "\"none\""},
-     &Entity::anchor},
-    {{.name = "pose",
-      .type = text,
-      .doc = "Name of the joint pose set (`poses` of the model) that the model starts in."},
-     &Entity::pose},
-    {{.name = "poses",
-      .type = list,
-      .doc = "Joint pose sets of this entity, in addition to those of its model."},
-     {}},
-    {{.name = "URI",
-      .type = text,
-      .doc = "File of an entity in scenes of Phobos 0.6; MARS replaces the key by the contents of "
-             "that file before it looks for one."},
-     &Entity::uri},
-    {{.name = "root",
-      .type = boolean,
-      .doc = "Marks the root of an assembly: in a list `smurfa` only such entities take pose, "
-             "parent and anchor of the including entity.",
-      .fallback = "false"},
-     &Entity::root},
-    {{.name = "main_entity",
-      .type = boolean,
-      .doc = "Marks the entity that MARS plug-ins take as the main one.",
-      .fallback = "false"},
-     {}},
-    {{.name = "assembly",
-      .type = text,
-      .doc = "Name of the assembly; MARS sets it for entities of a list `smurfa`."},
-     {}},
-    {{.name = "data_package",
-      .type = integer,
-      .doc = "What the joint of the anchor publishes: 0 nothing, 1 a reduced set.",
-      .minimum = 0},
-     {}},
-    {{.name = "child",
-      .type = text,
-      .doc = "Link that Phobos attaches when it assembles models; absent, the root link."},
-     {}},
-    {{.name = "geometry",
-      .type = mapping,
-      .doc = "Shape of an entity of type `primitive`: `type` is plane, box, sphere, cylinder or "
-             "capsule."},
-     {}},
-    {{.name = "teleportation_targets",
-      .type = list,
-      .doc = "Poses that the Rock task RobotTeleportation moves the entity to, each a partial "
-             "entity."},
-     {}},
-};
-
-constexpr Key<Physics> kPhysicsKeys[] = {
-    {{.name = "gravity",
-      .type = vector3,
-      .doc = "Acceleration of free fall in the world frame; a missing component is 0.",
-      .unit = "m/s^2",
-      .fallback = "{\"x\": 0, \"y\": 0, \"z\": -9.81}"},
-     &Physics::gravity},
-    {{.name = "ode", .type = mapping, .doc = "Parameters of the physics engine ODE."}, {}},
-    {{.name = "bullet",
-      .type = mapping,
-      .doc = "Parameters of the physics engine Bullet, read by Phobos' script for PyBullet only."},
-     {}},
-};
-
-constexpr Key<Physics> kOdeKeys[] = {
-    {{.name = "stepsize",
-      .type = number,
-      .doc = "Length of one step, in milliseconds (Phobos' script for PyBullet takes seconds).",
-      .unit = "ms",
-      .fallback = "10",
-      .minimum = 0},
-     &Physics::step_size},
-    {{.name = "cfm",
-      .type = number,
-      .doc = "Global constraint force mixing.",
-      .fallback = "1e-10",
-      .minimum = 0},
-     &Physics::cfm},
-    {{.name = "erp",
-      .type = number,
-      .doc = "Global error reduction per step.",
-      .fallback = "0.1",
-      .minimum = 0,
-      .maximum = 1},
-     &Physics::erp},
-};
-
-constexpr KeySpec kSceneKeys[] = {
-    {.name = "plugins", .type = name_list, .doc = "MARS plug-in libraries to load."},
-    {.name = "smurfs", .type = list, .doc = "Entities; the old name of `entities`, read first."},
-    {.name = "entities", .type = list, .doc = "The entities of the scene."},
-    {.name = "smurfa",
+constexpr KeySpec kEntity[] = {
+    {.name = "name",
+     .type = text,
+     .doc = "Name of the entity; `parent` and `anchor` of others refer to it, so it is unique."},
+    {.name = "file",
+     .type = text,
+     .doc = "Model, scene or data file, relative to the folder of this scene."},
+    {.name = "type",
+     .type = text,
+     .doc = "smurf, urdf, smurfs, smurfa, scn, scene, yml, primitive or a type of a plug-in; "
+            "absent, it is the extension of `file`."},
+    {.name = "position",
+     .type = position,
+     .doc = "Where the root link's frame is, seen from the parent's frame.",
+     .unit = "m",
+     .fallback = "[0, 0, 0]"},
+    {.name = "rotation",
+     .type = rotation,
+     .doc = "How the root link's frame is turned, seen from the parent's frame: one number turns "
+            "about z, three turn about the fixed axes x, then y, then z (all in degrees), four "
+            "are a unit quaternion w, x, y, z.",
+     .unit = "deg",
+     .fallback = "[1, 0, 0, 0]"},
+    {.name = "parent",
+     .type = text,
+     .doc = "Frame that position and rotation refer to: `world`, or `ENTITY::LINK`.",
+     .fallback = "\"world\""},
+    {.name = "anchor",
+     .type = text,
+     .doc = "What the root link is fixed to: `none`, `world`, `parent` (the link named by "
+            "`parent`), or `ENTITY::LINK`. Fixing moves nothing.",
+     .fallback = "\"none\""},
+    {.name = "pose",
+     .type = text,
+     .doc = "Name of the joint pose set (`poses` of the model) that the model starts in."},
+    {.name = "poses",
      .type = list,
-     .doc = "Entities of an assembly: only those with `root: true` are moved when the assembly is "
-            "included."},
-    {.name = "physics", .type = mapping, .doc = "Gravity and parameters of the physics engine."},
-    {.name = "environment",
+     .doc = "Joint pose sets of this entity, in addition to those of its model."},
+    {.name = "URI",
+     .type = text,
+     .doc = "File of an entity in scenes of Phobos 0.6; MARS replaces the key by the contents of "
+            "that file before it looks for one."},
+    {.name = "root",
+     .type = boolean,
+     .doc = "Marks the root of an assembly: in a list `smurfa` only such entities take parent "
+            "and anchor of the including entity.",
+     .fallback = "false"},
+    {.name = "main_entity",
+     .type = boolean,
+     .doc = "Marks the entity that MARS plug-ins take as the main one.",
+     .fallback = "false"},
+    {.name = "assembly",
+     .type = text,
+     .doc = "Name of the assembly; MARS sets it for entities of a list `smurfa`."},
+    {.name = "data_package",
+     .type = integer,
+     .doc = "What the joint of the anchor publishes: 0 nothing, 1 a reduced set.",
+     .minimum = 0},
+    {.name = "child",
+     .type = text,
+     .doc = "Link that Phobos attaches when it assembles models; absent, the root link."},
+    {.name = "geometry",
      .type = mapping,
-     .doc = "Sky, terrain, background and fog; without `fog` in it, fog is switched off."},
-    {.name = "lights", .type = list, .doc = "Lights, in the world frame."},
+     .doc = "Shape of an entity of type `primitive`: `type` is plane, box, sphere, cylinder or "
+            "capsule."},
+    {.name = "teleportation_targets",
+     .type = list,
+     .doc = "Poses that the Rock task RobotTeleportation moves the entity to, each a partial "
+            "entity."},
 };
 
-constexpr KeySpec kEnvironmentKeys[] = {
-    {.name = "skybox", .type = mapping, .doc = "Images of the sky."},
-    {.name = "animations", .type = mapping, .doc = "Animated characters."},
-    {.name = "terrain", .type = mapping, .doc = "Terrain that is shown, without physics."},
-    {.name = "background", .type = color, .doc = "Background colour."},
-    {.name = "fog", .type = mapping, .doc = "Fog; absent, it is switched off."},
+constexpr KeySpec kOde[] = {
+    {.name = "stepsize",
+     .type = number,
+     .doc = "Length of one step, in milliseconds (Phobos' script for PyBullet takes seconds).",
+     .unit = "ms",
+     .fallback = "10",
+     .minimum = 0},
+    {.name = "cfm",
+     .type = number,
+     .doc = "Global constraint force mixing.",
+     .fallback = "1e-10",
+     .minimum = 0},
+    {.name = "erp",
+     .type = number,
+     .doc = "Global error reduction per step.",
+     .fallback = "0.1",
+     .minimum = 0,
+     .maximum = 1},
 };
 
-constexpr KeySpec kSkyboxKeys[] = {
+constexpr KeySpec kPhysics[] = {
+    {.name = "gravity",
+     .type = vector3,
+     .doc = "Acceleration of free fall in the world frame; a missing component is 0.",
+     .unit = "m/s^2",
+     .fallback = "{\"x\": 0, \"y\": 0, \"z\": -9.81}"},
+    {.name = "ode",
+     .type = mapping,
+     .doc = "Parameters of the physics engine ODE.",
+     .members = kOde},
+    {.name = "bullet",
+     .type = mapping,
+     .doc = "Parameters of the physics engine Bullet, read by Phobos' script for PyBullet only."},
+};
+
+constexpr KeySpec kSkybox[] = {
     {.name = "path",
      .type = text,
      .doc = "Folder of the images, relative to the scene's folder when it exists there."},
 };
 
-constexpr KeySpec kAnimationsKeys[] = {
+constexpr KeySpec kAnimations[] = {
     {.name = "config_path", .type = text, .doc = "Configuration file of the animations."},
 };
 
-constexpr KeySpec kTerrainKeys[] = {
+constexpr KeySpec kTerrain[] = {
     {.name = "path", .type = text, .doc = "Folder of the terrain data."},
     {.name = "mesh", .type = text, .doc = "Mesh of the terrain."},
     {.name = "mesh_material", .type = any, .doc = "Material of the mesh."},
     {.name = "mesh_scale", .type = any, .doc = "Scale of the mesh."},
 };
 
-constexpr KeySpec kFogKeys[] = {
+constexpr KeySpec kFog[] = {
     {.name = "density", .type = number, .doc = "Density of the fog.", .minimum = 0},
     {.name = "start", .type = number, .doc = "Distance at which the fog begins.", .unit = "m"},
     {.name = "end", .type = number, .doc = "Distance at which the fog is full.", .unit = "m"},
     {.name = "color", .type = color, .doc = "Colour of the fog."},
 };
 
-template <auto& kKeys>
-std::vector<const KeySpec*> specs() {
-  std::vector<const KeySpec*> specs;
-  for (const auto& key : kKeys) {
-    if constexpr (requires { key.spec; }) {
-      specs.push_back(&key.spec);
-    } else {
-      specs.push_back(&key);
-    }
+constexpr KeySpec kEnvironment[] = {
+    {.name = "skybox", .type = mapping, .doc = "Images of the sky.", .members = kSkybox},
+    {.name = "animations", .type = mapping, .doc = "Animated characters.", .members = kAnimations},
+    {.name = "terrain",
+     .type = mapping,
+     .doc = "Terrain that is shown, without physics.",
+     .members = kTerrain},
+    {.name = "background", .type = color, .doc = "Background colour."},
+    {.name = "fog", .type = mapping, .doc = "Fog; absent, it is switched off.", .members = kFog},
+};
+
+constexpr KeySpec kScene[] = {
+    {.name = "plugins", .type = name_list, .doc = "MARS plug-in libraries to load."},
+    {.name = "smurfs",
+     .type = list,
+     .doc = "Entities; the old name of `entities`, read first.",
+     .members = kEntity},
+    {.name = "entities", .type = list, .doc = "The entities of the scene.", .members = kEntity},
+    {.name = "smurfa",
+     .type = list,
+     .doc = "Entities of an assembly: only those with `root: true` are fixed to what the assembly "
+            "is fixed to.",
+     .members = kEntity},
+    {.name = "physics",
+     .type = mapping,
+     .doc = "Gravity and parameters of the physics engine.",
+     .members = kPhysics},
+    {.name = "environment",
+     .type = mapping,
+     .doc = "Sky, terrain, background and fog; without `fog` in it, fog is switched off.",
+     .members = kEnvironment},
+    {.name = "lights", .type = list, .doc = "Lights, in the world frame."},
+};
+
+/// The row of a table by its key.
+template <std::size_t N>
+consteval KeySpec row(const KeySpec (&table)[N], std::string_view name) {
+  for (const KeySpec& spec : table) {
+    if (spec.name == name) return spec;
   }
-  return specs;
+  throw "no such key";
 }
 
-constexpr SceneTable kTables[] = {
-    {"", "scene", "A SMURF scene (.smurfs) or assembly (.smurfa).", specs<kSceneKeys>},
-    {"*", "entity", "One entity; keys of plug-ins are kept.", specs<kEntityKeys>},
-    {"physics", "physics", "Physics of the world; ignored in a .smurfa.", specs<kPhysicsKeys>},
-    {"physics/ode", "ode", "Parameters of the physics engine ODE.", specs<kOdeKeys>},
-    {"environment", "environment", "What surrounds the scene; ignored in a .smurfa.",
-     specs<kEnvironmentKeys>},
-    {"environment/skybox", "skybox", "Images of the sky.", specs<kSkyboxKeys>},
-    {"environment/animations", "animations", "Animated characters.", specs<kAnimationsKeys>},
-    {"environment/terrain", "terrain", "Terrain without physics.", specs<kTerrainKeys>},
-    {"environment/fog", "fog", "Fog.", specs<kFogKeys>},
+constexpr Key<Entity> kEntityKeys[] = {
+    {row(kEntity, "name"), &Entity::name},     {row(kEntity, "file"), &Entity::file},
+    {row(kEntity, "type"), &Entity::type},     {row(kEntity, "position"), &Entity::position},
+    {row(kEntity, "parent"), &Entity::parent}, {row(kEntity, "anchor"), &Entity::anchor},
+    {row(kEntity, "pose"), &Entity::pose},     {row(kEntity, "URI"), &Entity::uri},
+    {row(kEntity, "root"), &Entity::root},
+};
+
+constexpr Key<Physics> kPhysicsKeys[] = {
+    {row(kPhysics, "gravity"), &Physics::gravity},
+};
+
+constexpr Key<Physics> kOdeKeys[] = {
+    {row(kOde, "stepsize"), &Physics::step_size},
+    {row(kOde, "cfm"), &Physics::cfm},
+    {row(kOde, "erp"), &Physics::erp},
 };
 
 } // namespace
 
+std::span<const KeySpec> scene_keys() {
+  return kScene;
+}
+std::span<const KeySpec> all_entity_keys() {
+  return kEntity;
+}
+std::span<const KeySpec> environment_keys() {
+  return kEnvironment;
+}
+std::span<const KeySpec> all_physics_keys() {
+  return kPhysics;
+}
 std::span<const Key<Entity>> entity_keys() {
   return kEntityKeys;
 }
@@ -216,9 +221,6 @@ std::span<const Key<Physics>> physics_keys() {
 }
 std::span<const Key<Physics>> ode_keys() {
   return kOdeKeys;
-}
-std::span<const SceneTable> scene_tables() {
-  return kTables;
 }
 
 } // namespace smurf

@@ -101,21 +101,23 @@ std::vector<std::optional<Pose>> forward_kinematics(const LinkedModel& model,
   return poses;
 }
 
+JointPositions to_joint_positions(const LinkedModel& model, const JointPoseSet& set) {
+  JointPositions positions;
+  for (const JointPoseSet::Entry& entry : set.joints) {
+    if (!entry.position) continue;
+    // MARS moves the joint of the motor with this name (SimEntity.cpp:505-511); Phobos writes
+    // joint names. A motor named like another joint is a motor.
+    const auto motor = model.motor_names.find(entry.name.value);
+    const Field<std::string>* joint = motor ? &model.annotations.motors[*motor].joint : nullptr;
+    positions[joint != nullptr && *joint ? **joint : entry.name.value] = *entry.position;
+  }
+  return positions;
+}
+
 std::optional<JointPositions> joint_positions(const LinkedModel& model,
                                               std::string_view pose_name) {
   for (const JointPoseSet& set : model.annotations.poses) {
-    if (!set.name || *set.name != pose_name) continue;
-    JointPositions positions;
-    for (const JointPoseSet::Entry& entry : set.joints) {
-      if (!entry.position) continue;
-      // MARS moves the joint of the motor with this name (SimEntity.cpp:505-511); Phobos writes
-      // joint names. A motor named like another joint is a motor.
-      const auto motor = model.motor_names.find(entry.name.value);
-      const Field<std::string>* joint =
-          motor ? &model.annotations.motors[*motor].joint : nullptr;
-      positions[joint != nullptr && *joint ? **joint : entry.name.value] = *entry.position;
-    }
-    return positions;
+    if (set.name && *set.name == pose_name) return to_joint_positions(model, set);
   }
   return std::nullopt;
 }

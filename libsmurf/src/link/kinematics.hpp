@@ -10,4 +10,7 @@ namespace smurf {
 /// result. Precondition: model.robot is set and the name tables are filled.
 KinematicTree build_tree(const LinkedModel& model);
 
+/// The joint positions that a joint pose set means in a model.
+JointPositions to_joint_positions(const LinkedModel& model, const JointPoseSet& set);
+
 }  // namespace smurf

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// yaml::Document -> Scene.
+#pragma once
+
+#include <optional>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/scene.hpp"
+
+namespace smurf {
+
+/// Reads a scene or assembly. None when the root is not a mapping.
+std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& sink);
+
+} // namespace smurf

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The include graph: every scene and model file is read once, every entity becomes one instance per
+// use of its scene.
+#include <unordered_map>
+#include <unordered_set>
+
+#include "ast/scene_reader.hpp"
+#include "base/path.hpp"
+#include "base/rules.hpp"
+#include "link/read_file.hpp"
+#include "link/scene_link.hpp"
+#include "syntax/yaml_reader.hpp"
+
+namespace smurf {
+namespace {
+
+const Field<std::string>& file_of(const Entity& entity) {
+  return entity.file && !entity.file->empty() ? entity.file : entity.uri;
+}
+
+class SceneExpander {
+ public:
+  SceneExpander(LoadContext& context, LinkedScene& scene, SceneNames& names)
+      : context_(context), scene_(scene), names_(names) {}
+
+  bool run(const std::string& path) {
+    scene_.path = path::normalize(path);
+    const std::optional<SceneIndex> root =
+        scene_file(scene_.path, {}, rules::sml0001_unreadable_file);
+    if (!root) return false;
+    add_use({*root, {}, std::nullopt, 0, {}});
+    expand(UseIndex{0});
+    return true;
+  }
+
+ private:
+  UseIndex add_use(SceneUse use) {
+    const UseIndex index{static_cast<std::uint32_t>(scene_.uses.size())};
+    scene_.uses.push_back(std::move(use));
+    names_.add_use();
+    return index;
+  }
+
+  const Entity& entity(UseIndex use, std::size_t index) const {
+    return scene_.file(scene_.uses[to_size(use)]).scene.entities[index];
+  }
+
+  /// Reads a scene the first time it is named; later uses share it. A broken one stays unknown.
+  std::optional<SceneIndex> scene_file(const std::string& path, Span reference,
+                                       const Rule& missing) {
+    const auto known = scene_files_.find(path);
+    if (known != scene_files_.end()) {
+      if (!known->second) report_again(path, reference, missing);
+      return known->second;
+    }
+    std::optional<SceneIndex>& index = scene_files_[path];
+    SceneFile file;
+    file.path = path;
+    const auto source = read_source(path, reference, missing, context_);
+    if (source) {
+      file.source = *source;
+      file.document = parse_yaml(context_.sources, *source, context_.limits, context_.sink);
+      auto scene = file.document ? read_scene(*file.document, context_.sink) : std::nullopt;
+      if (scene) file.scene = std::move(*scene);
+      if (!scene) lose_scene();
+      index = SceneIndex{static_cast<std::uint32_t>(scene_.scenes.size())};
+      scene_.scenes.push_back(std::move(file));
+    } else {
+      lose_scene();
+    }
+    return index;
+  }
+
+  void lose_scene() {
+    scene_.is_complete = false;
+    names_.mark_incomplete();
+  }
+
+  void report_again(const std::string& path, Span reference, const Rule& rule) {
+    context_.sink.report(rule, reference, "cannot read `" + path + "`");
+  }
+
+  void expand(UseIndex use) {
+    const std::size_t count = scene_.file(scene_.uses[to_size(use)]).scene.entities.size();
+    for (std::size_t i = 0; i < count && !is_full_; ++i) {
+      if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
+        is_full_ = true;
+        lose_scene();
+        context_.sink.report(rules::sml5022_too_many_instances, place_of(entity(use, i)),
+                             "this is one entity too many: a scene holds at most " +
+                                 std::to_string(context_.limits.instances) +
+                                 ", nested ones included");
+        return;
+      }
+      add_entity(use, i);
+    }
+  }
+
+  void add_entity(UseIndex use, std::size_t index) {
+    const Entity& entity = this->entity(use, index);
+    const std::string type = entity_type(entity);
+    const Field<std::string>& file = file_of(entity);
+    std::string path;
+    if (file && !file->empty()) {
+      const SceneUse& around = scene_.uses[to_size(use)];
+      path = path::join(path::parent(scene_.file(around).path), *file);
+    }
+    const bool is_usable = check_kind(entity, type, path);
+    if (kind_of(type) == EntityKind::scene) {
+      include(use, index, is_usable ? path : std::string());
+    } else {
+      add_instance(use, index, type, path, is_usable);
+    }
+  }
+
+  void add_instance(UseIndex use, std::size_t index, const std::string& type,
+                    const std::string& path, bool is_usable) {
+    const Entity& entity = this->entity(use, index);
+    Instance instance;
+    instance.name = entity.name.value_or({});
+    instance.path = unique_path(use, entity, path, type);
+    instance.use = use;
+    instance.entity = index;
+    instance.type = type;
+    instance.file = path;
+    if (!is_usable) {
+      scene_.is_complete = false;
+    } else if (kind_of(type) == EntityKind::model) {
+      instance.model = model_file(path, file_of(entity).span);
+    } else if (!path.empty() && path.find(":/") == std::string::npos) {
+      check_data_file(path, file_of(entity).span, type);
+    }
+    const InstanceIndex number{static_cast<std::uint32_t>(scene_.instances.size())};
+    if (entity.name) names_.add(use, *entity.name, number);
+    scene_.instances.push_back(std::move(instance));
+  }
+
+  std::optional<ModelIndex> model_file(const std::string& path, Span reference) {
+    const auto known = models_.find(path);
+    if (known != models_.end()) {
+      if (!known->second) report_again(path, reference, rules::sml5006_missing_entity_file);
+      return known->second;
+    }
+    std::optional<ModelIndex>& index = models_[path];
+    if (!context_.files.is_file(path)) {
+      scene_.is_complete = false;
+      read_source(path, reference, rules::sml5006_missing_entity_file, context_);
+      return index;
+    }
+    index = ModelIndex{static_cast<std::uint32_t>(scene_.models.size())};
+    scene_.models.push_back(load_model(path, context_));
+    return index;
+  }
+
+  /// Files of other types are not read. A plug-in may look for its file elsewhere.
+  void check_data_file(const std::string& path, Span reference, const std::string& type) {
+    const auto [known, is_new] = data_files_.emplace(path, true);
+    if (is_new) known->second = context_.files.is_file(path);
+    if (known->second) return;
+    Diagnostic& diagnostic = context_.sink.report(rules::sml5006_missing_entity_file, reference,
+                                                  "there is no file `" + path + "`");
+    const bool is_old_scene = type == "scn" || type == "scene" || type == "yml";
+    if (!is_old_scene) diagnostic.severity = Severity::warning;
+    if (!is_new) return;
+    if (const auto similar = similar_file(path, context_.files)) {
+      diagnostic.help = "did you mean `" + *similar + "`?";
+    }
+  }
+
+  void include(UseIndex outer, std::size_t index, const std::string& path) {
+    const Entity& entity = this->entity(outer, index);
+    const std::string use_path = unique_path(outer, entity, path, "scene");
+    std::optional<SceneIndex> file;
+    if (!path.empty() && !is_cyclic(outer, entity, path) && !is_too_deep(outer, entity)) {
+      file = scene_file(path, file_of(entity).span, rules::sml5006_missing_entity_file);
+    }
+    if (!file) {
+      lose_scene();
+      // The name is known all the same: what refers to it is another matter.
+      file = empty_scene();
+    }
+    const UseIndex use = add_use({*file, use_path, outer, index, {}});
+    if (this->entity(outer, index).name) {
+      names_.add(outer, *this->entity(outer, index).name, use);
+    }
+    expand(use);
+  }
+
+  SceneIndex empty_scene() {
+    if (!empty_scene_) {
+      empty_scene_ = SceneIndex{static_cast<std::uint32_t>(scene_.scenes.size())};
+      scene_.scenes.emplace_back();
+    }
+    return *empty_scene_;
+  }
+
+  bool is_cyclic(UseIndex outer, const Entity& entity, const std::string& path) {
+    std::string chain = "`" + path + "`";
+    for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer) {
+      const SceneUse& use = scene_.uses[to_size(*at)];
+      const std::string& including = scene_.file(use).path;
+      chain.insert(0, "`" + including + "` includes ");
+      if (including != path) continue;
+      Diagnostic& diagnostic =
+          context_.sink.report(rules::sml5020_cyclic_include, file_of(entity).span,
+                               *at == outer ? "this scene includes itself"
+                                            : "this include leads back to `" + path + "`");
+      diagnostic.notes.push_back(chain);
+      return true;
+    }
+    return false;
+  }
+
+  bool is_too_deep(UseIndex outer, const Entity& entity) {
+    std::uint32_t depth = 1;
+    for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer)
+      ++depth;
+    if (depth <= context_.limits.include_depth) return false;
+    context_.sink.report(rules::sml5021_nested_too_deep, file_of(entity).span,
+                         "scenes are nested more than " +
+                             std::to_string(context_.limits.include_depth) + " deep");
+    return true;
+  }
+
+  /// What every kind needs: a file of the right sort. One finding at most.
+  bool check_kind(const Entity& entity, const std::string& type, const std::string& path) {
+    const EntityKind kind = kind_of(type);
+    const bool is_old_scene = type == "scn" || type == "scene" || type == "yml";
+    if (entity.file.written && !entity.file && !entity.uri) return false; // reported by the reader
+    if (entity.type.written && !entity.type) return false;
+    if (type.empty() || (path.empty() && (kind != EntityKind::other || is_old_scene))) {
+      Diagnostic& diagnostic =
+          context_.sink.report(rules::sml5005_entity_without_file, place_of(entity),
+                               path.empty() ? "this entity has no `file`"
+                                            : "this entity has no `type`, and `" + path +
+                                                  "` has no extension that tells it");
+      diagnostic.help = "name the .smurf, .urdf or .smurfs that the entity stands for";
+      return false;
+    }
+    const std::string extension = path::to_lower(path::extension(path));
+    const bool is_scene_file = extension == ".smurfs" || extension == ".smurfa";
+    if (kind == EntityKind::scene && !is_scene_file) {
+      context_.sink.report(rules::sml5008_scene_extension, file_of(entity).span,
+                           "an entity of type `" + type +
+                               "` needs a .smurfs or .smurfa, so that nothing is read from `" +
+                               std::string(path::file_name(path)) + "`");
+      return false;
+    }
+    const std::string_view expected = path::to_lower(type) == "urdf" ? ".urdf" : ".smurf";
+    if (kind == EntityKind::model && extension != expected) {
+      context_.sink.report(rules::sml5009_entity_type_mismatch, file_of(entity).span,
+                           "an entity of type `" + type + "` needs a " + std::string(expected) +
+                               ", which `" + std::string(path::file_name(path)) + "` is not");
+      return false;
+    }
+    return true;
+  }
+
+  /// "outer/name"; repeated and missing names get a number.
+  std::string unique_path(UseIndex use, const Entity& entity, const std::string& file,
+                          std::string_view type) {
+    std::string path = scene_.uses[to_size(use)].path;
+    if (!path.empty()) path += '/';
+    const bool is_named = entity.name && !entity.name->empty();
+    if (is_named) {
+      path += *entity.name;
+    } else {
+      path += file.empty() ? type : path::stem(file);
+    }
+    if (is_named && paths_.insert(path).second) return path;
+    std::uint32_t& number = numbers_[path];
+    std::string numbered;
+    do {
+      ++number;
+      const std::uint32_t shown = is_named ? number + 1 : number;
+      numbered = path + "#" + std::to_string(shown);
+    } while (!paths_.insert(numbered).second);
+    return numbered;
+  }
+
+  LoadContext& context_;
+  LinkedScene& scene_;
+  SceneNames& names_;
+  std::unordered_map<std::string, std::optional<SceneIndex>> scene_files_;
+  std::unordered_map<std::string, std::optional<ModelIndex>> models_;
+  std::unordered_map<std::string, bool> data_files_;
+  std::unordered_set<std::string> paths_;
+  std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::optional<SceneIndex> empty_scene_;
+  bool is_full_ = false;
+};
+
+} // namespace
+
+std::string entity_type(const Entity& entity) {
+  if (entity.type && !entity.type->empty()) return *entity.type;
+  const Field<std::string>& file = file_of(entity);
+  const std::string_view extension = file ? path::extension(*file) : std::string_view{};
+  return extension.empty() ? std::string() : std::string(extension.substr(1));
+}
+
+EntityKind kind_of(std::string_view type) {
+  const std::string lower = path::to_lower(type);
+  if (lower == "smurf" || lower == "particle" || lower == "urdf") return EntityKind::model;
+  if (lower == "smurfs" || lower == "smurfa") return EntityKind::scene;
+  return EntityKind::other;
+}
+
+bool expand_scene(const std::string& path, LoadContext& context, LinkedScene& scene,
+                  SceneNames& names) {
+  return SceneExpander(context, scene, names).run(path);
+}
+
+} // namespace smurf

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The steps of linking a scene, in the order they run.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "link/scene_names.hpp"
+#include "smurf/load.hpp"
+
+namespace smurf {
+
+/// What an entity's type makes of it.
+enum class EntityKind : std::uint8_t {
+  model, ///< smurf, particle, urdf
+  scene, ///< smurfs, smurfa: included in place
+  other  ///< old scenes, primitives, types of plug-ins: carried along
+};
+/// Type as written, else the extension of the file without the dot.
+std::string entity_type(const Entity& entity);
+EntityKind kind_of(std::string_view type);
+
+/// 1. Reads the scene, the scenes inside it and their models; fills all of `scene` but placements.
+/// False when not even the scene itself could be read.
+bool expand_scene(const std::string& path, LoadContext& context, LinkedScene& scene,
+                  SceneNames& names);
+
+/// 2. Fills the placements of uses and instances: parents, anchors, poses relative to the parent.
+void resolve_references(LoadContext& context, SceneNames& names, LinkedScene& scene);
+
+/// 3. Fills the joint positions of instances from their named joint pose sets.
+void resolve_joint_poses(LoadContext& context, LinkedScene& scene);
+
+/// 4. Fills X_WE, whatever the order of the entities.
+void compose_world_poses(LoadContext& context, LinkedScene& scene);
+
+/// Forward kinematics, once per model and joint positions.
+class LinkFrames {
+ public:
+  /// Poses X_EL by LinkIndex; empty when the instance has no model.
+  const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, const Instance& instance);
+
+ private:
+  std::map<std::pair<ModelIndex, JointPositions>, std::vector<std::optional<Pose>>> frames_;
+  std::vector<std::optional<Pose>> none_;
+};
+
+} // namespace smurf

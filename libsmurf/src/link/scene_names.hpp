@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which entity a name in a scene means.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// An entity is an instance, or the include of a scene.
+using EntityIndex = std::variant<InstanceIndex, UseIndex>;
+
+/// Names are looked up in the scene file that uses them, then in the scenes around it, then
+/// anywhere (MARS has one table for all). Of equal names in one scene the first counts. Views point
+/// into the entities of the scene files.
+class SceneNames {
+ public:
+  void add_use() { scopes_.emplace_back(); }
+  void add(UseIndex scope, std::string_view name, EntityIndex entity);
+
+  std::optional<EntityIndex> find(UseIndex scope, std::string_view name,
+                                  const LinkedScene& scene) const;
+  /// A scene file could not be read, so that there may be more names.
+  void mark_incomplete() { is_complete_ = false; }
+  bool is_complete() const { return is_complete_; }
+  /// The known name nearest to a misspelt one.
+  std::optional<std::string_view> suggest(std::string_view name);
+
+ private:
+  std::vector<std::unordered_map<std::string_view, EntityIndex>> scopes_; ///< by use
+  std::unordered_map<std::string_view, EntityIndex> anywhere_;
+  std::vector<std::string_view> names_; ///< unique, in order
+  bool is_complete_ = true;
+  /// Bounds the work for scenes in which everything is misspelt.
+  std::size_t comparisons_left_ = 5'000'000;
+};
+
+} // namespace smurf

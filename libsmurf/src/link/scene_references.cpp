@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parents and anchors: from words to frames. Whether they can be composed is another step.
+#include "base/path.hpp"
+#include "base/rules.hpp"
+#include "base/suggest.hpp"
+#include "link/scene_link.hpp"
+
+namespace smurf {
+namespace {
+
+std::string quoted(std::string_view name) {
+  return "`" + std::string(name) + "`";
+}
+
+/// Index of the first key this link appears under, as something else than a link.
+std::optional<std::pair<std::string_view, std::uint32_t>> other_kind(const LinkedModel& model,
+                                                                     std::string_view name) {
+  if (const auto link = model.collision_names.find(name)) return std::pair("collision", *link);
+  if (const auto link = model.visual_names.find(name)) return std::pair("visual", *link);
+  return std::nullopt;
+}
+
+/// A key that names a frame: which one, and under which rule its faults go.
+struct Reference {
+  const Field<std::string>& field;
+  std::string_view key;
+  const Rule& unknown;
+  std::optional<InstanceIndex> self;
+};
+
+class ReferenceResolver {
+ public:
+  ReferenceResolver(LoadContext& context, SceneNames& names, LinkedScene& scene)
+      : sink_(context.sink), names_(names), scene_(scene) {}
+
+  void run() {
+    // Outer uses come first, so that what a scene inherits is known before its entities.
+    for (SceneUse& use : scene_.uses) {
+      if (const Entity* including = scene_.entity(use)) {
+        use.placement = place(*including, *use.outer, std::nullopt);
+      }
+    }
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+      Instance& instance = scene_.instances[i];
+      const InstanceIndex index{static_cast<std::uint32_t>(i)};
+      instance.placement = place(scene_.entity(instance), instance.use, index);
+    }
+  }
+
+ private:
+  Placement place(const Entity& entity, UseIndex use, std::optional<InstanceIndex> self) {
+    const Placement& around = scene_.uses[to_size(use)].placement;
+    const Pose own{entity.position.value_or({0, 0, 0}), to_quaternion(entity.rotation)};
+    Placement placement;
+    placement.is_known = (entity.position || !entity.position.written) &&
+                         entity.rotation.form != RotationForm::invalid &&
+                         (entity.parent || !entity.parent.written);
+    const Reference parent{entity.parent, "parent", rules::sml5101_unknown_parent, self};
+    if (names_no_frame(parent)) {
+      placement.parent = around.parent;
+      placement.X_PE = is_loaded_scene(use) ? own : around.X_PE * own;
+      placement.is_known = placement.is_known && around.is_known;
+      placement.anchor = anchor(entity, use, self, placement, true);
+    } else {
+      const std::optional<Attachment> link = frame(parent, use);
+      if (link) placement.parent = *link;
+      placement.is_known = placement.is_known && link;
+      placement.X_PE = own;
+      placement.anchor = anchor(entity, use, self, placement, false);
+    }
+    return placement;
+  }
+
+  bool is_loaded_scene(UseIndex use) const { return !scene_.uses[to_size(use)].outer; }
+
+  /// Absent, empty, `none` and `world`. Phobos 2 writes WORLD.
+  bool names_no_frame(const Reference& parent) {
+    if (!parent.field || parent.field->empty()) return true;
+    const std::string lower = path::to_lower(*parent.field);
+    if (lower != "world" && lower != "none") return false;
+    report_case(parent, lower);
+    return true;
+  }
+
+  void report_case(const Reference& reference, const std::string& lower) {
+    if (*reference.field == lower) return;
+    Diagnostic& diagnostic = sink_.report(rules::sml5106_world_case, reference.field.span,
+                                          quoted(reference.key) + " is " +
+                                              quoted(*reference.field) + ", which is taken as " +
+                                              quoted(lower) + " but is an unknown entity to MARS");
+    diagnostic.help = "write " + quoted(lower);
+    diagnostic.fixes.push_back({Applicability::unsafe, {{reference.field.span, lower}}});
+  }
+
+  Attachment anchor(const Entity& entity, UseIndex use, std::optional<InstanceIndex> self,
+                    const Placement& placement, bool inherits) {
+    const Reference reference{entity.anchor, "anchor", rules::sml5102_unknown_anchor, self};
+    if (entity.anchor.written && !entity.anchor) return {};
+    if (!entity.anchor || entity.anchor->empty()) {
+      // In a list `smurfa` only the root is fixed to what the assembly is fixed to.
+      const bool is_member = entity.list == EntityList::smurfa && !entity.root.value_or(false);
+      return inherits && !is_member ? scene_.uses[to_size(use)].placement.anchor : Attachment{};
+    }
+    const std::string& text = *entity.anchor;
+    if (text == "none") return {};
+    if (path::to_lower(text) == "world") {
+      report_case(reference, "world");
+      return {Attachment::Kind::world, {}, {}};
+    }
+    if (text == "parent") {
+      if (placement.parent.kind == Attachment::Kind::link) return placement.parent;
+      // Without a parent the entity is relative to the world, and MARS fixes it there.
+      return placement.is_known ? Attachment{Attachment::Kind::world, {}, {}} : Attachment{};
+    }
+    return frame(reference, use).value_or(Attachment{});
+  }
+
+  /// `ENTITY::LINK`. None when it cannot be resolved; the reason is reported unless it was before.
+  std::optional<Attachment> frame(const Reference& reference, UseIndex use) {
+    const std::string& text = *reference.field;
+    const std::size_t separator = text.find("::");
+    if (separator == std::string::npos) {
+      report_word(reference, use);
+      return std::nullopt;
+    }
+    const std::string_view name = std::string_view(text).substr(0, separator);
+    const std::string_view link = std::string_view(text).substr(separator + 2);
+    const std::optional<EntityIndex> found = names_.find(use, name, scene_);
+    if (!found) {
+      report_entity(reference, name);
+      return std::nullopt;
+    }
+    if (const UseIndex* include = std::get_if<UseIndex>(&*found)) {
+      report_include(reference, *include, name);
+      return std::nullopt;
+    }
+    return frame_of(reference, std::get<InstanceIndex>(*found), name, link);
+  }
+
+  std::optional<Attachment> frame_of(const Reference& reference, InstanceIndex index,
+                                     std::string_view name, std::string_view link) {
+    const Instance& instance = scene_.instance(index);
+    const Attachment attachment{Attachment::Kind::link, index, std::string(link)};
+    if (kind_of(instance.type) == EntityKind::other) {
+      // The files of other types are not read. That does not matter to an anchor.
+      if (reference.key == "anchor") return attachment;
+      Diagnostic& diagnostic =
+          sink_.report(reference.unknown, reference.field.span,
+                       "the parent " + quoted(name) + " is of type " + quoted(instance.type) +
+                           ", whose frames are not known");
+      label(diagnostic, instance, "only models have links");
+      return std::nullopt;
+    }
+    const LinkedModel* model = scene_.model(instance);
+    if (model == nullptr || !model->robot) return std::nullopt;
+    if (!model->link_names.contains(link)) {
+      report_link(reference, *model, instance, link);
+      return std::nullopt;
+    }
+    if (reference.self == index && reference.key == "anchor") {
+      sink_.report(rules::sml5107_anchor_to_itself, reference.field.span,
+                   quoted(name) + " is anchored to itself");
+      return std::nullopt;
+    }
+    return attachment;
+  }
+
+  void label(Diagnostic& diagnostic, const Instance& instance, std::string text) {
+    const Span place = place_of(scene_.entity(instance));
+    if (!place.empty()) diagnostic.labels.push_back({place, std::move(text)});
+  }
+
+  /// A word that is neither a frame nor one of the reserved ones: an entity's name, or a
+  /// misspelling.
+  void report_word(const Reference& reference, UseIndex use) {
+    const std::string& text = *reference.field;
+    Diagnostic& diagnostic =
+        sink_.report(reference.unknown, reference.field.span,
+                     quoted(reference.key) + " is " + quoted(text) + ", which names no link");
+    diagnostic.help = "write `ENTITY::LINK`";
+    const std::optional<EntityIndex> found = names_.find(use, text, scene_);
+    const InstanceIndex* index = found ? std::get_if<InstanceIndex>(&*found) : nullptr;
+    const LinkedModel* model = index ? scene_.model(scene_.instance(*index)) : nullptr;
+    if (model != nullptr && !model->tree.roots.empty()) {
+      const urdf::Link& root = model->link(model->tree.roots.front());
+      if (root.name) suggest(diagnostic, reference, text + "::" + *root.name, "write ", "");
+      return;
+    }
+    static constexpr std::string_view kParents[] = {"world", "none"};
+    static constexpr std::string_view kAnchors[] = {"none", "world", "parent"};
+    const auto near = reference.key == "parent" ? nearest(text, kParents) : nearest(text, kAnchors);
+    const std::string lower = path::to_lower(text);
+    if (near) {
+      suggest(diagnostic, reference, std::string(*near), "did you mean ", "?");
+    } else if (reference.key == "anchor" && (lower == "false" || lower == "no")) {
+      diagnostic.help = "write `none`; MARS fixes the entity to the world";
+    }
+  }
+
+  void suggest(Diagnostic& diagnostic, const Reference& reference, const std::string& text,
+               std::string_view before, std::string_view after) {
+    diagnostic.help = std::string(before) + quoted(text) + std::string(after);
+    diagnostic.fixes.push_back({Applicability::unsafe, {{reference.field.span, text}}});
+  }
+
+  void report_entity(const Reference& reference, std::string_view name) {
+    if (!names_.is_complete()) return;
+    Diagnostic& diagnostic = sink_.report(reference.unknown, reference.field.span,
+                                          quoted(reference.key) + " names the entity " +
+                                              quoted(name) + ", which the scene does not have");
+    if (const auto near = names_.suggest(name)) {
+      const std::string rest = reference.field->substr(name.size());
+      suggest(diagnostic, reference, std::string(*near) + rest, "did you mean ", "?");
+    }
+  }
+
+  void report_include(const Reference& reference, UseIndex include, std::string_view name) {
+    const SceneUse& use = scene_.uses[to_size(include)];
+    Diagnostic& diagnostic = sink_.report(rules::sml5103_parent_of_scene, reference.field.span,
+                                          quoted(reference.key) + " names " + quoted(name) +
+                                              ", which is an included scene and has no links");
+    if (const Entity* entity = scene_.entity(use)) {
+      diagnostic.labels.push_back({place_of(*entity), "the scene is included here"});
+    }
+    std::string inside;
+    for (const Entity& entity : scene_.file(use).scene.entities) {
+      if (!entity.name || entity.name->empty() || inside.size() > 60) continue;
+      inside += (inside.empty() ? " " : ", ") + quoted(*entity.name);
+    }
+    if (!inside.empty()) diagnostic.help = "name an entity inside it:" + inside;
+  }
+
+  void report_link(const Reference& reference, const LinkedModel& model, const Instance& instance,
+                   std::string_view link) {
+    Diagnostic& diagnostic =
+        sink_.report(reference.unknown, reference.field.span,
+                     quoted(reference.key) + " names the link " + quoted(link) +
+                         ", which the model of " + quoted(instance.name) + " does not have");
+    const std::string prefix = reference.field->substr(0, reference.field->size() - link.size());
+    if (const auto other = other_kind(model, link)) {
+      diagnostic.message = quoted(reference.key) + " needs a link of " + quoted(instance.name) +
+                           ", but " + quoted(link) + " is a " + std::string(other->first);
+      const Field<std::string>& owner = model.robot->links[other->second].name;
+      if (owner) suggest(diagnostic, reference, prefix + *owner, "name its link: ", "");
+    } else if (const auto near = nearest(link, model.link_names.names())) {
+      suggest(diagnostic, reference, prefix + std::string(*near), "did you mean ", "?");
+    }
+    if (!model.urdf_path.empty()) diagnostic.caret = "no such link in " + quoted(model.urdf_path);
+    label(diagnostic, instance, quoted(instance.name) + " is defined here");
+  }
+
+  DiagnosticSink& sink_;
+  SceneNames& names_;
+  LinkedScene& scene_;
+};
+
+} // namespace
+
+void resolve_references(LoadContext& context, SceneNames& names, LinkedScene& scene) {
+  ReferenceResolver(context, names, scene).run();
+}
+
+} // namespace smurf
