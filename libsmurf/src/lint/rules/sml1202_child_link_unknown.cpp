@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -14,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1202_child_link_unknown{
+extern constinit const Rule sml1202_child_link_unknown{
     .id = "SML1202",
     .name = "child-link-unknown",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -23,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1203_parent_or_child_missing{
+extern constinit const Rule sml1203_parent_or_child_missing{
     .id = "SML1203",
     .name = "parent-or-child-missing",
     .severity = Severity::error,

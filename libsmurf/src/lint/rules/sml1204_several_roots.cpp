@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -31,7 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1204_several_roots{
+extern constinit const Rule sml1204_several_roots{
     .id = "SML1204",
     .name = "several-roots",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -23,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1205_no_root{
+extern constinit const Rule sml1205_no_root{
     .id = "SML1205",
     .name = "no-root",
     .severity = Severity::error,

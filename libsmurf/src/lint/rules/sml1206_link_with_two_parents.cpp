@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -24,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1206_link_with_two_parents{
+extern constinit const Rule sml1206_link_with_two_parents{
     .id = "SML1206",
     .name = "link-with-two-parents",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -18,7 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1207_self_joint{
+extern constinit const Rule sml1207_self_joint{
     .id = "SML1207",
     .name = "self-joint",
     .severity = Severity::error,

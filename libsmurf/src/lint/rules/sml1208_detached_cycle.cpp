@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -36,7 +35,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1208_detached_cycle{
+extern constinit const Rule sml1208_detached_cycle{
     .id = "SML1208",
     .name = "detached-cycle",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -20,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1301_duplicate_link{
+extern constinit const Rule sml1301_duplicate_link{
     .id = "SML1301",
     .name = "duplicate-link",
     .severity = Severity::error,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
-#include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
@@ -32,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1401_type_missing_or_unknown{
+extern constinit const Rule sml1401_type_missing_or_unknown{
     .id = "SML1401",
     .name = "type-missing-or-unknown",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -17,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1403_limit_missing{
+extern constinit const Rule sml1403_limit_missing{
     .id = "SML1403",
     .name = "limit-missing",
     .severity = Severity::error,

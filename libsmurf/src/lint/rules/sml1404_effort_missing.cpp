@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -15,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1404_effort_missing{
+extern constinit const Rule sml1404_effort_missing{
     .id = "SML1404",
     .name = "effort-missing",
     .severity = Severity::error,

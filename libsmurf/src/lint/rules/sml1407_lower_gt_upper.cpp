@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -32,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1407_lower_gt_upper{
+extern constinit const Rule sml1407_lower_gt_upper{
     .id = "SML1407",
     .name = "lower-gt-upper",
     .severity = Severity::error,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -19,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1421_axis_zero{
+extern constinit const Rule sml1421_axis_zero{
     .id = "SML1421",
     .name = "axis-zero",
     .severity = Severity::error,

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -32,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1422_axis_not_unit{
+extern constinit const Rule sml1422_axis_not_unit{
     .id = "SML1422",
     .name = "axis-not-unit",
     .severity = Severity::warning,

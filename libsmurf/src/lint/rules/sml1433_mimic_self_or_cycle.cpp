@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -32,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1433_mimic_self_or_cycle{
+extern constinit const Rule sml1433_mimic_self_or_cycle{
     .id = "SML1433",
     .name = "mimic-self-or-cycle",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
@@ -19,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1508_mass_zero{
+extern constinit const Rule sml1508_mass_zero{
     .id = "SML1508",
     .name = "mass-zero",
     .severity = Severity::error,

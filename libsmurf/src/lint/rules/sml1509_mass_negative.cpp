@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -17,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1509_mass_negative{
+extern constinit const Rule sml1509_mass_negative{
     .id = "SML1509",
     .name = "mass-negative",
     .severity = Severity::error,

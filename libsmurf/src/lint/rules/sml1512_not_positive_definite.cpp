@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
-#include "base/rules.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
@@ -29,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1512_not_positive_definite{
+extern constinit const Rule sml1512_not_positive_definite{
     .id = "SML1512",
     .name = "not-positive-definite",
     .severity = Severity::error,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
-#include "base/rules.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
@@ -27,7 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1513_triangle_violated{
+extern constinit const Rule sml1513_triangle_violated{
     .id = "SML1513",
     .name = "triangle-violated",
     .severity = Severity::error,

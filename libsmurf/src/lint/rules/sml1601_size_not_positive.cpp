@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -43,7 +42,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1601_size_not_positive{
+extern constinit const Rule sml1601_size_not_positive{
     .id = "SML1601",
     .name = "size-not-positive",
     .severity = Severity::error,

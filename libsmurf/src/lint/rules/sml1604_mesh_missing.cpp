@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -26,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1604_mesh_missing{
+extern constinit const Rule sml1604_mesh_missing{
     .id = "SML1604",
     .name = "mesh-missing",
     .severity = Severity::error,

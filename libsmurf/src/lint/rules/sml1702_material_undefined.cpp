@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
@@ -31,7 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1702_material_undefined{
+extern constinit const Rule sml1702_material_undefined{
     .id = "SML1702",
     .name = "material-undefined",
     .severity = Severity::warning,

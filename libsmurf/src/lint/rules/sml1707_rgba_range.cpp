@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -22,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml1707_rgba_range{
+extern constinit const Rule sml1707_rgba_range{
     .id = "SML1707",
     .name = "rgba-range",
     .severity = Severity::error,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -23,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml2002_wrong_suffix{
+extern constinit const Rule sml2002_wrong_suffix{
     .id = "SML2002",
     .name = "wrong-suffix",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -19,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml2003_no_urdf{
+extern constinit const Rule sml2003_no_urdf{
     .id = "SML2003",
     .name = "no-urdf",
     .severity = Severity::error,

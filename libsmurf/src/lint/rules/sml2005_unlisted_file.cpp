@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -16,7 +15,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml2005_unlisted_file{
+extern constinit const Rule sml2005_unlisted_file{
     .id = "SML2005",
     .name = "unlisted-file",
     .severity = Severity::warning,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -24,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml2008_scalar_section{
+extern constinit const Rule sml2008_scalar_section{
     .id = "SML2008",
     .name = "scalar-section",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -32,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml3101_unknown_joint{
+extern constinit const Rule sml3101_unknown_joint{
     .id = "SML3101",
     .name = "unknown-joint",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -32,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml3102_unknown_link{
+extern constinit const Rule sml3102_unknown_link{
     .id = "SML3102",
     .name = "unknown-link",
     .severity = Severity::error,

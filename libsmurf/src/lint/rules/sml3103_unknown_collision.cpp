@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -22,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml3103_unknown_collision{
+extern constinit const Rule sml3103_unknown_collision{
     .id = "SML3103",
     .name = "unknown-collision",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -20,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml3104_unknown_material{
+extern constinit const Rule sml3104_unknown_material{
     .id = "SML3104",
     .name = "unknown-material",
     .severity = Severity::error,

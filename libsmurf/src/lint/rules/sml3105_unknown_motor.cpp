@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -27,7 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml3105_unknown_motor{
+extern constinit const Rule sml3105_unknown_motor{
     .id = "SML3105",
     .name = "unknown-motor",
     .severity = Severity::error,

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -14,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml3107_unknown_sensor{
+extern constinit const Rule sml3107_unknown_sensor{
     .id = "SML3107",
     .name = "unknown-sensor",
     .severity = Severity::error,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
@@ -31,7 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-constinit const Rule sml4101_unknown_motor_type{
+extern constinit const Rule sml4101_unknown_motor_type{
     .id = "SML4101",
     .name = "unknown-motor-type",
     .severity = Severity::error,

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Four digits, as the documentation writes quaternions, are off by less.
+constexpr double kTolerance = 1e-3;
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
+    if (entity.rotation.form != RotationForm::quaternion) return;
+    const auto& [w, x, y, z] = entity.rotation.values;
+    const double length = norm({w, x, y, z});
+    if (std::fabs(length - 1) <= kTolerance) return;
+    Diagnostic& diagnostic = findings.report(
+        entity.rotation.span, "the quaternion of " + title(entity) + " has the length " +
+                                  format_rounded(length) + " instead of 1");
+    const Quaternion unit = normalized({w, x, y, z});
+    diagnostic.help = "normalised it is w " + format_rounded(unit.w) + ", x " +
+                      format_rounded(unit.x) + ", y " + format_rounded(unit.y) + ", z " +
+                      format_rounded(unit.z);
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5004_quaternion_not_unit{
+    .id = "SML5004",
+    .name = "quaternion-not-unit",
+    .severity = Severity::warning,
+    .summary = "A rotation is a quaternion whose length is not one.",
+    .why = "MARS uses it as it is: the root link turns rightly, but the other links and "
+           "everything in an included scene are moved by a scaled rotation; a length of 2.83 "
+           "puts a child at (-7, 8, 0) instead of (0, 1, 0).",
+    .remedy = "Divide the four numbers by the length. This tool normalises them.",
+    .sources = "MARS SimEntity.cpp:416-434, SMURFLoader.cpp:716 (run).",
+    .check_scene = check};
+
+} // namespace smurf::rules

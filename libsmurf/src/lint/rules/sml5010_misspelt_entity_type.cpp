@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/suggest.hpp"
+#include "link/scene_link.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kTypes[] = {"smurf", "urdf", "smurfs",    "smurfa",  "scn",
+                                       "scene", "yml",  "primitive", "particle"};
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
+    const std::string type = entity_type(entity);
+    if (type.starts_with("zsmurf")) return; // another rule's
+    const auto near = nearest(type, kTypes);
+    if (!near) return;
+    const bool is_written = entity.type && !entity.type->empty();
+    const Span place = is_written ? entity.type.span : entity.file.span;
+    Diagnostic& diagnostic =
+        findings.report(place, "the type of " + title(entity) + " is " + quoted(type) +
+                                   ", which MARS does not know");
+    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    if (is_written) {
+      diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
+    }
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5010_misspelt_entity_type{
+    .id = "SML5010",
+    .name = "misspelt-entity-type",
+    .severity = Severity::warning,
+    .summary = "The type of an entity is almost one of the known types.",
+    .why = "MARS compares types exactly and leaves an entity of an unknown type out with a "
+           "message on the console.",
+    .remedy = "Write the type as suggested. A type of a plug-in may have any other name.",
+    .sources = "MARS EntityFactoryManager.cpp:70-90, SMURFLoader.cpp:320-349.",
+    .check_scene = check};
+
+} // namespace smurf::rules

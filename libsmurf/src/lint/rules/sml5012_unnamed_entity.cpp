@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/scene_link.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
+    if (entity.name ? !entity.name->empty() : entity.name.written) return;
+    // An include is no entity; its name is never used.
+    if (kind_of(entity_type(entity)) == EntityKind::scene) return;
+    findings.report(place_of(entity), "this entity has no name");
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5012_unnamed_entity{
+    .id = "SML5012",
+    .name = "unnamed-entity",
+    .severity = Severity::warning,
+    .summary = "An entity has no name.",
+    .why = "Nothing can be placed on it or anchored to it, plug-ins do not find it, and one "
+           "unnamed entity changes the order in which MARS creates those that have a parent.",
+    .remedy = "Give it a name that no other entity has.",
+    .sources = "MARS SMURFLoader.cpp:616-621 (run); Phobos multiple.py.",
+    .check_scene = check};
+
+} // namespace smurf::rules

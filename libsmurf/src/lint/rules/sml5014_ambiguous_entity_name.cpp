@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <unordered_map>
+
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+struct Named {
+  InstanceIndex first{};
+  std::size_t count = 0;
+};
+
+class Ambiguities {
+ public:
+  Ambiguities(const LinkedScene& scene, Findings& findings) : scene_(scene), findings_(findings) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+      Named& named = names_[scene.instances[i].name];
+      if (named.count++ == 0) named.first = InstanceIndex{static_cast<std::uint32_t>(i)};
+    }
+  }
+
+  void check(const Use& use) {
+    check(use, use.entity.parent, use.placement.parent);
+    if (use.entity.anchor && *use.entity.anchor != "parent") {
+      check(use, use.entity.anchor, use.placement.anchor);
+    }
+  }
+
+ private:
+  /// Whether the scene of `outer` is that of `inner` or around it.
+  bool encloses(const SceneUse& outer, const SceneUse& inner) const {
+    for (const SceneUse* at = &inner;; at = &scene_.uses[to_size(*at->outer)]) {
+      if (at == &outer) return true;
+      if (!at->outer) return false;
+    }
+  }
+
+  void check(const Use& use, const Field<std::string>& reference, const Attachment& meant) {
+    if (!reference || meant.kind != Attachment::Kind::link) return;
+    if (reference->find("::") == std::string::npos) return;
+    const Instance& instance = scene_.instance(meant.instance);
+    const Named& named = names_.at(instance.name);
+    const Instance& first = scene_.instance(named.first);
+    if (named.count == 1) return;
+    if (named.first != meant.instance) {
+      Diagnostic& diagnostic = findings_.report(
+          reference.span, quoted(instance.name) + " means " + quoted(instance.path) +
+                              " here, but MARS takes " + quoted(first.path));
+      label(diagnostic, instance, "meant here");
+      label(diagnostic, first, "the first of that name");
+    } else if (!encloses(scene_.use(instance), use.around)) {
+      Diagnostic& diagnostic =
+          findings_.report(reference.span, std::to_string(named.count) + " entities are called " +
+                                               quoted(instance.name) + "; the first is taken, " +
+                                               quoted(instance.path));
+      label(diagnostic, first, "the first of that name");
+    }
+  }
+
+  void label(Diagnostic& diagnostic, const Instance& instance, std::string text) {
+    diagnostic.labels.push_back({place_of(scene_.entity(instance)), std::move(text)});
+  }
+
+  const LinkedScene& scene_;
+  Findings& findings_;
+  std::unordered_map<std::string_view, Named> names_;
+};
+
+void check(const LinkedScene& scene, Findings& findings) {
+  Ambiguities ambiguities(scene, findings);
+  for_each_use(scene, [&](const Use& use) { ambiguities.check(use); });
+}
+
+} // namespace
+
+extern constinit const Rule sml5014_ambiguous_entity_name{
+    .id = "SML5014",
+    .name = "ambiguous-entity-name",
+    .severity = Severity::warning,
+    .summary = "A name means another entity in MARS than in the scene that uses it.",
+    .why = "An included scene is meant to refer to its own entities first, then to those around "
+           "it. MARS has one list of names for all scenes and takes the first entity with that "
+           "name, for instance that of an earlier copy of the same scene.",
+    .remedy = "Give the entities different names, or include the scene only once.",
+    .sources = "MARS EntityManager.cpp:229-239, SMURFLoader.cpp:350-380.",
+    .check_scene = check};
+
+} // namespace smurf::rules

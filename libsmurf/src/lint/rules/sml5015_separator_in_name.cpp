@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
+    if (!entity.name || entity.name->find("::") == std::string::npos) return;
+    findings.report(entity.name.span, "the name " + quoted(*entity.name) +
+                                          " contains `::`, which separates entity and link");
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5015_separator_in_name{
+    .id = "SML5015",
+    .name = "separator-in-name",
+    .severity = Severity::warning,
+    .summary = "The name of an entity contains `::`.",
+    .why = "`parent` and `anchor` are split at the first `::`, so that the entity cannot be "
+           "referred to.",
+    .remedy = "Take another separator.",
+    .sources = "MARS SimEntity.cpp:373-376.",
+    .check_scene = check};
+
+} // namespace smurf::rules

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_use(scene, [&](const Use& use) {
+    if (!use.entity.anchor || *use.entity.anchor != "parent") return;
+    if (!use.placement.is_known || use.placement.parent.kind != Attachment::Kind::none) return;
+    Diagnostic& diagnostic = findings.report(
+        use.entity.anchor.span, title(use.entity) + " is anchored to its parent, but has none");
+    diagnostic.help = "write `world` if that is meant";
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5108_anchor_without_parent{
+    .id = "SML5108",
+    .name = "anchor-without-parent",
+    .severity = Severity::warning,
+    .summary = "`anchor: parent` stands on an entity that has no parent.",
+    .why = "MARS then fixes the entity to the world, as if `anchor: world` were written.",
+    .remedy = "Add `parent`, or write `anchor: world`.",
+    .sources = "MARS SimEntity.cpp:452-453.",
+    .check_scene = check};
+
+} // namespace smurf::rules

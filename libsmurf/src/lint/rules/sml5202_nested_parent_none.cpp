@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_use(scene, [&](const Use& use) {
+    const Field<std::string>& parent = use.entity.parent;
+    if (!use.is_nested() || !parent || (!parent->empty() && *parent != "none")) return;
+    Diagnostic& diagnostic = findings.report(
+        parent.span, "MARS does not move an entity with this parent along with the include");
+    diagnostic.help = "leave the key out, or write `world`";
+    diagnostic.labels.push_back(
+        {place_of(*scene.entity(use.around)), "the scene is included here"});
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5202_nested_parent_none{
+    .id = "SML5202",
+    .name = "nested-parent-none",
+    .severity = Severity::warning,
+    .summary = "An entity in an included scene has the parent `none` or an empty one.",
+    .why = "It means no parent, so that the entity moves with the include. MARS looks for the "
+           "exact word `world` there and does not move an entity that has any other parent.",
+    .remedy = "Leave the key out, or write `world`.",
+    .sources = "MARS SMURFLoader.cpp:671-672.",
+    .check_scene = check};
+
+} // namespace smurf::rules

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_use(scene, [&](const Use& use) {
+    if (!use.inherits_in_mars() || !use.is_member()) return;
+    if (use.around.placement.parent.kind != Attachment::Kind::link) return;
+    Diagnostic& diagnostic =
+        findings.report(place_of(use.entity),
+                        title(use.entity) + " is no root of the assembly, so that MARS leaves "
+                                            "it in the world frame");
+    diagnostic.labels.push_back(
+        {place_of(*scene.entity(use.around)), "the assembly is included here"});
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5204_assembly_member_left_behind{
+    .id = "SML5204",
+    .name = "assembly-member-left-behind",
+    .severity = Severity::warning,
+    .summary = "A member of an included assembly has neither a parent nor `root: true`.",
+    .why = "MARS gives only the root of a list `smurfa` the parent of the include; the member is "
+           "placed in the world frame instead. This tool places it in the frame of the include.",
+    .remedy = "Give the member a parent inside the assembly, or mark it as `root: true`.",
+    .sources = "MARS SMURFLoader.cpp:444-450, 673 (run).",
+    .check_scene = check};
+
+} // namespace smurf::rules

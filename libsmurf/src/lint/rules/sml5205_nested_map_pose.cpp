@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/scene_link.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_use(scene, [&](const Use& use) {
+    if (!use.inherits_in_mars() || entity_type(use.entity) == "primitive") return;
+    const bool is_position = use.entity.position_is_mapping;
+    if (!is_position && !use.entity.rotation.is_mapping) return;
+    Diagnostic& diagnostic = findings.report(
+        is_position ? use.entity.position.span : use.entity.rotation.span,
+        std::string("MARS cannot compose this ") + (is_position ? "position" : "rotation") +
+            " with the pose of the include, because it is a mapping");
+    diagnostic.help = is_position ? "write [x, y, z]" : "write [w, x, y, z]";
+    diagnostic.labels.push_back(
+        {place_of(*scene.entity(use.around)), "the scene is included here"});
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5205_nested_map_pose{
+    .id = "SML5205",
+    .name = "nested-map-pose",
+    .severity = Severity::warning,
+    .summary = "An entity in an included scene writes its position or rotation as a mapping.",
+    .why = "When MARS includes a scene it composes lists only; a mapping is an uncaught "
+           "exception. On the top level MARS reads mappings since 2025, Phobos 2 reads and "
+           "writes them everywhere.",
+    .remedy = "Write lists: [x, y, z] and [w, x, y, z].",
+    .sources = "MARS SMURFLoader.cpp:688-714 (run); Phobos multiple.py, representation.py.",
+    .check_scene = check};
+
+} // namespace smurf::rules

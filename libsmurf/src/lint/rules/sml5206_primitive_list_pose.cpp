@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/scene_link.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_use(scene, [&](const Use& use) {
+    const Entity& entity = use.entity;
+    if (entity_type(entity) != "primitive" || use.is_nested()) return;
+    const bool is_position = entity.position.written && !entity.position_is_mapping;
+    const bool is_rotation =
+        entity.rotation.form != RotationForm::absent && !entity.rotation.is_mapping;
+    if (!is_position && !is_rotation) return;
+    Diagnostic& diagnostic =
+        findings.report(is_position ? entity.position.span : entity.rotation.span,
+                        std::string("the ") + (is_position ? "position" : "rotation") +
+                            " of a primitive is a mapping in MARS");
+    diagnostic.help = is_position ? "write {x: , y: , z: }" : "write {w: , x: , y: , z: }";
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5206_primitive_list_pose{
+    .id = "SML5206",
+    .name = "primitive-list-pose",
+    .severity = Severity::error,
+    .summary = "An entity of type primitive writes its position or rotation as a list.",
+    .why = "MARS reads all keys of a primitive as those of a node, whose position and rotation "
+           "are mappings; a list is an uncaught exception.",
+    .remedy = "Write {x: , y: , z: } and {w: , x: , y: , z: }.",
+    .sources = "MARS primitives.cpp:148-153, NodeData.cpp:181-184.",
+    .check_scene = check};
+
+} // namespace smurf::rules

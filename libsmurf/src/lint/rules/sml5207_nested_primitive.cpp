@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/scene_link.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_use(scene, [&](const Use& use) {
+    if (!use.inherits_in_mars() || entity_type(use.entity) != "primitive") return;
+    Diagnostic& diagnostic =
+        findings.report(use.entity.type.span, "MARS cannot load a primitive in an included scene");
+    diagnostic.labels.push_back(
+        {place_of(*scene.entity(use.around)), "the scene is included here"});
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5207_nested_primitive{
+    .id = "SML5207",
+    .name = "nested-primitive",
+    .severity = Severity::error,
+    .summary = "An included scene holds an entity of type primitive.",
+    .why = "MARS writes the composed pose as lists when it includes a scene, and a primitive "
+           "takes mappings only: an uncaught exception.",
+    .remedy = "Put the primitive into the outermost scene, or make it a URDF.",
+    .sources = "MARS SMURFLoader.cpp:688-726, primitives.cpp:148-153.",
+    .check_scene = check};
+
+} // namespace smurf::rules

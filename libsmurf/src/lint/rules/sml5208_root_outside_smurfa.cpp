@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
+    if (!entity.root.value_or(false) || entity.list == EntityList::smurfa) return;
+    findings.report(entity.root.span, "`root` has no effect outside a list `smurfa`");
+  });
+}
+
+} // namespace
+
+extern constinit const Rule sml5208_root_outside_smurfa{
+    .id = "SML5208",
+    .name = "root-outside-smurfa",
+    .severity = Severity::warning,
+    .summary = "`root: true` stands in a list other than `smurfa`.",
+    .why = "MARS heeds it in a list of that name only, whatever the extension of the file; in "
+           "others every entity without parent takes parent and anchor of the include.",
+    .remedy = "Rename the list to `smurfa`, or take the key out.",
+    .sources = "MARS SMURFLoader.cpp:444-450, 673.",
+    .check_scene = check};
+
+} // namespace smurf::rules

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kKeys[] = {"name",     "type",   "file",   "position",
+                                      "rotation", "parent", "anchor", "pose"};
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for (const LinkedModel& model : scene.models) {
+    for (const CustomSection& key : model.main.extra) {
+      if (std::find(std::begin(kKeys), std::end(kKeys), key.name.value) == std::end(kKeys))
+        continue;
+      findings.report(key.name.span, quoted(key.name.value) +
+                                         " in a model replaces that of the scene entity in MARS");
+    }
+  }
+}
+
+} // namespace
+
+extern constinit const Rule sml5210_model_overrides_entity{
+    .id = "SML5210",
+    .name = "model-overrides-entity",
+    .severity = Severity::warning,
+    .summary = "A model's main file holds a key that belongs to the scene.",
+    .why = "MARS lets keys of the main file replace those of the scene entity: the model stands "
+           "where its own file says, in every scene. Other readers and this tool ignore them.",
+    .remedy = "Move the key into the scene.",
+    .sources = "smurf_parser SMURFParser.cpp:43 (run).",
+    .check_scene = check};
+
+} // namespace smurf::rules

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Questions that several rules ask of scenes.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "smurf/lint.hpp"
+
+namespace smurf {
+
+/// An entity as it is used once: as an instance or as an include.
+struct Use {
+  const LinkedScene& scene;
+  const Entity& entity;
+  const SceneUse& around; ///< the use of the scene it is written in
+  const Placement& placement;
+  const Instance* instance = nullptr; ///< null for an include
+
+  /// True inside an included scene.
+  bool is_nested() const { return around.outer.has_value(); }
+  /// True when MARS gives it the pose, parent and anchor of the include around it: it compares the
+  /// word `world` exactly and takes any other parent for one of its own.
+  bool inherits_in_mars() const { return is_nested() && !has_parent_in_mars(); }
+  bool has_parent_in_mars() const {
+    return entity.parent.written && entity.parent.value != "world";
+  }
+  bool is_member() const {
+    return entity.list == EntityList::smurfa && !entity.root.value_or(false);
+  }
+};
+
+/// Calls `visit` for every entity of every scene file once, however often the file is included.
+void for_each_entity(const LinkedScene& scene,
+                     const std::function<void(const SceneFile&, const Entity&)>& visit);
+
+/// Calls `visit` for every use of every entity: includes first, then instances.
+void for_each_use(const LinkedScene& scene, const std::function<void(const Use&)>& visit);
+
+/// "entity `Eve`", or "this entity".
+std::string title(const Entity& entity);
+
+} // namespace smurf
