@@ -29,7 +29,7 @@ struct Node {
   NodeId first_child = kNoNode;
   NodeId next_sibling = kNoNode;
   NodeId target = kNoNode;  ///< of an alias
-  Span span;                ///< the value's bytes; empty for a null by absence
+  Span span;                ///< the value's bytes; empty where an absent value would stand
   Span key_span;            ///< the key's bytes when the parent is a mapping
   std::string_view text;    ///< decoded scalar text; a view into the source or into the document
   std::string_view key;     ///< decoded key text
@@ -91,7 +91,9 @@ class View {
   Span key_span() const { return node().key_span; }
   std::string_view key() const { return node().key; }
   /// The value's span, or the key's when the value is absent.
-  Span place() const { return node().span.empty() ? node().key_span : node().span; }
+  Span place() const {
+    return node().span.empty() && !node().key_span.empty() ? node().key_span : node().span;
+  }
 
   /// First child with this key; the first wins in configmaps (MARS) and yaml-cpp.
   View find(std::string_view key) const;

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
@@ -78,9 +81,9 @@ class Scanner {
 
   void markup() {
     if (looking_at("<!--")) return comment();
-    if (looking_at("<![CDATA[")) return skip_section("]]>", "this CDATA section is never closed");
+    if (looking_at("<![CDATA[")) return character_section();
     if (looking_at("<!DOCTYPE")) return doctype();
-    if (looking_at("<?")) return skip_section("?>", "this processing instruction is never closed");
+    if (looking_at("<?")) return instruction();
     if (looking_at("</")) return end_tag();
     start_tag();
   }
@@ -94,8 +97,20 @@ class Scanner {
     at_ = static_cast<std::uint32_t>(found + end.size());
   }
 
+  void character_section() {
+    const std::uint32_t begin = at_;
+    skip_section("]]>", "this CDATA section is never closed");
+    if (!index_.well_formed) return;
+    if (open_.empty()) {
+      outside_of_root(span(begin, at_));
+    } else {
+      add_text(span(begin + 9, at_ - 3));
+    }
+  }
+
   void comment() {
     const std::uint32_t begin = at_;
+    is_prolog_ = false;
     const std::size_t found = text_.find("-->", begin + 4);
     if (found == std::string_view::npos) {
       malformed(span(begin, begin + 4), "this comment is never closed");
@@ -114,17 +129,27 @@ class Scanner {
 
   void doctype() {
     const std::uint32_t begin = at_;
-    const std::size_t close = text_.find('>', begin);
+    is_prolog_ = false;
+    std::size_t close = text_.find('>', begin);
     const std::size_t subset = text_.find('[', begin);
-    if (subset != std::string_view::npos && subset < close) {
+    if (subset < close) {
       sink_.report(rules::sml1013_dtd_or_xinclude, span(begin, begin + 9),
                    "a document type with its own declarations");
-      const std::size_t end = text_.find("]", subset);
-      at_ = static_cast<std::uint32_t>(
-          end == std::string_view::npos ? subset : text_.find('>', end));
-      if (at_ >= size()) at_ = static_cast<std::uint32_t>(subset);
+      close = text_.find('>', std::min(text_.find(']', subset), text_.size()));
     }
-    skip_section(">", "this document type is never closed");
+    if (close == std::string_view::npos) {
+      malformed(span(begin, begin + 9), "this document type is never closed");
+      return;
+    }
+    at_ = static_cast<std::uint32_t>(close + 1);
+  }
+
+  void instruction() {
+    const std::uint32_t begin = at_;
+    skip_section("?>", "this processing instruction is never closed");
+    if (!index_.well_formed || is_prolog_) return;
+    malformed(span(begin, at_), "a processing instruction that does not stand at the start of the "
+                                "file; sdformat, MuJoCo and Bullet (tinyxml2) refuse it");
   }
 
   void end_tag() {
@@ -155,7 +180,9 @@ class Scanner {
 
   void close_element() {
     index_.elements[open_.back().element].span.end = at_;
-    prefixes_.resize(open_.back().prefixes);
+    for (; prefixes_.size() > open_.back().prefixes; prefixes_.pop_back()) {
+      --declared_[prefixes_.back()];
+    }
     open_.pop_back();
   }
 
@@ -169,6 +196,7 @@ class Scanner {
 
   void start_tag() {
     const std::uint32_t begin = at_++;
+    is_prolog_ = false;
     ScannedElement element;
     element.name_span = scan_name();
     if (element.name_span.empty()) {
@@ -292,7 +320,10 @@ class Scanner {
       diagnostic.labels.push_back({index_.attributes[i].name_span, "first written here"});
       return false;
     }
-    if (name.starts_with("xmlns:")) prefixes_.push_back(name.substr(6));
+    if (name.starts_with("xmlns:")) {
+      prefixes_.push_back(name.substr(6));
+      ++declared_[prefixes_.back()];
+    }
     index_.attributes.push_back(attribute);
     return true;
   }
@@ -313,13 +344,26 @@ class Scanner {
     if (prefix == "xml" || prefix == "xmlns") return;
     // Residue of xacro has a rule of its own that says what to do.
     if (prefix == "xacro") return;
-    if (std::find(prefixes_.begin(), prefixes_.end(), prefix) != prefixes_.end()) return;
-    if (std::find(reported_.begin(), reported_.end(), prefix) != reported_.end()) return;
-    reported_.push_back(prefix);
+    const auto declared = declared_.find(prefix);
+    if (declared != declared_.end() && declared->second > 0) return;
+    if (!reported_.insert(prefix).second) return;
     sink_.report(rules::sml1002_xml_undeclared_prefix,
                  span(name.begin, name.begin + static_cast<std::uint32_t>(colon)),
                  "the prefix `" + std::string(prefix) + "` is not declared")
         .help = "declare it: `<robot xmlns:" + std::string(prefix) + "=\"...\">`";
+  }
+
+  /// The number of a character that XML allows: "x1F600" or "65".
+  static bool is_number(std::string_view digits) {
+    const int base = digits.starts_with('x') ? 16 : 10;
+    if (base == 16) digits.remove_prefix(1);
+    std::uint32_t value = 0;
+    const char* end = digits.data() + digits.size();
+    const auto result = std::from_chars(digits.data(), end, value, base);
+    if (digits.empty() || result.ec != std::errc() || result.ptr != end) return false;
+    if (value < 0x20) return value == '\t' || value == '\n' || value == '\r';
+    return value < 0xD800 || (value > 0xDFFF && value < 0xFFFE) ||
+           (value > 0xFFFF && value <= 0x10FFFF);
   }
 
   void reference() {
@@ -329,7 +373,7 @@ class Scanner {
     const std::string_view name =
         is_closed ? text_.substr(begin + 1, semicolon - begin - 1) : std::string_view{};
     ++at_;
-    if (!is_closed || name.empty()) {
+    if (!is_closed || name.empty() || (name.front() == '#' && !is_number(name.substr(1)))) {
       sink_.report(rules::sml1003_xml_bare_ampersand, span(begin, begin + 1),
                    "`&` begins no character reference")
           .fixes.push_back({Applicability::safe, {{span(begin, begin + 1), "&amp;"}}});
@@ -343,6 +387,17 @@ class Scanner {
                  "the entity `&" + std::string(name) + ";` is not one of XML's own");
   }
 
+  /// Readers take the first piece of text of an element.
+  void add_text(Span text) {
+    ScannedElement& element = index_.elements[open_.back().element];
+    if (element.text_span.empty()) element.text_span = text;
+  }
+
+  void outside_of_root(Span text) {
+    malformed(text, index_.elements.empty() ? "text before the root element"
+                                            : "text after the root element");
+  }
+
   void character_data() {
     const std::uint32_t begin = at_;
     while (at_ < size() && text_[at_] != '<') {
@@ -352,12 +407,13 @@ class Scanner {
         ++at_;
       }
     }
-    if (!open_.empty()) return;
-    const std::size_t junk = text_.find_first_not_of(" \t\r\n", begin);
-    if (junk >= at_) return;
-    const auto place = static_cast<std::uint32_t>(junk);
-    malformed(span(place, at_), index_.elements.empty() ? "text before the root element"
-                                                        : "text after the root element");
+    const std::size_t visible = text_.find_first_not_of(" \t\r\n", begin);
+    if (visible >= at_) return;
+    if (open_.empty()) {
+      outside_of_root(span(static_cast<std::uint32_t>(visible), at_));
+    } else {
+      add_text(span(begin, at_));
+    }
   }
 
   void finish() {
@@ -378,9 +434,11 @@ class Scanner {
   DiagnosticSink& sink_;
   XmlIndex index_;
   std::uint32_t at_ = 0;
+  bool is_prolog_ = true;  ///< nothing but processing instructions so far
   std::vector<OpenElement> open_;
-  std::vector<std::string_view> prefixes_;
-  std::vector<std::string_view> reported_;
+  std::vector<std::string_view> prefixes_;  ///< declared by the open elements
+  std::unordered_map<std::string_view, std::uint32_t> declared_;  ///< how often in prefixes_
+  std::unordered_set<std::string_view> reported_;
 };
 
 }  // namespace

@@ -33,22 +33,24 @@ std::string xpath(const Document& document, ElementId id) {
   std::string result;
   while (id != kNoElement) {
     const View view(document, id);
-    std::string step = "/" + std::string(view.name());
+    const Attribute* name = view.attribute("name");
+    if (name != nullptr && name->value.find('\'') != std::string_view::npos) name = nullptr;
+    std::size_t position = 0;
+    std::size_t count = 0;
     if (const View parent = view.parent()) {
-      std::size_t position = 0;
-      std::size_t count = 0;
       for (const View sibling : parent) {
         if (sibling.name() != view.name()) continue;
+        const Attribute* other = sibling.attribute("name");
+        if (name != nullptr && (other == nullptr || other->value != name->value)) continue;
         ++count;
         if (sibling.id() == id) position = count;
       }
-      const Attribute* name = view.attribute("name");
-      if (name != nullptr && name->value.find('\'') == std::string_view::npos) {
-        step += "[@name='" + std::string(name->value) + "']";
-      } else if (count > 1) {
-        step += "[" + std::to_string(position) + "]";
-      }
+    } else {
+      name = nullptr;
     }
+    std::string step = "/" + std::string(view.name());
+    if (name != nullptr) step += "[@name='" + std::string(name->value) + "']";
+    if (count > 1) step += "[" + std::to_string(position) + "]";
     result.insert(0, step);
     id = view.element().parent;
   }

@@ -14,6 +14,7 @@
 
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
+#include "syntax/yaml_errors.hpp"
 #include "syntax/yaml_spans.hpp"
 
 namespace smurf {
@@ -45,6 +46,10 @@ class TreeBuilder final : public YAML::EventHandler {
   }
 
   yaml::Document take() { return std::move(document_); }
+  /// One past the last byte of the root.
+  std::uint32_t end() const {
+    return document_.root == kNoNode ? 0 : document_.nodes[index(document_.root)].span.end;
+  }
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
@@ -56,8 +61,8 @@ class TreeBuilder final : public YAML::EventHandler {
     Node node;
     node.span = {document_.source, begin, begin + size};
     if (size == 0) {
-      node.span = {};
-      node.span.source = document_.source;
+      const std::uint32_t at = absent_place(offset(mark));
+      node.span = {document_.source, at, at};
       check_absent(offset(mark));
     }
     append(node, anchor, 1);
@@ -66,7 +71,7 @@ class TreeBuilder final : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const std::uint32_t begin = offset(mark);
     std::uint32_t end = begin + 1;
-    while (end < text_.size() && std::string_view(" \t\r\n,]}").find(text_[end]) ==
+    while (end < text_.size() && std::string_view(" \t\r\n,[]{}").find(text_[end]) ==
                                      std::string_view::npos) {
       ++end;
     }
@@ -84,6 +89,10 @@ class TreeBuilder final : public YAML::EventHandler {
     node.kind = value.kind;
     node.target = target->second;
     node.text = value.text;
+    const bool is_complex = value.kind == Kind::sequence || value.kind == Kind::mapping;
+    if (is_complex && expects_key()) {
+      sink_.report(rules::sml0012_complex_key, node.span, "a list or mapping is used as a key");
+    }
     append(node, 0, sizes_[index(target->second)]);
   }
 
@@ -94,6 +103,9 @@ class TreeBuilder final : public YAML::EventHandler {
     node.kind = Kind::scalar;
     node.style = extent.style;
     node.span = {document_.source, extent.begin, extent.end};
+    if (extent.begin == extent.end) {  // only a tag is written
+      node.span.begin = node.span.end = absent_place(offset(mark));
+    }
     if (!extent.closed) {
       sink_.report(rules::sml0010_yaml_syntax, {document_.source, extent.begin, extent.begin + 1},
                    "this quote is never closed");
@@ -124,8 +136,9 @@ class TreeBuilder final : public YAML::EventHandler {
   struct Frame {
     NodeId node = kNoNode;
     NodeId last_child = kNoNode;
+    std::uint32_t end = 0;  ///< of the last key or value so far
     YAML::anchor_t anchor = 0;
-    bool flow = false;
+    bool flow = false;      ///< in brackets
     bool has_key = false;   ///< a mapping that waits for the value of `key`
     bool is_key = false;    ///< this collection itself stands where a key should
     std::string_view key;
@@ -139,6 +152,21 @@ class TreeBuilder final : public YAML::EventHandler {
                     static_cast<std::uint32_t>(text_.size()));
   }
 
+  bool expects_key() const {
+    return !frames_.empty() && !frames_.back().has_key &&
+           document_.nodes[index(frames_.back().node)].kind == Kind::mapping;
+  }
+
+  /// Where an absent value would stand: behind the dash or the colon before it.
+  std::uint32_t absent_place(std::uint32_t mark) const {
+    if (frames_.empty() || expects_key()) return mark;
+    const Frame& frame = frames_.back();
+    const std::uint32_t before = frame.has_key ? frame.key_span.end : frame.end;
+    const std::uint32_t sign = skip_blank(text_, before);
+    const bool is_sign = sign < text_.size() && text_[sign] == (frame.has_key ? ':' : '-');
+    return is_sign ? sign + 1 : frame.has_key ? before : mark;
+  }
+
   std::uint32_t written_null(std::uint32_t begin) const {
     for (const std::string_view word : {"~", "null", "Null", "NULL"}) {
       if (!text_.substr(begin).starts_with(word)) continue;
@@ -148,8 +176,8 @@ class TreeBuilder final : public YAML::EventHandler {
         continue;
       }
       after = std::min(text_.find_first_not_of(" \t", after), text_.size());
-      const bool is_next_key = after < text_.size() && text_[after] == ':';
-      return is_next_key ? 0 : static_cast<std::uint32_t>(word.size());
+      const bool is_key = after < text_.size() && text_[after] == ':';
+      return is_key && !expects_key() ? 0 : static_cast<std::uint32_t>(word.size());
     }
     return 0;
   }
@@ -158,26 +186,39 @@ class TreeBuilder final : public YAML::EventHandler {
   void check_absent(std::uint32_t at_offset) {
     if (frames_.empty() || !frames_.back().flow) return;
     const Frame& frame = frames_.back();
-    const bool is_entry = at(frame.node).kind == Kind::sequence || !frame.has_key;
-    if (!is_entry || at_offset >= text_.size() || text_[at_offset] != ',') return;
+    if (frame.has_key || at_offset >= text_.size() || text_[at_offset] != ',') return;
     sink_.report(rules::sml0010_yaml_syntax, {document_.source, at_offset, at_offset + 1},
                  "there is no entry before this comma");
   }
 
   void append(Node node, YAML::anchor_t anchor, std::uint64_t size) {
-    if (!frames_.empty() && takes_key(node)) return;
-    const NodeId id = add(node, size);
-    if (anchor != 0) anchors_[anchor] = id;
+    if (!takes_key(node)) {
+      const NodeId id = add(node, size);
+      if (anchor != 0) anchors_[anchor] = id;
+    } else if (anchor != 0) {
+      anchors_[anchor] = add_unlinked(node);
+    }
   }
 
   /// True when the node is the key of an open mapping, which is then stored in the frame.
   bool takes_key(const Node& node) {
+    if (!expects_key()) return false;
     Frame& frame = frames_.back();
-    if (at(frame.node).kind != Kind::mapping || frame.has_key) return false;
     frame.has_key = true;
-    frame.key = node.text;
+    // A pair inside a flow list, [a: 1], is a mapping without brackets of its own.
+    if (node.span.begin == at(frame.node).span.begin) frame.flow = false;
+    const bool is_null = node.kind == Kind::null && node.target == kNoNode;
+    frame.key = is_null ? text_.substr(node.span.begin, node.span.end - node.span.begin) : node.text;
     frame.key_span = node.span;
+    frame.end = std::max(frame.end, node.span.end);
     return true;
+  }
+
+  /// A key that something refers to: it has a node, but no place in the tree.
+  NodeId add_unlinked(const Node& node) {
+    document_.nodes.push_back(node);
+    sizes_.push_back(1);
+    return NodeId{static_cast<std::uint32_t>(document_.nodes.size() - 1)};
   }
 
   NodeId add(Node& node, std::uint64_t size) {
@@ -198,6 +239,7 @@ class TreeBuilder final : public YAML::EventHandler {
       }
       frame.last_child = id;
       frame.has_key = false;
+      frame.end = std::max(frame.end, node.span.end);
     }
     document_.nodes.push_back(node);
     sizes_.push_back(size);
@@ -228,16 +270,14 @@ class TreeBuilder final : public YAML::EventHandler {
       throw StopParsing();
     }
     Frame frame;
+    frame.end = node.span.begin;
     frame.flow = style == YAML::EmitterStyle::Flow;
     frame.anchor = anchor;
-    if (!frames_.empty() && takes_key(node)) {
+    if (takes_key(node)) {
       sink_.report(rules::sml0012_complex_key, node.span,
                    "a list or mapping is used as a key");
-      // Kept out of the tree: the collection gets a node that nothing links to.
       frame.is_key = true;
-      frame.node = NodeId{static_cast<std::uint32_t>(document_.nodes.size())};
-      document_.nodes.push_back(node);
-      sizes_.push_back(1);
+      frame.node = add_unlinked(node);
     } else {
       frame.node = add(node, 1);
     }
@@ -248,18 +288,16 @@ class TreeBuilder final : public YAML::EventHandler {
     const Frame frame = frames_.back();
     frames_.pop_back();
     Node& node = at(frame.node);
-    std::uint32_t end = node.span.begin + 1;
-    if (frame.last_child != kNoNode) {
-      const Node& last = at(frame.last_child);
-      end = last.span.empty() ? std::max(end, last.key_span.end) : last.span.end;
-    }
-    node.span.end = frame.flow ? flow_end(text_, end) : end;
+    node.span.end = frame.end;
+    if (frame.flow) node.span.end = flow_end(text_, std::max(frame.end, node.span.begin + 1));
+    if (frame.anchor != 0) anchors_[frame.anchor] = frame.node;
+    if (frames_.empty()) return;
+    frames_.back().end = std::max(frames_.back().end, node.span.end);
     if (frame.is_key) {
       frames_.back().key_span = node.span;
-      return;
+    } else {
+      grow(frames_.back().node, sizes_[index(frame.node)] - 1);
     }
-    if (frame.anchor != 0) anchors_[frame.anchor] = frame.node;
-    if (!frames_.empty()) grow(frames_.back().node, sizes_[index(frame.node)] - 1);
   }
 
   void report_duplicates(NodeId mapping) {
@@ -331,50 +369,9 @@ class SecondDocument final : public YAML::EventHandler {
   }
 };
 
-/// yaml-cpp's words are about its grammar; these are about the file.
-std::string explain_error(const std::string& message) {
-  struct Row {
-    std::string_view yaml_cpp;
-    std::string_view ours;
-  };
-  constexpr Row kRows[] = {
-      {"bad file", "the lists and mappings are nested too deeply to be read"},
-      {"illegal map value", "a second `:` on this line, or a value where none may stand; quote the "
-                            "value if it holds a colon"},
-      {"end of map not found", "this line does not fit the mapping above: its indentation or a "
-                               "missing `:` breaks it"},
-      {"end of sequence not found", "this line does not fit the list above: its indentation or a "
-                                    "missing `-` breaks it"},
-      {"end of sequence flow not found", "this `[` is never closed"},
-      {"end of map flow not found", "this `{` is never closed"},
-  };
-  for (const Row& row : kRows) {
-    if (message == row.yaml_cpp) return std::string(row.ours);
-  }
-  return message;
-}
-
-void report_parser_error(const YAML::Exception& error, std::string_view text, SourceId id,
-                         DiagnosticSink& sink) {
-  const std::uint32_t shift = byte_order_mark_size(text);
-  const auto size = static_cast<std::uint32_t>(text.size());
-  std::uint32_t at =
-      error.mark.is_null() ? 0 : std::min(static_cast<std::uint32_t>(error.mark.pos) + shift, size);
-  std::string message = explain_error(error.msg);
-  // A tab in the indentation is reported by yaml-cpp at the following colon, in other words.
-  const std::size_t line_start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
-  const std::size_t content = std::min(text.find_first_not_of(" \t", line_start), text.size());
-  const std::string_view indent = text.substr(line_start, content - line_start);
-  if (const std::size_t tab = indent.find('\t'); tab != std::string_view::npos) {
-    at = static_cast<std::uint32_t>(line_start + tab);
-    message = "a tab is used for indentation; YAML allows only spaces there";
-  }
-  const std::uint32_t end = at < size && text[at] != '\n' && text[at] != '\r' ? at + 1 : at;
-  sink.report(rules::sml0010_yaml_syntax, {id, at, end}, message);
-}
-
-void check_second_document(YAML::Parser& parser, std::string_view text, SourceId id,
-                           DiagnosticSink& sink) {
+/// `first_end` is where the content of the first document ends.
+void check_second_document(YAML::Parser& parser, std::string_view text, std::uint32_t first_end,
+                           SourceId id, DiagnosticSink& sink) {
   SecondDocument second;
   try {
     parser.HandleNextDocument(second);
@@ -386,6 +383,15 @@ void check_second_document(YAML::Parser& parser, std::string_view text, SourceId
   const std::uint32_t at = std::min(
       static_cast<std::uint32_t>(std::max(second.start.pos, 0)) + byte_order_mark_size(text),
       static_cast<std::uint32_t>(text.size()));
+  // yaml-cpp ends a document where nothing fits any more; only marks may do that.
+  const std::string_view between = text.substr(first_end, std::max(at, first_end) - first_end);
+  const bool has_mark = text.substr(at).starts_with("---") || text.substr(at).starts_with('%') ||
+                        between.find("\n...") != std::string_view::npos;
+  if (!has_mark) {
+    sink.report(rules::sml0010_yaml_syntax, {id, at, at + 1},
+                "this line does not fit what stands above it");
+    return;
+  }
   sink.report(rules::sml0013_several_documents, {id, at, at},
               "a second YAML document begins here")
       .notes.push_back("readers take the first document and drop the rest without a word");
@@ -402,11 +408,13 @@ std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
     ViewBuffer buffer(text);
     std::istream stream(&buffer);
     YAML::Parser parser(stream);
-    if (parser.HandleNextDocument(builder)) check_second_document(parser, text, id, sink);
+    if (parser.HandleNextDocument(builder)) {
+      check_second_document(parser, text, builder.end(), id, sink);
+    }
   } catch (const StopParsing&) {
     return std::nullopt;
   } catch (const YAML::Exception& error) {
-    report_parser_error(error, text, id, sink);
+    report_parser_error(error.msg, error.mark.is_null() ? 0 : error.mark.pos, sources, id, sink);
     return std::nullopt;
   }
   return builder.take();

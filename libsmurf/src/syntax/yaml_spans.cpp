@@ -26,32 +26,9 @@ std::optional<std::uint32_t> quoted_end(std::string_view text, std::uint32_t beg
   return std::nullopt;
 }
 
-/// The block scalar reaches to the last line indented like its first line.
-std::uint32_t block_end(std::string_view text, std::uint32_t begin) {
-  std::size_t line = text.find('\n', begin);
-  if (line == std::string_view::npos) return size_of(text);
-  auto end = static_cast<std::uint32_t>(line);
-  std::size_t indent = 0;
-  bool first = true;
-  for (++line; line < text.size();) {
-    const std::size_t stop = std::min(text.find('\n', line), text.size());
-    const std::size_t content = std::min(text.find_first_not_of(' ', line), stop);
-    const bool is_empty = content == stop || text[content] == '\r';
-    if (!is_empty) {
-      if (first) indent = content - line;
-      if (content - line < indent || indent == 0) break;
-      first = false;
-      end = static_cast<std::uint32_t>(stop);
-    }
-    line = stop + 1;
-  }
-  if (end > begin && text[end - 1] == '\r') --end;
-  return end;
-}
-
-/// A plain scalar folds line breaks, so source and value agree only in the characters between.
-std::uint32_t plain_end(std::string_view text, std::uint32_t begin, std::string_view value) {
-  if (text.substr(begin, value.size()) == value) return begin + size_of(value);
+/// Behind the last visible character of `value`. Folding and indentation change blanks and line
+/// ends, so source and value agree only in the characters between.
+std::uint32_t visible_end(std::string_view text, std::uint32_t begin, std::string_view value) {
   std::uint32_t at = begin;
   for (const char c : value) {
     if (is_blank(c)) continue;
@@ -60,6 +37,23 @@ std::uint32_t plain_end(std::string_view text, std::uint32_t begin, std::string_
     ++at;
   }
   return at;
+}
+
+std::uint32_t plain_end(std::string_view text, std::uint32_t begin, std::string_view value) {
+  if (text.substr(begin, value.size()) == value) return begin + size_of(value);
+  return visible_end(text, begin, value);
+}
+
+/// The last line that shows something; of an empty block scalar, its header.
+std::uint32_t block_end(std::string_view text, std::uint32_t begin, std::string_view value) {
+  auto end = static_cast<std::uint32_t>(std::min(text.find('\n', begin), text.size()));
+  const bool is_blank_only = std::all_of(value.begin(), value.end(), is_blank);
+  if (!is_blank_only) {
+    end = visible_end(text, end, value);
+    end = static_cast<std::uint32_t>(std::min(text.find('\n', end), text.size()));
+  }
+  if (end > begin && text[end - 1] == '\r') --end;
+  return end;
 }
 
 }  // namespace
@@ -79,8 +73,10 @@ std::uint32_t skip_blank(std::string_view text, std::uint32_t at) {
 
 std::uint32_t skip_properties(std::string_view text, std::uint32_t at) {
   while (at < size_of(text) && (text[at] == '&' || text[at] == '!')) {
-    while (at < size_of(text) && !is_blank(text[at])) ++at;
-    at = skip_blank(text, at);
+    const bool is_verbatim = text.substr(at).starts_with("!<");
+    const std::string_view stops = is_verbatim ? ">" : " \t\r\n,[]{}";
+    const std::size_t stop = std::min(text.find_first_of(stops, at), text.size());
+    at = skip_blank(text, static_cast<std::uint32_t>(stop) + (is_verbatim && stop < text.size()));
   }
   return at;
 }
@@ -105,7 +101,7 @@ ScalarExtent scalar_extent(std::string_view text, std::uint32_t at, std::string_
     case '|':
     case '>':
       extent.style = yaml::Style::block;
-      extent.end = block_end(text, extent.begin);
+      extent.end = block_end(text, extent.begin, value);
       break;
     default: extent.end = plain_end(text, extent.begin, value); break;
   }
@@ -115,7 +111,11 @@ ScalarExtent scalar_extent(std::string_view text, std::uint32_t at, std::string_
 std::uint32_t flow_end(std::string_view text, std::uint32_t at) {
   for (at = skip_blank(text, at); at < size_of(text); at = skip_blank(text, at + 1)) {
     if (text[at] == ']' || text[at] == '}') return at + 1;
-    if (text[at] != ',' && text[at] != ':' && text[at] != '?') break;
+    if (text[at] == '&' || text[at] == '!') {  // of an absent value
+      at = skip_properties(text, at) - 1;
+    } else if (text[at] != ',' && text[at] != ':' && text[at] != '?') {
+      break;
+    }
   }
   return at;
 }

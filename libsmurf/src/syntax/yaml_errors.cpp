@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "syntax/yaml_errors.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/rules.hpp"
+#include "syntax/text_check.hpp"
+
+namespace smurf {
+namespace {
+
+/// yaml-cpp's words are about its grammar; these are about the file.
+std::string explain(std::string_view words) {
+  struct Row {
+    std::string_view yaml_cpp;
+    std::string_view ours;
+  };
+  constexpr Row kRows[] = {
+      {"bad file", "the lists and mappings are nested too deeply to be read"},
+      {"illegal map value", "a second `:` on this line, or a value where none may stand; quote the "
+                            "value if it holds a colon"},
+      {"end of map not found", "this line does not fit the mapping above: its indentation or a "
+                               "missing `:` breaks it"},
+      {"end of sequence not found", "this line does not fit the list above: its indentation or a "
+                                    "missing `-` breaks it"},
+      {"end of sequence flow not found", "this `[` is never closed"},
+      {"end of map flow not found", "this `{` is never closed"},
+  };
+  for (const Row& row : kRows) {
+    if (words == row.yaml_cpp) return std::string(row.ours);
+  }
+  return std::string(words);
+}
+
+}  // namespace
+
+void report_parser_error(std::string_view words, int place, const SourceMap& sources, SourceId id,
+                         DiagnosticSink& sink) {
+  const std::string_view text = sources.text(id);
+  const std::uint32_t shift = byte_order_mark_size(text);
+  const auto size = static_cast<std::uint32_t>(text.size());
+  std::uint32_t at = std::min(static_cast<std::uint32_t>(std::max(place, 0)) + shift, size);
+  std::string message = explain(words);
+  // A tab in the indentation is reported by yaml-cpp at the following colon, in other words.
+  const std::size_t line_start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+  const std::size_t content = std::min(text.find_first_not_of(" \t", line_start), text.size());
+  const std::string_view indent = text.substr(line_start, content - line_start);
+  const bool is_in_flow = words.find("flow") != std::string_view::npos;
+  if (const std::size_t tab = indent.find('\t'); tab != std::string_view::npos && !is_in_flow) {
+    at = static_cast<std::uint32_t>(line_start + tab);
+    message = "a tab is used for indentation; YAML allows only spaces there";
+  }
+  const bool is_escape = words.starts_with("unknown escape character") ||
+                         words.starts_with("bad character found while scanning hex") ||
+                         words.starts_with("invalid unicode");
+  if (const std::size_t escape = text.rfind('\\', at); is_escape && escape != text.npos) {
+    at = static_cast<std::uint32_t>(escape);
+  }
+  const std::uint32_t end = at < size && text[at] != '\n' && text[at] != '\r' ? at + 1 : at;
+  sink.report(rules::sml0010_yaml_syntax, {id, at, end}, message);
+}
+
+}  // namespace smurf
