@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs a tool as its users do: in a folder of its own, with given files, looking at every stream.
+
+A test program is called with the tool first: NAME_test.py TOOL [unittest option]...
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL = None
+FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
+
+
+class CliTest(unittest.TestCase):
+    """Each test has an empty current folder, self.folder."""
+
+    maxDiff = None
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="smurf-cli-"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def write(self, path, text):
+        target = self.folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        data = text if isinstance(text, bytes) else text.encode()
+        target.write_bytes(data)
+
+    def read(self, path):
+        return (self.folder / path).read_text()
+
+    def run_tool(self, *arguments, stdin="", environment=None, stdout=subprocess.PIPE, **keywords):
+        """The finished process; its streams are text."""
+        variables = {k: v for k, v in os.environ.items()
+                     if k not in ("NO_COLOR", "FORCE_COLOR", "TERM")}
+        variables.update(environment or {})
+        return subprocess.run(
+            [TOOL, *map(str, arguments)], input=stdin, encoding="utf-8", errors="replace",
+            stdout=stdout, stderr=subprocess.PIPE, cwd=self.folder, env=variables, timeout=60,
+            check=False, **keywords)
+
+    def expect(self, code, *arguments, **keywords):
+        """Runs and insists on the exit code; with 0 and 1 nothing is said on standard error."""
+        done = self.run_tool(*arguments, **keywords)
+        self.assertEqual(done.returncode, code,
+                         f"{arguments}\nstdout:\n{done.stdout}\nstderr:\n{done.stderr}")
+        if code != 2:
+            self.assertEqual(done.stderr, "")
+        return done
+
+    def expect_complaint(self, text, *arguments, **keywords):
+        """Exit code 2, nothing on standard output, and this one line on standard error."""
+        done = self.expect(2, *arguments, **keywords)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.stderr, f"{pathlib.Path(TOOL).name}: {text}\n")
+
+
+def main():
+    global TOOL
+    if len(sys.argv) < 2:
+        sys.exit(f"usage: {sys.argv[0]} TOOL [unittest option]...")
+    TOOL = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    unittest.main(module="__main__")

@@ -1,0 +1,412 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of smurf-lint: exit codes, streams, reports, and which files are checked."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+URDF = """<?xml version="1.0"?>
+<robot name="arm">
+  <link name="base"/>
+  <link name="forearm"/>
+  <joint name="elbow" type="fixed">
+    <parent link="base"/>
+    <child link="forearm"/>
+  </joint>
+</robot>
+"""
+BROKEN_URDF = URDF.replace('child link="forearm"', 'child link="forarm"')
+SMURF = "modelname: arm\nfiles:\n- ../urdf/arm.urdf\n- arm_motors.yml\n"
+MOTORS = "motors:\n- name: elbow\n  joint: elbow\n  type: PID\n"
+BROKEN_MOTORS = MOTORS.replace("joint: elbow", "joint: elbwo")
+
+
+class LintTest(cli.CliTest):
+    def write_model(self, folder="arm", motors=MOTORS, urdf=URDF):
+        self.write(f"{folder}/smurf/arm.smurf", SMURF)
+        self.write(f"{folder}/smurf/arm_motors.yml", motors)
+        self.write(f"{folder}/urdf/arm.urdf", urdf)
+
+    def findings(self, *arguments, code=1, **keywords):
+        """(file, id) of what the JSON report lists."""
+        report = json.loads(self.expect(code, "--format", "json", *arguments, **keywords).stdout)
+        return [(d["file"], d["id"]) for d in report["diagnostics"]]
+
+
+class Verdict(LintTest):
+    def test_sound_model(self):
+        done = self.expect(0, cli.FIXTURES / "models/arm/smurf/arm.smurf")
+        self.assertRegex(done.stdout, r"^no findings in \d+ files \(1 model\)\n$")
+
+    def test_broken_model(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        done = self.expect(1, "arm/smurf/arm.smurf")
+        self.assertIn("error[SML3101]: ", done.stdout)
+        self.assertIn(" --> arm/smurf/arm_motors.yml:3:10\n", done.stdout)
+        self.assertIn("3 |   joint: elbwo\n  |          ^^^^^", done.stdout)
+        self.assertTrue(done.stdout.endswith("found 1 error in 3 files (1 model)\n"), done.stdout)
+
+    def test_threshold(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        model = "arm/smurf/arm.smurf"
+        self.expect(0, "--fail-on", "never", model)
+        self.expect(0, "--exit-zero", model)
+        self.expect(0, "--ignore", "SML3101", model)
+        self.expect(0, "--ignore", "unknown-joint,SML4", model)
+        self.expect(0, "--select=SML1", model)
+        self.expect(0, "--severity", "unknown-joint=warning", model)
+        self.expect(1, "--severity", "SML3=warning", "--fail-on=warning", model)
+        self.expect(1, "--severity", "SML3101=info", "--fail-on=info", model)
+        self.expect(0, "--severity", "SML3101=warning", "--max-warnings", "1", model)
+        self.expect(1, "--severity", "SML3101=warning", "--max-warnings", "0", model)
+        self.expect(0, "--severity", "SML3101=warning", "--max-warnings", "0", "--exit-zero", model)
+
+    def test_exit_zero_does_not_hide_failure(self):
+        self.write_model()
+        done = self.expect(2, "--exit-zero", "absent.smurf", "arm")
+        self.assertEqual(done.stderr,
+                         "smurf-lint: cannot read 'absent.smurf': No such file or directory\n")
+        self.assertEqual(done.stdout, "no findings in 3 files (1 model)\n")
+
+
+class Usage(LintTest):
+    def test_mistakes(self):
+        for text, arguments in (
+                ("unknown option '--formt'; did you mean '--format'?", ["--formt", "json"]),
+                ("unknown option '-Q' (see --help)", ["-Q"]),
+                ("unknown option '--selct'; did you mean '--select'?", ["--selct=SML1"]),
+                ("--format needs a value: FORMAT[=FILE]", ["--format"]),
+                ("--format: 'jsn' is none of full, concise, json; did you mean 'json'?",
+                 ["--format=jsn"]),
+                ("--format: there is no file name after '='", ["--format=json="]),
+                ("--color: 'allways' is none of auto, always, never; did you mean 'always'?",
+                 ["--color", "allways"]),
+                ("--select: there is no rule 'unknown-jont'; did you mean 'unknown-joint'?",
+                 ["--select", "SML1,unknown-jont"]),
+                ("--ignore: there is no rule 'sml3101'; did you mean 'SML3101'?",
+                 ["--ignore=sml3101"]),
+                ("--severity: 'SML3101' is not ID=LEVEL", ["--severity", "SML3101"]),
+                ("--severity: 'fatal' is none of error, warning, info",
+                 ["--severity", "SML3101=fatal"]),
+                ("--max-warnings: '-1' is not a whole number of at least 0",
+                 ["--max-warnings=-1"]),
+                ("--jobs: '0' is not a whole number of at least 1", ["-j0"]),
+                ("--package: 'arm' is not NAME=DIR", ["--package", "arm"]),
+                ("--quiet takes no value", ["--quiet=false"]),
+                ("there is no rule 'SML3110'; did you mean 'SML3101'?", ["--explain", "SML3110"]),
+                ("there is no rule 'x'", ["--explain", "x"]),
+                ("two reports go to standard output; give one a file of its own: "
+                 "--format json=FILE", ["--format", "full", "--format", "json"]),
+                ("two reports go to 'a'; give one a file of its own: --format json=FILE",
+                 ["--format", "full=a", "--format", "json=a"]),
+                ("standard input can be read only once", ["-", "-"]),
+                ("cannot read '--x': No such file or directory", ["--", "--x"]),
+                ("cannot read 'a\\u001bb': No such file or directory", ["a\x1bb"]),
+        ):
+            with self.subTest(arguments):
+                done = self.expect(2, *arguments)
+                # A run that goes on after an unreadable path still reports.
+                self.assertIn(done.stdout, ("", "no findings in 0 files\n"))
+                self.assertEqual(done.stderr.count("\n"), 1)
+                self.assertTrue(done.stderr.startswith("smurf-lint: " + text), done.stderr)
+
+    def test_help_and_version(self):
+        page = self.expect(0, "--help").stdout
+        self.assertEqual(self.expect(0, "-h").stdout, page)
+        self.assertLessEqual(max(map(len, page.splitlines())), 80)
+        for word in ("Examples:", "--stdin-filename PATH", "-o, --output FILE", "Exit codes:"):
+            self.assertIn(word, page)
+        self.assertRegex(self.expect(0, "--version").stdout, r"^smurf-lint \d+\.\d+\.\d+\n$")
+
+    def test_last_value_wins_and_clusters(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        done = self.expect(0, "-qj4", "--fail-on=error", "--fail-on=never", "arm")
+        self.assertNotIn("found", done.stdout)
+
+
+class Rules(LintTest):
+    def test_every_rule_is_explained(self):
+        rules = json.loads(self.expect(0, "--list-rules", "json").stdout)
+        self.assertGreater(len(rules), 50)
+        self.assertEqual([r["id"] for r in rules], sorted(r["id"] for r in rules))
+        lines = self.expect(0, "--list-rules").stdout.splitlines()
+        self.assertEqual([line[:7] for line in lines], [r["id"] for r in rules])
+        for rule in rules:
+            page = self.expect(0, "--explain", rule["id"]).stdout
+            self.assertTrue(page.startswith(f"{rule['id']} {rule['name']} ({rule['severity']})\n"))
+            for heading in ("Why it matters", "What to do", "Sources"):
+                self.assertIn(f"\n{heading}\n", page)
+            self.assertLessEqual(max(map(len, page.splitlines())), 80, rule["id"])
+        self.assertEqual(self.expect(0, "--explain", rules[-1]["name"]).stdout, page)
+
+
+class Reports(LintTest):
+    def test_json(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        text = self.expect(1, "--format", "json", "arm/smurf/arm.smurf").stdout
+        report = json.loads(text)
+        self.assertEqual(list(report), ["schema_version", "tool", "summary", "diagnostics"])
+        self.assertEqual(report["schema_version"], "1.0")
+        self.assertEqual(report["tool"]["name"], "smurf-lint")
+        self.assertEqual(report["summary"], {"error": 1, "warning": 0, "info": 0, "suppressed": 0,
+                                             "files": 3, "models": 1, "scenes": 0})
+        found = report["diagnostics"][0]
+        place = {key: found[key] for key in ("id", "name", "severity", "file", "line", "column",
+                                             "end_line", "end_column", "pointer")}
+        self.assertEqual(place, {"id": "SML3101", "name": "unknown-joint", "severity": "error",
+                                 "file": "arm/smurf/arm_motors.yml", "line": 3, "column": 10,
+                                 "end_line": 3, "end_column": 15, "pointer": "/motors/0/joint"})
+        self.assertEqual(self.expect(1, "--report", "json", "arm/smurf/arm.smurf").stdout, text)
+
+    def test_several_reports(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        done = self.expect(1, "--format", "concise", "--format", "json=a.json", "--format",
+                           "full=a.txt", "arm")
+        self.assertRegex(done.stdout,
+                         r"^arm/smurf/arm_motors\.yml:3:10: error\[SML3101\] .*\n$")
+        self.assertEqual(json.loads(self.read("a.json"))["summary"]["error"], 1)
+        self.assertIn("error[SML3101]: ", self.read("a.txt"))
+
+    def test_statistics_and_quiet(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        counts = "1  error    SML3101 unknown-joint\n"
+        self.assertEqual(self.expect(1, "--statistics", "arm").stdout,
+                         counts + "\nfound 1 error in 3 files (1 model)\n")
+        self.assertEqual(
+            self.expect(1, "--statistics", "--format=concise", "arm").stdout, counts)
+        self.assertNotIn("found", self.expect(1, "-q", "arm").stdout)
+
+    def test_same_output_every_time(self):
+        for name in ("b", "a", "c"):
+            self.write_model(name, motors=BROKEN_MOTORS)
+        first = self.expect(1, ".").stdout
+        self.assertEqual(first.count("error[SML3101]"), 3)
+        self.assertEqual(self.expect(1, "-j", "8", ".").stdout, first)
+        self.assertEqual(self.expect(1, "c", "a", "b").stdout, first)
+        self.assertEqual(self.expect(1, environment={"LC_ALL": "de_DE.UTF-8"}).stdout, first)
+
+    def test_color(self):
+        self.write_model(motors=BROKEN_MOTORS)
+
+        def is_colored(*arguments, **environment):
+            return "\x1b[" in self.expect(1, *arguments, "arm", environment=environment).stdout
+
+        self.assertFalse(is_colored())
+        self.assertTrue(is_colored("--color", "always"))
+        self.assertTrue(is_colored("--color", "always", NO_COLOR="1"))
+        self.assertTrue(is_colored(FORCE_COLOR="1"))
+        self.assertFalse(is_colored(FORCE_COLOR="0"))
+        self.assertFalse(is_colored(FORCE_COLOR="1", NO_COLOR="1"))
+        self.assertFalse(is_colored("--color", "never", FORCE_COLOR="1"))
+        self.assertFalse(is_colored("--color=always", "--format=json"))
+        self.expect(1, "-o", "plain.txt", "arm", environment={"FORCE_COLOR": "1"})
+        self.assertNotIn("\x1b[", self.read("plain.txt"))
+
+
+class Files(LintTest):
+    def test_output_replaces_a_file_and_keeps_its_mode(self):
+        self.write_model()
+        self.write("report.txt", "old")
+        (self.folder / "report.txt").chmod(0o640)
+        self.assertEqual(self.expect(0, "-o", "report.txt", "arm").stdout, "")
+        self.assertEqual(self.read("report.txt"), "no findings in 3 files (1 model)\n")
+        self.assertEqual((self.folder / "report.txt").stat().st_mode & 0o777, 0o640)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["arm", "report.txt"])
+
+    def test_output_through_a_link_and_to_standard_output(self):
+        self.write_model()
+        self.write("real/report.txt", "old")
+        (self.folder / "link.txt").symlink_to("real/report.txt")
+        self.expect(0, "-o", "link.txt", "arm")
+        self.assertTrue((self.folder / "link.txt").is_symlink())
+        self.assertIn("no findings", self.read("real/report.txt"))
+        self.assertIn("no findings", self.expect(0, "-o", "-", "arm").stdout)
+        self.expect(0, "-o", "/dev/null", "arm")
+        self.assertTrue(pathlib.Path("/dev/null").is_char_device())
+
+    def test_output_that_cannot_be_written(self):
+        self.write_model()
+        self.write("report.txt", "old")
+        for path, reason in (("arm", "Is a directory"),
+                             ("arm/", "Is a directory"),
+                             ("absent/report.txt", "No such file or directory"),
+                             ("report.txt/x", "Not a directory"),
+                             ("/dev/full", "No space left on device")):
+            with self.subTest(path):
+                self.expect_complaint(f"cannot write '{path}': {reason}", "-o", path, "arm")
+        self.assertEqual(self.read("report.txt"), "old")
+
+    def test_a_failed_write_leaves_the_old_file(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        self.write("report.txt", "old")
+
+        def allow_small_files_only():
+            import resource  # pylint: disable=import-outside-toplevel
+            import signal  # pylint: disable=import-outside-toplevel
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (16, 16))
+
+        self.expect_complaint("cannot write 'report.txt': File too large", "-o", "report.txt",
+                              "arm", preexec_fn=allow_small_files_only)
+        self.assertEqual(self.read("report.txt"), "old")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["arm", "report.txt"])
+
+    def test_standard_output_that_cannot_be_written(self):
+        self.write_model()
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = self.run_tool("arm", stdout=full)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, "smurf-lint: cannot write standard output: "
+                                      "No space left on device\n")
+        reading, writing = os.pipe()
+        os.close(reading)
+        done = self.run_tool("--help", stdout=writing)
+        os.close(writing)
+        self.assertEqual((done.returncode, done.stderr), (2, ""))
+        done = self.run_tool("arm", preexec_fn=lambda: os.close(1))
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr,
+                         "smurf-lint: cannot write standard output: Bad file descriptor\n")
+
+
+class Inputs(LintTest):
+    def test_folder(self):
+        self.write_model("b", motors=BROKEN_MOTORS)
+        self.write_model("a", urdf=BROKEN_URDF)
+        self.write_model(".hidden", motors=BROKEN_MOTORS)
+        self.write("loose/x.urdf", BROKEN_URDF)
+        self.assertEqual(self.findings("."), [("a/urdf/arm.urdf", "SML1202"),
+                                              ("b/smurf/arm_motors.yml", "SML3101"),
+                                              ("loose/x.urdf", "SML1202")])
+        self.assertEqual(self.findings(), self.findings("."))
+        self.assertEqual(self.findings("b"), [("b/smurf/arm_motors.yml", "SML3101")])
+        done = self.expect(1, ".")
+        self.assertIn("in 7 files (3 models)\n", done.stdout)
+
+    def test_links_are_followed_once(self):
+        self.write_model("arm", motors=BROKEN_MOTORS)
+        (self.folder / "arm/loop").symlink_to("..")
+        (self.folder / "again").symlink_to("arm")
+        (self.folder / "same.smurf").symlink_to("arm/smurf/arm.smurf")
+        (self.folder / "dangling").symlink_to("nowhere")
+        self.assertEqual(self.findings("."), [("arm/smurf/arm_motors.yml", "SML3101")])
+        (self.folder / "lost.smurf").symlink_to("nowhere.smurf")
+        done = self.expect(2, ".")
+        self.assertEqual(done.stderr, "smurf-lint: cannot read 'lost.smurf': "
+                                      "No such file or directory\n")
+
+    def test_nothing_to_check(self):
+        self.write("notes/readme.txt", "")
+        done = self.expect(2, "notes")
+        self.assertEqual(done.stderr, "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in "
+                                      "'notes'\n")
+        self.assertEqual(self.expect(2).stderr, "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf "
+                                                "file in '.'\n")
+
+    def test_unreadable_inputs(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        os.mkfifo(self.folder / "pipe.smurf")
+        self.write("robot.urdf.xacro", URDF)
+        self.write("part.stl", "solid")
+        done = self.expect(2, "absent.smurf", "pipe.smurf", "robot.urdf.xacro", "part.stl", "arm")
+        self.assertEqual(done.stderr.splitlines(), [
+            "smurf-lint: cannot read 'absent.smurf': No such file or directory",
+            "smurf-lint: cannot read 'pipe.smurf': is not a regular file",
+            "smurf-lint: cannot check 'robot.urdf.xacro': expand it first: xacro FILE | "
+            "smurf-lint -",
+            "smurf-lint: cannot check 'part.stl': it is no .smurf, .smurfs, .smurfa, .urdf or "
+            ".yml file"])
+        self.assertIn("error[SML3101]", done.stdout)
+
+    def test_a_part_is_checked_with_the_models_that_list_it(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        for part in ("arm/urdf/arm.urdf", "arm/smurf/arm_motors.yml"):
+            with self.subTest(part):
+                self.assertEqual(self.findings(part), [("arm/smurf/arm_motors.yml", "SML3101")])
+        # Another model of the same URDF, in the folder above.
+        self.write("arm/second.smurf", "modelname: second\nfiles:\n- urdf/arm.urdf\n"
+                                       "- second_motors.yml\n")
+        self.write("arm/second_motors.yml", BROKEN_MOTORS)
+        self.assertEqual(self.findings("arm/urdf/arm.urdf"),
+                         [("arm/second_motors.yml", "SML3101"),
+                          ("arm/smurf/arm_motors.yml", "SML3101")])
+        self.assertEqual(self.findings("arm/second_motors.yml"),
+                         [("arm/second_motors.yml", "SML3101")])
+        self.assertEqual(self.findings("arm/urdf/arm.urdf", "arm/smurf/arm.smurf", "arm"),
+                         self.findings("arm/urdf/arm.urdf"))
+
+    def test_a_part_without_a_model_is_checked_alone(self):
+        self.write("alone.urdf", BROKEN_URDF)
+        self.write("alone.yml", "motors: [\n")
+        self.assertEqual(self.findings("alone.urdf"), [("alone.urdf", "SML1202")])
+        self.assertEqual(self.findings("alone.yml"), [("alone.yml", "SML0010")])
+        # What only the model knows is not reported.
+        self.write("motors.yml", BROKEN_MOTORS)
+        self.assertEqual(self.findings("motors.yml", code=0), [])
+
+    def test_standard_input(self):
+        self.write_model()
+        self.assertEqual(self.findings("-", stdin=BROKEN_URDF), [("stdin.urdf", "SML1202")])
+        self.assertEqual(
+            self.findings("--stdin-filename", "arm/smurf/arm_motors.yml", "-",
+                          stdin=BROKEN_MOTORS),
+            [("arm/smurf/arm_motors.yml", "SML3101")])
+        self.assertEqual(
+            self.findings("--stdin-filename", "arm/smurf/new.smurf", "-",
+                          stdin=SMURF + "- absent.yml\n"),
+            [("arm/smurf/new.smurf", "SML2001")])
+        self.expect_complaint("standard input is not XML; say what it is with --stdin-filename "
+                              "PATH", "-q", "-", stdin=SMURF)
+
+    def test_packages(self):
+        self.write("meshes/a.stl", "")
+        mesh = URDF.replace('<link name="base"/>',
+                            '<link name="base"><visual><geometry><mesh filename='
+                            '"package://arm/meshes/b.stl"/></geometry></visual></link>')
+        self.write("a.urdf", mesh)
+        self.assertIn(("a.urdf", "SML1604"), self.findings("--package", "arm=.", "a.urdf"))
+
+    def test_scene(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        self.write("cell.smurfs", "entities:\n- name: one\n  type: smurf\n"
+                                  "  file: arm/smurf/arm.smurf\n  position: [0, 0, 0]\n"
+                                  "  rotation: [1, 0, 0, 0]\n")
+        expected = ("arm/smurf/arm_motors.yml", "SML3101")
+        self.assertEqual(self.findings("cell.smurfs").count(expected), 1)
+        self.assertEqual(self.findings(".").count(expected), 1)
+        self.assertIn("(1 model, 1 scene)\n", self.expect(1, ".").stdout)
+
+
+class Terminal(LintTest):
+    def test_long_lines_are_cut_on_a_terminal_only(self):
+        self.write_model(motors=MOTORS.replace(
+            "joint: elbow", "joint: elbwo # " + "long " * 40))
+        done = self.expect(1, "arm")
+        self.assertIn("long long \n".replace(" \n", "\n"), done.stdout)
+        primary, secondary = os.openpty()
+        import fcntl
+        import struct
+        import termios
+        fcntl.ioctl(secondary, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 60, 0, 0))
+        process = subprocess.Popen([cli.TOOL, "arm"], stdout=secondary, cwd=self.folder,
+                                   env={**os.environ, "TERM": "xterm"})
+        os.close(secondary)
+        shown = b""
+        try:
+            while chunk := os.read(primary, 4096):
+                shown += chunk
+        except OSError:
+            pass  # how Linux says that the other end is closed
+        os.close(primary)
+        self.assertEqual(process.wait(60), 1)
+        line = next(part for part in shown.decode().splitlines() if "joint: elbwo" in part)
+        self.assertTrue(line.endswith("..."), line)
+        self.assertIn("\x1b[1;31merror[SML3101]", shown.decode())
+
+
+if __name__ == "__main__":
+    cli.main()

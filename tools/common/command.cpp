@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page of --help and the setters for plain values.
+#include "common/command.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/numbers.hpp"
+#include "base/suggest.hpp"
+#include "render/wrap.hpp"
+
+namespace smurf::tools {
+namespace {
+
+constexpr std::size_t kColumns = 80;
+constexpr std::size_t kHelpColumn = 30;
+
+const Option kStandardOptions[] = {
+    {.group = "General", .letter = 'h', .name = "help", .help = "Show this page."},
+    {.group = "General", .name = "version", .help = "Show the version."},
+};
+
+/// "  -o, --output FILE"
+std::string option_head(const Option& option) {
+  std::string head = option.letter != 0 ? std::string("  -") + option.letter + ", " : "      ";
+  head.append("--").append(option.name);
+  if (option.metavar.empty()) return head;
+  if (option.may_omit_value) return head.append("[=").append(option.metavar).append("]");
+  return head.append(" ").append(option.metavar);
+}
+
+std::string option_entry(const Option& option) {
+  std::string head = option_head(option);
+  const std::string text = render::wrap(option.help, kHelpColumn, kColumns);
+  if (head.size() + 2 > kHelpColumn) return head + "\n" + text;
+  return head + text.substr(head.size());
+}
+
+std::string options_text(std::span<const Option> options, std::string_view group) {
+  std::string out = "\n" + std::string(group) + ":\n";
+  for (const Option& option : options) {
+    if (option.group == group) out += option_entry(option);
+  }
+  return out;
+}
+
+} // namespace
+
+std::span<const Option> standard_options() {
+  return kStandardOptions;
+}
+
+std::string help_text(const Command& command) {
+  std::string usage = "Usage: " + std::string(command.name) + " [OPTION]...";
+  if (!command.operands.empty()) usage.append(" ").append(command.operands);
+  std::string out = usage + "\n\n" + render::wrap(command.summary, 0, kColumns);
+  if (!command.details.empty()) out += "\n" + render::wrap(command.details, 0, kColumns);
+
+  std::vector<Option> options = command.options;
+  for (const Option& option : standard_options())
+    options.push_back(option);
+  std::vector<std::string_view> groups;
+  for (const Option& option : options) {
+    if (std::find(groups.begin(), groups.end(), option.group) != groups.end()) continue;
+    groups.push_back(option.group);
+    out += options_text(options, option.group);
+  }
+
+  if (!command.examples.empty()) out += "\nExamples:\n";
+  for (const Example& example : command.examples) {
+    out += render::wrap(example.does, 2, kColumns);
+    out.append("      ").append(example.command).append("\n");
+  }
+  return out +
+         "\nExit codes: 0 done, 1 findings at or above the threshold, 2 could not do the job\n";
+}
+
+Setter set_flag(bool& flag) {
+  return [&flag](std::string_view) {
+    flag = true;
+    return std::nullopt;
+  };
+}
+
+Setter set_text(std::string& text) {
+  return [&text](std::string_view value) {
+    text = value;
+    return std::nullopt;
+  };
+}
+
+Setter append_to(std::vector<std::string>& list) {
+  return [&list](std::string_view value) {
+    list.emplace_back(value);
+    return std::nullopt;
+  };
+}
+
+Setter set_number(std::optional<int>& number, int least) {
+  return [&number, least](std::string_view value) -> std::optional<std::string> {
+    const std::optional<std::int64_t> parsed = parse_integer(value);
+    if (!parsed || *parsed < least || *parsed > std::numeric_limits<int>::max()) {
+      return "'" + std::string(value) + "' is not a whole number of at least " +
+             std::to_string(least);
+    }
+    number = static_cast<int>(*parsed);
+    return std::nullopt;
+  };
+}
+
+std::vector<std::string_view> split_items(std::string_view list) {
+  std::vector<std::string_view> items;
+  while (true) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    std::string_view item = list.substr(0, comma);
+    while (item.starts_with(' '))
+      item.remove_prefix(1);
+    while (item.ends_with(' '))
+      item.remove_suffix(1);
+    if (!item.empty()) items.push_back(item);
+    if (comma == list.size()) return items;
+    list.remove_prefix(comma + 1);
+  }
+}
+
+std::string none_of(std::string_view value, std::span<const std::string_view> known) {
+  std::string words;
+  for (const std::string_view word : known)
+    words.append(words.empty() ? "" : ", ").append(word);
+  return "'" + std::string(value) + "' is none of " + words + did_you_mean(value, known);
+}
+
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
+  const auto found = nearest(name, known);
+  return found ? "; did you mean '" + std::string(*found) + "'?" : std::string();
+}
+
+} // namespace smurf::tools

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A command line as data: parsed, explained by --help, and open to whoever generates manual pages
+// or shell completions from it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace smurf::tools {
+
+inline constexpr std::string_view kVersion = SMURF_VERSION;
+
+/// What a tool returns, whatever the format of its output.
+enum ExitCode : int {
+  kDone = 0,     ///< nothing at or above the threshold
+  kFindings = 1, ///< findings at or above it, or a result refused because of them
+  kFailed = 2,   ///< could not do the job
+};
+
+/// Takes one value as written ("" for a flag, or where a value is left out); returns what is wrong
+/// with it: "'x' is not a number".
+using Setter = std::function<std::optional<std::string>(std::string_view value)>;
+
+struct Option {
+  std::string_view group{};   ///< heading in --help
+  char letter = 0;            ///< 'o' for -o; 0: none
+  std::string_view name{};    ///< "output" for --output
+  std::string_view metavar{}; ///< "FILE"; "": a flag
+  bool may_omit_value = false;
+  std::string_view help{};
+  std::vector<std::string_view> values{}; ///< the only ones allowed; empty: any
+  Setter set{};
+};
+
+struct Example {
+  std::string_view command;
+  std::string_view does;
+};
+
+struct Command {
+  std::string_view name{};     ///< "smurf-lint"
+  std::string_view summary{};  ///< one sentence
+  std::string_view operands{}; ///< "[PATH]..."; "": none are taken
+  std::string_view details{};  ///< what the operands are and the like
+  std::vector<Option> options{};
+  Setter set_operand{};
+  std::vector<Example> examples{};
+};
+
+/// --help and --version, which every tool has.
+std::span<const Option> standard_options();
+
+/// The page of --help, at most 80 columns wide.
+std::string help_text(const Command& command);
+
+/// Calls the setters. Returns the exit code when the run ends here: after --help and --version, and
+/// after a mistake, which is said on standard error in one line.
+std::optional<int> parse_command_line(const Command& command, int argc, const char* const* argv);
+
+/// Setters for plain values. The variables must outlive the command.
+Setter set_flag(bool& flag);
+Setter set_text(std::string& text);
+Setter append_to(std::vector<std::string>& list);
+/// A whole number of at least `least`.
+Setter set_number(std::optional<int>& number, int least);
+
+/// Sets `variable` to `value` when the option's word is `word`; the words are Option::values.
+template <class Enum>
+Setter choose(Enum& variable, std::vector<std::pair<std::string_view, Enum>> words) {
+  return [&variable, words = std::move(words)](std::string_view value) {
+    for (const auto& [word, meaning] : words) {
+      if (word == value) variable = meaning;
+    }
+    return std::optional<std::string>{};
+  };
+}
+
+/// The items of "a, b,c"; empty ones are dropped.
+std::vector<std::string_view> split_items(std::string_view list);
+
+/// "'x' is none of a, b, c; did you mean 'a'?"
+std::string none_of(std::string_view value, std::span<const std::string_view> known);
+
+/// "; did you mean 'x'?" for the nearest of `known`, or "".
+std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
+
+} // namespace smurf::tools

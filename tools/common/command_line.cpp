@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// CLI11 cuts the command line into options and values; names, values and messages are ours. The
+// only file that sees the library, which is slow to compile.
+#include <CLI/CLI.hpp>
+
+#include "common/command.hpp"
+#include "common/output.hpp"
+
+namespace smurf::tools {
+namespace {
+
+/// What CLI11 reports for an option that may go without a value, and for a flag.
+constexpr std::string_view kNoValue = "true";
+
+class CommandLine {
+ public:
+  explicit CommandLine(const Command& command) : command_(command), options_(command.options) {
+    for (const Option& option : standard_options())
+      options_.push_back(option);
+    app_.set_help_flag();
+    app_.allow_extras();
+    for (const Option& option : options_)
+      cli_options_.push_back(add(option));
+  }
+
+  /// What is wrong, if anything.
+  std::optional<std::string> parse(std::vector<std::string> arguments) {
+    std::reverse(arguments.begin(), arguments.end());
+    try {
+      app_.parse(std::move(arguments));
+    } catch (const CLI::ParseError& error) {
+      return explain(error);
+    }
+    if (has("help") || has("version")) return std::nullopt;
+    for (std::size_t i = 0; i < options_.size(); ++i) {
+      for (const std::string& value : cli_options_[i]->results()) {
+        if (auto wrong = set(options_[i], value)) return wrong;
+      }
+    }
+    return set_operands();
+  }
+
+  bool has(std::string_view name) const {
+    for (std::size_t i = 0; i < options_.size(); ++i) {
+      if (options_[i].name == name) return cli_options_[i]->count() > 0;
+    }
+    return false;
+  }
+
+ private:
+  CLI::Option* add(const Option& option) {
+    std::string names = "--" + std::string(option.name);
+    if (option.letter != 0) names += std::string(",-") + option.letter;
+    CLI::Option* added =
+        option.metavar.empty() ? app_.add_flag(names) : app_.add_option(names)->expected(1);
+    if (option.may_omit_value) added->expected(0, 1);
+    // Values that look like "[a,b]" are taken apart unless extra arguments are refused.
+    return added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
+  }
+
+  static std::optional<std::string> set(const Option& option, const std::string& written) {
+    const std::string name = "--" + std::string(option.name);
+    const bool is_left_out = option.may_omit_value && (written == kNoValue || written.empty());
+    if (option.metavar.empty() && written != kNoValue) return name + " takes no value";
+    const std::string value = option.metavar.empty() || is_left_out ? "" : written;
+    const auto& allowed = option.values;
+    if (!allowed.empty() && !is_left_out &&
+        std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
+      return name + ": " + none_of(value, allowed);
+    }
+    if (!option.set) return std::nullopt;
+    auto wrong = option.set(value);
+    if (wrong) *wrong = name + ": " + *wrong;
+    return wrong;
+  }
+
+  /// What CLI11 leaves over: operands, unknown options and the "--" before which those are sought.
+  std::optional<std::string> set_operands() const {
+    bool is_option_possible = true;
+    for (const std::string& argument : app_.remaining()) {
+      if (is_option_possible && argument == "--") {
+        is_option_possible = false;
+      } else if (is_option_possible && argument.size() > 1 && argument.starts_with('-')) {
+        return unknown(argument);
+      } else if (!command_.set_operand) {
+        return "unexpected argument '" + argument + "'";
+      } else if (auto wrong = command_.set_operand(argument)) {
+        return wrong;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The message of a missing value starts with the option's name; nothing else can happen here.
+  std::string explain(const CLI::ParseError& error) const {
+    const std::string message = error.what();
+    const std::string name = message.substr(0, message.find(':'));
+    for (const Option& option : options_) {
+      if (name == "--" + std::string(option.name)) {
+        return name + " needs a value: " + std::string(option.metavar);
+      }
+    }
+    return message;
+  }
+
+  std::string unknown(const std::string& argument) const {
+    const std::string name = argument.substr(0, argument.find('='));
+    std::vector<std::string> names;
+    for (const Option& option : options_)
+      names.push_back("--" + std::string(option.name));
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string hint = did_you_mean(name, known);
+    return "unknown option '" + name + "'" + (hint.empty() ? " (see --help)" : hint);
+  }
+
+  const Command& command_;
+  std::vector<Option> options_;
+  CLI::App app_;
+  std::vector<CLI::Option*> cli_options_;
+};
+
+} // namespace
+
+std::optional<int> parse_command_line(const Command& command, int argc, const char* const* argv) {
+  CommandLine line(command);
+  if (auto wrong = line.parse(std::vector<std::string>(argv + std::min(argc, 1), argv + argc))) {
+    complain(command.name, *wrong);
+    return kFailed;
+  }
+  std::string text;
+  if (line.has("help")) {
+    text = help_text(command);
+  } else if (line.has("version")) {
+    text = std::string(command.name) + " " + std::string(kVersion) + "\n";
+  } else {
+    return std::nullopt;
+  }
+  return write_output(command.name, "", text) ? kDone : kFailed;
+}
+
+} // namespace smurf::tools

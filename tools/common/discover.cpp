@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nothing here depends on the order in which a file system lists a folder.
+#include "common/discover.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "base/path.hpp"
+#include "common/input.hpp"
+#include "smurf/load.hpp"
+
+namespace smurf::tools {
+namespace {
+
+bool is_sought(std::string_view path) {
+  const InputKind kind = kind_of(path);
+  return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf;
+}
+
+class Search {
+ public:
+  Found run(const std::string& folder) {
+    walk(folder);
+    // Links come last, so that a file is known by its own path if that is inside the folder.
+    for (std::size_t i = 0; i < links_.size(); ++i)
+      follow(std::string(links_[i]));
+    std::sort(found_.files.begin(), found_.files.end());
+    std::sort(found_.unreadable.begin(), found_.unreadable.end());
+    return std::move(found_);
+  }
+
+ private:
+  bool is_new(const struct stat& status) {
+    return seen_.insert({status.st_dev, status.st_ino}).second;
+  }
+
+  void fail(const std::string& path, int error) {
+    found_.unreadable.push_back("'" + path + "': " + std::generic_category().message(error));
+  }
+
+  void walk(const std::string& folder) {
+    struct stat status {};
+    if (::stat(folder.c_str(), &status) != 0) return fail(folder, errno);
+    if (!is_new(status)) return;
+    std::error_code error;
+    std::vector<std::string> names;
+    std::filesystem::directory_iterator entry(folder, error);
+    for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+      names.push_back(entry->path().filename().string());
+    }
+    if (error) fail(folder, error.value());
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names) {
+      if (!name.starts_with('.')) visit(path::join(folder, name));
+    }
+  }
+
+  void visit(const std::string& path) {
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) != 0) return fail(path, errno);
+    if (S_ISLNK(status.st_mode)) {
+      links_.push_back(path);
+    } else if (S_ISDIR(status.st_mode)) {
+      walk(path);
+    } else if (S_ISREG(status.st_mode) && is_sought(path) && is_new(status)) {
+      found_.files.push_back(path);
+    }
+  }
+
+  void follow(const std::string& link) {
+    struct stat status {};
+    if (::stat(link.c_str(), &status) != 0) {
+      if (is_sought(link)) fail(link, errno);
+    } else if (S_ISDIR(status.st_mode)) {
+      walk(link);
+    } else if (S_ISREG(status.st_mode) && is_sought(link) && is_new(status)) {
+      found_.files.push_back(link);
+    }
+  }
+
+  Found found_;
+  std::vector<std::string> links_;
+  std::set<std::pair<dev_t, ino_t>> seen_;
+};
+
+/// Shows the loader one file and notes which others it asks for: they are what the file lists,
+/// resolved as the loader resolves them.
+class OnlyMainFile final : public FileReader {
+ public:
+  OnlyMainFile(const FileReader& files, const std::string& main)
+      : files_(files), main_(path::normalize(main)) {}
+
+  FileContent read(const std::string& path, std::uint64_t max_bytes) const override {
+    if (path::normalize(path) == main_) return files_.read(path, max_bytes);
+    asked_.push_back(path);
+    return {};
+  }
+  bool is_file(const std::string&) const override { return false; }
+  std::vector<std::string> list(const std::string&) const override { return {}; }
+
+  bool was_asked_for(const std::string& wanted) const {
+    return std::any_of(asked_.begin(), asked_.end(),
+                       [&](const std::string& path) { return identity(path) == wanted; });
+  }
+
+ private:
+  const FileReader& files_;
+  std::string main_;
+  mutable std::vector<std::string> asked_;
+};
+
+bool lists(const std::string& model, const std::string& wanted, const FileReader& files) {
+  const OnlyMainFile only(files, model);
+  SourceMap sources;
+  DiagnosticSink ignored;
+  LoadContext context{sources, only, ignored, {}, {}};
+  load_model(model, context);
+  return only.was_asked_for(wanted);
+}
+
+} // namespace
+
+Found find_inputs(const std::string& folder) {
+  return Search().run(folder);
+}
+
+std::vector<std::string> models_listing(const std::string& path, const FileReader& files) {
+  const std::string folder = path::normalize(path::parent(path));
+  const std::string wanted = identity(path);
+  const std::string above = path::join(folder, "..");
+  std::vector<std::string> models;
+  std::set<std::string> seen;
+  for (const std::string& place :
+       {folder, path::join(folder, "smurf"), above, path::join(above, "smurf")}) {
+    for (const std::string& name : files.list(place)) {
+      const std::string model = path::join(place, name);
+      if (kind_of(model) != InputKind::model || !seen.insert(identity(model)).second) continue;
+      if (lists(model, wanted, files)) models.push_back(model);
+    }
+  }
+  std::sort(models.begin(), models.end());
+  return models;
+}
+
+} // namespace smurf::tools

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which files a folder holds, and which models a file belongs to.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+
+namespace smurf::tools {
+
+struct Found {
+  std::vector<std::string> files;      ///< sorted
+  std::vector<std::string> unreadable; ///< "'robots/old': Permission denied", sorted
+};
+
+/// The .smurf, .smurfs, .smurfa and .urdf files in a folder and the folders below it. Hidden ones
+/// are left out; links are followed, but nothing is found twice.
+Found find_inputs(const std::string& folder);
+
+/// The .smurf files that list a file, sought in its folder, the folder above, and the `smurf`
+/// folders in both; sorted.
+std::vector<std::string> models_listing(const std::string& path, const FileReader& files);
+
+} // namespace smurf::tools

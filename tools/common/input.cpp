@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/input.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "base/path.hpp"
+#include "common/output.hpp"
+#include "smurf/limits.hpp"
+
+namespace smurf::tools {
+namespace {
+
+constexpr std::string_view kXmlName = "stdin.urdf";
+
+/// 0 or an errno; EFBIG above the limit for files.
+int read_all(std::string& text) {
+  std::array<char, 65536> buffer{};
+  while (true) {
+    const ssize_t count = ::read(0, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return errno;
+    if (count == 0) return 0;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (text.size() > Limits{}.file_bytes) return EFBIG;
+  }
+}
+
+bool is_xml(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '<';
+}
+
+} // namespace
+
+InputKind kind_of(std::string_view path) {
+  const std::string extension = path::to_lower(path::extension(path));
+  if (extension == ".smurf") return InputKind::model;
+  if (extension == ".smurfs" || extension == ".smurfa") return InputKind::scene;
+  if (extension == ".urdf") return InputKind::urdf;
+  if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
+    return InputKind::annotation;
+  }
+  return InputKind::other;
+}
+
+std::optional<std::string> read_standard_input(std::string_view tool, const std::string& filename,
+                                               MemoryFiles& files) {
+  std::string text;
+  if (const int error = read_all(text); error != 0) {
+    complain(tool, "cannot read standard input: " + std::generic_category().message(error));
+    return std::nullopt;
+  }
+  std::string name = filename;
+  if (name.empty() && is_xml(text)) name = kXmlName;
+  if (name.empty()) {
+    complain(tool, "standard input is not XML; say what it is with --stdin-filename PATH");
+    return std::nullopt;
+  }
+  files.add(name, std::move(text));
+  return name;
+}
+
+std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files) {
+  const FileContent content = files.read(path, Limits{}.file_bytes);
+  // A file that is too large is a finding: it can be named, and other readers may load it.
+  if (content.status == ReadStatus::ok || content.status == ReadStatus::too_large) {
+    return std::nullopt;
+  }
+  return content.reason;
+}
+
+std::string identity(const std::string& path) {
+  std::error_code error;
+  const auto absolute = std::filesystem::absolute(path.empty() ? "." : path, error);
+  const auto canonical = std::filesystem::weakly_canonical(absolute, error);
+  return error ? path::normalize(path) : canonical.string();
+}
+
+} // namespace smurf::tools

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Standard input and what files are, by their names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "smurf/file_reader.hpp"
+
+namespace smurf::tools {
+
+enum class InputKind { model, scene, urdf, annotation, other };
+
+/// By the extension.
+InputKind kind_of(std::string_view path);
+
+/// Reads standard input into `files` under the name `filename`, or under one made up when that is
+/// "" and the text is XML. Returns the name; complains and returns none when it cannot.
+std::optional<std::string> read_standard_input(std::string_view tool, const std::string& filename,
+                                               MemoryFiles& files);
+
+/// Why the user's path cannot be checked: "No such file or directory", "is not a regular file".
+/// None when it can be read.
+std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files);
+
+/// Equal for two spellings of one file; links are resolved.
+std::string identity(const std::string& path);
+
+} // namespace smurf::tools

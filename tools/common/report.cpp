@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/report.hpp"
+
+#include <algorithm>
+
+namespace smurf::tools {
+namespace {
+
+/// With the summary, the only format that ends with one.
+std::string full(const Results& results, const TextStyle& style) {
+  std::string out;
+  if (results.counts_only) {
+    out = render_statistics(results.diagnostics, style);
+    if (!out.empty()) out += "\n";
+  } else {
+    for (const Diagnostic& diagnostic : results.diagnostics) {
+      out += render_full(diagnostic, results.sources, style);
+    }
+  }
+  return results.quiet ? out : out + render_summary(results.summary, style);
+}
+
+std::string concise(const Results& results, const TextStyle& style) {
+  if (results.counts_only) return render_statistics(results.diagnostics, style);
+  std::string out;
+  for (const Diagnostic& diagnostic : results.diagnostics) {
+    out += render_concise(diagnostic, results.sources, style);
+  }
+  return out;
+}
+
+std::string json(const Results& results, const TextStyle&) {
+  return render_json(results.diagnostics, results.sources, results.summary,
+                     {results.tool, kVersion});
+}
+
+constexpr ReportFormat kFormats[] = {
+    {"full", "source lines with marks, and a summary", full},
+    {"concise", "one line a finding", concise},
+    {"json", "for programs", json},
+};
+
+} // namespace
+
+std::span<const ReportFormat> report_formats() {
+  return kFormats;
+}
+
+const ReportFormat* find_report_format(std::string_view name) {
+  const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                   [&](const ReportFormat& format) { return format.name == name; });
+  return found == std::end(kFormats) ? nullptr : found;
+}
+
+std::string_view report_option_help() {
+  static const std::string help = [] {
+    std::string text;
+    for (const ReportFormat& format : kFormats) {
+      text.append(text.empty() ? "" : "; ").append(format.name).append(": ").append(format.help);
+    }
+    return text + ". May be repeated, with a FILE for all but one.";
+  }();
+  return help;
+}
+
+Setter append_report(std::vector<ReportRequest>& requests) {
+  return [&requests](std::string_view value) -> std::optional<std::string> {
+    const std::size_t equals = value.find('=');
+    const std::string_view name = value.substr(0, equals);
+    const ReportFormat* format = find_report_format(name);
+    if (format == nullptr) {
+      std::vector<std::string_view> known;
+      for (const ReportFormat& one : kFormats)
+        known.push_back(one.name);
+      return none_of(name, known);
+    }
+    ReportRequest request{format, {}};
+    if (equals != std::string_view::npos) {
+      request.file = value.substr(equals + 1);
+      if (request.file.empty()) return "there is no file name after '='";
+    }
+    requests.push_back(std::move(request));
+    return std::nullopt;
+  };
+}
+
+ExitCode judge(const Summary& summary, const Threshold& threshold) {
+  if (threshold.exit_zero) return kDone;
+  const std::size_t by_severity[] = {summary.infos, summary.warnings, summary.errors};
+  if (threshold.fail_on) {
+    for (auto i = static_cast<std::size_t>(*threshold.fail_on); i < 3; ++i) {
+      if (by_severity[i] > 0) return kFindings;
+    }
+  }
+  const bool too_many = threshold.max_warnings &&
+                        summary.warnings > static_cast<std::size_t>(*threshold.max_warnings);
+  return too_many ? kFindings : kDone;
+}
+
+} // namespace smurf::tools

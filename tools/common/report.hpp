@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reports: the formats, where they go, and the verdict that becomes the exit code.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/command.hpp"
+#include "common/output.hpp"
+#include "smurf/render.hpp"
+
+namespace smurf::tools {
+
+/// All that a report may speak of. Owns nothing.
+struct Results {
+  std::span<const Diagnostic> diagnostics; ///< finished: sorted, without repetitions
+  const SourceMap& sources;
+  Summary summary;
+  std::string_view tool;
+  bool quiet = false;       ///< no summary
+  bool counts_only = false; ///< for people: how often each rule, instead of every finding
+};
+
+struct ReportFormat {
+  std::string_view name;
+  std::string_view help;
+  std::string (*render)(const Results& results, const TextStyle& style);
+};
+std::span<const ReportFormat> report_formats();
+/// Null when there is none of that name.
+const ReportFormat* find_report_format(std::string_view name);
+
+struct ReportRequest {
+  const ReportFormat* format = nullptr;
+  std::string file; ///< "": where the tool's reports go; "-": standard output
+};
+
+/// "FORMAT" or "FORMAT=FILE", appended.
+Setter append_report(std::vector<ReportRequest>& requests);
+/// Names the formats, for --help.
+std::string_view report_option_help();
+
+/// `--fail-on` and what goes with it.
+struct Threshold {
+  std::optional<Severity> fail_on = Severity::error; ///< none: never
+  std::optional<int> max_warnings;
+  bool exit_zero = false;
+};
+/// kDone or kFindings.
+ExitCode judge(const Summary& summary, const Threshold& threshold);
+
+} // namespace smurf::tools

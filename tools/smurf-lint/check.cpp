@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes first, then the models no scene has loaded, then the files no model has read: so every
+// file is checked in its widest context, and none twice.
+#include "smurf-lint/check.hpp"
+
+#include <iterator>
+#include <set>
+
+#include "common/input.hpp"
+#include "smurf-lint/plan.hpp"
+#include "smurf/load.hpp"
+
+namespace smurf::tools {
+namespace {
+
+class Checker {
+ public:
+  Checker(const LintOptions& options, const FileReader& files, Checked& checked)
+      : options_(options), files_(files), checked_(checked) {}
+
+  void check_scene(const std::string& path) {
+    DiagnosticSink sink;
+    LoadContext context = make_context(sink);
+    const LinkedScene scene = load_scene(path, context);
+    lint_scene(scene, options_.selection, sink);
+    for (const LinkedModel& model : scene.models) {
+      lint_model(model, options_.selection, sink);
+      note_files(model);
+    }
+    for (const SceneFile& file : scene.scenes)
+      scenes_.insert(identity(file.path));
+    collect(sink, scene);
+  }
+
+  void check_model(const std::string& path) {
+    if (read_.contains(identity(path))) return;
+    DiagnosticSink sink;
+    LoadContext context = make_context(sink);
+    const LinkedModel model = load_model(path, context);
+    lint_model(model, options_.selection, sink);
+    note_files(model);
+    collect(sink, model);
+  }
+
+  void finish_all() {
+    checked_.diagnostics = finish(std::move(diagnostics_), checked_.sources, options_.selection);
+    checked_.summary = summarize(checked_.diagnostics);
+    checked_.summary.models = models_.size();
+    checked_.summary.scenes = scenes_.size();
+    checked_.summary.files = count_files();
+  }
+
+ private:
+  LoadContext make_context(DiagnosticSink& sink) {
+    return {checked_.sources, files_, sink, {}, options_.packages};
+  }
+
+  template <class Loaded>
+  void collect(DiagnosticSink& sink, const Loaded& loaded) {
+    std::vector<Diagnostic> found = sink.take();
+    locate(loaded, found);
+    std::move(found.begin(), found.end(), std::back_inserter(diagnostics_));
+  }
+
+  void note_files(const LinkedModel& model) {
+    models_.insert(identity(model.path));
+    read_.insert(identity(model.path));
+    for (const ModelFile& file : model.files) {
+      read_.insert(identity(checked_.sources.path(file.source)));
+    }
+  }
+
+  /// A file that two models share is one file.
+  std::size_t count_files() const {
+    std::set<std::string> paths;
+    for (std::size_t i = 0; i < checked_.sources.size(); ++i) {
+      const SourceId source{static_cast<std::uint32_t>(i)};
+      if (checked_.sources.is_readable(source))
+        paths.insert(identity(checked_.sources.path(source)));
+    }
+    return paths.size();
+  }
+
+  const LintOptions& options_;
+  const FileReader& files_;
+  Checked& checked_;
+  std::vector<Diagnostic> diagnostics_;
+  std::set<std::string> models_, scenes_, read_; ///< by identity
+};
+
+} // namespace
+
+Checked check(const LintOptions& options) {
+  const DiskFiles disk;
+  MemoryFiles files(&disk);
+  const Plan plan = make_plan(options, files);
+
+  Checked checked;
+  checked.has_failed = plan.has_failed;
+  Checker checker(options, files, checked);
+  for (const std::string& path : plan.scenes)
+    checker.check_scene(path);
+  for (const std::string& path : plan.models)
+    checker.check_model(path);
+  for (const std::string& path : plan.strays)
+    checker.check_model(path);
+  checker.finish_all();
+  return checked;
+}
+
+} // namespace smurf::tools

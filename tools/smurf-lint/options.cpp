@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-lint/options.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "common/shared_options.hpp"
+
+namespace smurf::tools {
+namespace {
+
+constexpr std::pair<std::string_view, Severity> kLevels[] = {
+    {"error", Severity::error}, {"warning", Severity::warning}, {"info", Severity::info}};
+
+bool is_pattern(std::string_view pattern) {
+  const auto rules = all_rules();
+  return std::any_of(rules.begin(), rules.end(),
+                     [&](const Rule* rule) { return matches(*rule, pattern); });
+}
+
+Setter append_rules(std::vector<std::string>& patterns) {
+  return [&patterns](std::string_view value) -> std::optional<std::string> {
+    for (const std::string_view pattern : split_items(value)) {
+      if (!is_pattern(pattern)) return no_such_rule(pattern);
+      patterns.emplace_back(pattern);
+    }
+    return std::nullopt;
+  };
+}
+
+Setter set_severity(std::map<std::string, Severity>& severities) {
+  return [&severities](std::string_view value) -> std::optional<std::string> {
+    for (const std::string_view item : split_items(value)) {
+      const std::size_t equals = std::min(item.find('='), item.size());
+      const std::string_view pattern = item.substr(0, equals);
+      const std::string_view word = item.substr(std::min(equals + 1, item.size()));
+      if (equals == item.size()) return "'" + std::string(item) + "' is not ID=LEVEL";
+      if (!is_pattern(pattern)) return no_such_rule(pattern);
+      const auto* level = std::find_if(std::begin(kLevels), std::end(kLevels),
+                                       [&](const auto& one) { return one.first == word; });
+      if (level == std::end(kLevels)) {
+        return none_of(word, std::vector<std::string_view>{"error", "warning", "info"});
+      }
+      severities[std::string(pattern)] = level->second;
+    }
+    return std::nullopt;
+  };
+}
+
+std::vector<Option> rule_options(LintOptions& options) {
+  return {
+      {.group = "Rules",
+       .name = "select",
+       .metavar = "IDS",
+       .help = "Only these rules: ids, names or prefixes such as SML3, separated by commas.",
+       .set = append_rules(options.selection.select)},
+      {.group = "Rules",
+       .name = "ignore",
+       .metavar = "IDS",
+       .help = "All but these rules.",
+       .set = append_rules(options.selection.ignore)},
+      {.group = "Rules",
+       .name = "severity",
+       .metavar = "ID=LEVEL",
+       .help = "Make a rule an error, a warning or an info.",
+       .set = set_severity(options.selection.severities)},
+      {.group = "Rules",
+       .name = "explain",
+       .metavar = "ID",
+       .help = "Show why a rule matters and what to do, and check nothing.",
+       .set = set_text(options.explain)},
+      {.group = "Rules",
+       .name = "list-rules",
+       .metavar = "FORMAT",
+       .may_omit_value = true,
+       .help = "List the rules as text or json, and check nothing.",
+       .values = {"text", "json"},
+       .set =
+           [&options](std::string_view value) {
+             options.list_rules = value.empty() ? "text" : value;
+             return std::optional<std::string>{};
+           }},
+  };
+}
+
+std::vector<Option> output_options(LintOptions& options) {
+  // Every tool has --report; here the report is the result, which ruff and others call --format.
+  Option report = report_option("report", options.reports);
+  report.help = "The same as --format.";
+  return {
+      report_option("format", options.reports),
+      report,
+      output_option(options.output, "Write the report to FILE instead of standard output."),
+      {.group = "Output",
+       .name = "statistics",
+       .help = "Count the findings of each rule instead of listing them (full, concise).",
+       .set = set_flag(options.statistics)},
+  };
+}
+
+std::vector<Option> verdict_options(LintOptions& options) {
+  return {
+      fail_on_option(options.threshold),
+      {.group = "Verdict",
+       .name = "max-warnings",
+       .metavar = "N",
+       .help = "Exit with 1 when there are more than N warnings.",
+       .set = set_number(options.threshold.max_warnings, 0)},
+      {.group = "Verdict",
+       .name = "exit-zero",
+       .help = "Exit with 0 whatever is found; 2 remains 2.",
+       .set = set_flag(options.threshold.exit_zero)},
+  };
+}
+
+} // namespace
+
+Command lint_command(LintOptions& options) {
+  Command command;
+  command.name = "smurf-lint";
+  command.summary = "Checks SMURF models and scenes: what some reader of these files refuses, "
+                    "misreads or silently ignores.";
+  command.operands = "[PATH]...";
+  command.details =
+      "A PATH is a .smurf, .smurfs, .smurfa or .urdf file, an annotation file (.yml), a folder to "
+      "search, or '-' for standard input; without one, the current folder is searched. A .urdf or "
+      ".yml file is checked as part of every model nearby that lists it, and alone when none does.";
+  for (std::vector<Option>& group : std::vector<std::vector<Option>>{
+           rule_options(options), output_options(options), verdict_options(options)}) {
+    std::move(group.begin(), group.end(), std::back_inserter(command.options));
+  }
+  command.options.push_back(stdin_filename_option(options.stdin_filename));
+  command.options.push_back(package_option(options.packages));
+  command.options.push_back(color_option(options.color));
+  command.options.push_back(quiet_option(options.quiet, "Show findings only, no summary."));
+  command.options.push_back(jobs_option(options.jobs));
+  command.set_operand = append_to(options.paths);
+  command.examples = {
+      {"smurf-lint robots/", "Everything in a folder:"},
+      {"smurf-lint --format full --format json=report.json arm.smurf",
+       "A model, with a report for programs beside the one for people:"},
+      {"smurf-lint --ignore SML19 --severity unknown-joint=warning arm.smurf",
+       "Without the rules about portability, and one rule less strict:"},
+      {"xacro arm.urdf.xacro | smurf-lint --stdin-filename urdf/arm.urdf -",
+       "What another program writes:"},
+      {"smurf-lint --explain unknown-joint", "The page of a rule:"},
+  };
+  return command;
+}
+
+std::optional<std::string> find_conflict(const LintOptions& options) {
+  std::set<std::string> places;
+  for (const ReportRequest& report : options.reports) {
+    std::string place = report.file.empty() ? options.output : report.file;
+    if (place.empty()) place = "-";
+    if (places.insert(place).second) continue;
+    const std::string where = place == "-" ? "standard output" : "'" + place + "'";
+    return "two reports go to " + where + "; give one a file of its own: --format " +
+           std::string(report.format->name) + "=FILE";
+  }
+  if (std::count(options.paths.begin(), options.paths.end(), "-") > 1) {
+    return "standard input can be read only once";
+  }
+  return std::nullopt;
+}
+
+std::string no_such_rule(std::string_view id_or_name) {
+  std::vector<std::string_view> known;
+  for (const Rule* rule : all_rules())
+    known.push_back(rule->id);
+  for (const Rule* rule : all_rules())
+    known.push_back(rule->name);
+  return "there is no rule '" + std::string(id_or_name) + "'" + did_you_mean(id_or_name, known);
+}
+
+} // namespace smurf::tools

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the command line of smurf-lint says.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/command.hpp"
+#include "common/output.hpp"
+#include "common/report.hpp"
+#include "smurf/lint.hpp"
+
+namespace smurf::tools {
+
+struct LintOptions {
+  std::vector<std::string> paths;
+  std::string stdin_filename;
+  std::map<std::string, std::string> packages;
+
+  RuleSelection selection;
+  Threshold threshold;
+
+  std::vector<ReportRequest> reports;
+  std::string output; ///< for reports without a file of their own
+  bool statistics = false;
+  bool quiet = false;
+  ColorChoice color = ColorChoice::automatic;
+  std::optional<int> jobs;
+
+  std::string explain;    ///< a rule: show its page and do nothing else
+  std::string list_rules; ///< "text" or "json": list the rules and do nothing else
+};
+
+/// The table refers to `options`.
+Command lint_command(LintOptions& options);
+
+/// Says what does not go together, such as two reports to one place.
+std::optional<std::string> find_conflict(const LintOptions& options);
+
+/// Is there such a rule, and if not, which is meant: "there is no rule 'x'; did you mean 'y'?"
+std::string no_such_rule(std::string_view id_or_name);
+
+} // namespace smurf::tools
