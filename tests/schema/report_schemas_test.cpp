@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The two schemas that are written by hand say yes to what the tools write and no to near misses.
+#include <initializer_list>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "schema/case_file.hpp"
+#include "schema/validator.hpp"
+#include "smurf/render.hpp"
+
+using Json = nlohmann::json;
+using namespace smurf;
+using namespace smurf::test;
+
+namespace {
+
+/// A change to a sound document, by JSON merge patch: a null removes the key.
+struct Miss {
+  const char* pointer; ///< of the object that is changed
+  const char* patch;
+};
+
+void check(const std::string& schema, const Json& sound, std::initializer_list<Miss> misses) {
+  std::vector<Instance> instances{{schema, sound.dump()}};
+  for (const Miss& miss : misses) {
+    Json changed = sound;
+    changed.at(Json::json_pointer(miss.pointer)).merge_patch(Json::parse(miss.patch));
+    instances.push_back({schema, changed.dump()});
+  }
+  const auto verdicts = validate(schema, instances);
+  if (!verdicts) {
+    MESSAGE("skipped: python3-jsonschema is not installed (scripts/setup)");
+    return;
+  }
+  CHECK((*verdicts)[0]);
+  for (std::size_t i = 1; i < verdicts->size(); ++i) {
+    CAPTURE(instances[i].json);
+    CHECK_FALSE((*verdicts)[i]);
+  }
+}
+
+} // namespace
+
+TEST_CASE("the report of diagnostics") {
+  const Reading reading(FileKind::annotations, "motors:\n- {name: a, joint: b, p: '1', i: -0x}\n");
+  std::vector<Diagnostic> diagnostics(reading.sink.diagnostics().begin(),
+                                      reading.sink.diagnostics().end());
+  REQUIRE(diagnostics.size() == 2);
+  diagnostics[0].labels.push_back({diagnostics[1].span, "see here"});
+  diagnostics[0].notes.emplace_back("a note");
+  diagnostics[0].pointer = "/motors/0/p";
+  const Json report = Json::parse(
+      render_json(diagnostics, reading.sources, summarize(diagnostics), {"smurf-lint", "0.1.0"}));
+  check("lint-report.schema.json", report,
+        {{"", R"({"tool": null})"},
+         {"", R"({"schema_version": "2.0"})"},
+         {"", R"({"more": 1})"},
+         {"/summary", R"({"error": -1})"},
+         {"/summary", R"({"models": null})"},
+         {"/diagnostics/0", R"({"id": "SML401"})"},
+         {"/diagnostics/0", R"({"severity": "fatal"})"},
+         {"/diagnostics/0", R"({"line": 0})"},
+         {"/diagnostics/0", R"({"rule": "x"})"},
+         {"/diagnostics/0/fix", R"({"edits": []})"},
+         {"/diagnostics/0/fix/edits/0", R"({"end": null})"},
+         {"/diagnostics/0/labels/0", R"({"message": null})"}});
+}
+
+TEST_CASE("the flat scene") {
+  const Json scene = Json::parse(R"({
+    "schema_version": "1.0", "scene": "example.smurfs", "frame": "world",
+    "physics": {"gravity": [0, 0, -9.81]}, "environment": {}, "lights": [],
+    "models": [{"id": "arm", "type": "smurf", "file": "arm.smurf", "urdf": "urdf/arm.urdf"}],
+    "instances": [
+      {"name": "Eve", "path": "cell/Eve", "type": "smurf", "model": "arm",
+       "source": {"file": "example.smurfs", "line": 4},
+       "position": [5.0, 0.0, -0.8], "orientation": {"w": 1, "x": 0, "y": 0, "z": 0},
+       "anchor": {"instance": "Base", "link": "flange"}, "parent": "world",
+       "joint_positions": {"elbow": 0.5}, "properties": {"color": "red"},
+       "links": {"hand": {"position": [0, 0, 0],
+                          "orientation": {"w": 1, "x": 0, "y": 0, "z": 0}}}}]})");
+  check("flat-scene.schema.json", scene,
+        {{"", R"({"frame": "map"})"},
+         {"", R"({"instances": null})"},
+         {"/physics", R"({"gravity": [0, 0]})"},
+         {"/models/0", R"({"id": ""})"},
+         {"/instances/0", R"({"position": [0, 0]})"},
+         {"/instances/0", R"({"orientation": [1, 0, 0, 0]})"},
+         {"/instances/0/orientation", R"({"w": -0.5})"},
+         {"/instances/0/orientation", R"({"w": null})"},
+         {"/instances/0", R"({"anchor": "parent"})"},
+         {"/instances/0/anchor", R"({"link": null})"},
+         {"/instances/0", R"({"parent": "none"})"},
+         {"/instances/0", R"({"joint_positions": {"elbow": "0.5"}})"},
+         {"/instances/0/source", R"({"line": 0})"},
+         {"/instances/0", R"({"color": "red"})"},
+         {"/instances/0/links/hand", R"({"position": null})"}});
+}

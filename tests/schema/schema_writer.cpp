@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One property a table row. What a row cannot say is not in the schema either, so that readers and
+// schemas agree; schema_equality_test proves it.
+#include "schema/schema_writer.hpp"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "ast/model_reader.hpp"
+#include "ast/scene_keys.hpp"
+#include "ast/sections.hpp"
+#include "base/numbers.hpp"
+
+namespace smurf::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kBase =
+    "https://raw.githubusercontent.com/smurf-tools/smurf/main/schemas/";
+constexpr const char* kScalars[] = {"string", "number", "boolean"};
+
+std::string file_name(std::string_view schema) {
+  return std::string(schema) + ".schema.json";
+}
+
+Json reference(std::string_view section) {
+  return {{"$ref", file_name(section)}};
+}
+
+/// 0 rather than 0.0.
+Json to_json(double number) {
+  if (std::trunc(number) == number && std::abs(number) < 1e15) {
+    return static_cast<std::int64_t>(number);
+  }
+  return number;
+}
+
+/// A null says nothing and is allowed wherever the key may be absent.
+Json types(std::vector<std::string> names, bool is_nullable) {
+  if (is_nullable) names.emplace_back("null");
+  if (names.size() == 1) return names.front();
+  return names;
+}
+
+void add_bounds(Json& schema, Bounds bounds) {
+  if (std::isfinite(bounds.minimum)) schema["minimum"] = to_json(bounds.minimum);
+  if (std::isfinite(bounds.maximum)) schema["maximum"] = to_json(bounds.maximum);
+}
+
+void add_components(Json& schema, ValueType type) {
+  for (const std::string_view name : components_of(type)) {
+    Json component{{"type", types({"number"}, true)}};
+    if (type == ValueType::color) add_bounds(component, {0, 1});
+    schema["properties"][std::string(name)] = std::move(component);
+  }
+}
+
+/// Words; numbers among them may be written as numbers, too.
+Json enumeration(const KeySpec& spec) {
+  Json values = Json::array();
+  for (const std::string_view choice : spec.choices) {
+    values.push_back(std::string(choice));
+    if (const auto number = parse_number(choice)) values.push_back(to_json(*number));
+  }
+  if (!spec.required) values.push_back(nullptr);
+  return values;
+}
+
+Json numbers(std::size_t count) {
+  Json schema{{"items", {{"type", "number"}}}};
+  if (count > 0) schema["minItems"] = schema["maxItems"] = count;
+  return schema;
+}
+
+Json object_of(std::span<const KeySpec* const> keys);
+std::vector<const KeySpec*> pointers(std::span<const KeySpec> keys);
+
+Json rotation() {
+  Json schema = numbers(0);
+  schema["minItems"] = 1;
+  schema["maxItems"] = 4;
+  schema["not"] = {{"type", "array"}, {"minItems", 2}, {"maxItems", 2}};
+  for (const std::string_view name : components_of(ValueType::rotation)) {
+    schema["properties"][std::string(name)] = {{"type", "number"}};
+    schema["required"].push_back(std::string(name));
+  }
+  return schema;
+}
+
+std::vector<std::string> type_names(ValueType type) {
+  switch (type) {
+  case ValueType::text:
+    return {std::begin(kScalars), std::end(kScalars)};
+  case ValueType::number:
+    return {"number"};
+  case ValueType::integer:
+    return {"integer"};
+  case ValueType::names:
+    return {"string", "number", "boolean", "array"};
+  case ValueType::name_list:
+  case ValueType::number_list:
+  case ValueType::vector3_list:
+  case ValueType::list:
+    return {"array"};
+  case ValueType::number_map:
+  case ValueType::vector2:
+  case ValueType::vector3:
+  case ValueType::quaternion:
+  case ValueType::orientation:
+  case ValueType::color:
+  case ValueType::mapping:
+    return {"object"};
+  case ValueType::position:
+    return {"array", "object"};
+  case ValueType::rotation:
+    return {"number", "array", "object"};
+  case ValueType::boolean:
+  case ValueType::any:
+    return {};
+  }
+  return {};
+}
+
+/// The parts beside `type`. Keywords for lists say nothing about mappings, and the reverse.
+Json value_parts(const KeySpec& spec) {
+  switch (spec.type) {
+  case ValueType::names:
+  case ValueType::name_list:
+    return {{"items", {{"type", kScalars}}}};
+  case ValueType::number_list:
+    return numbers(0);
+  case ValueType::vector3_list:
+  case ValueType::position:
+    return numbers(3);
+  case ValueType::rotation:
+    return rotation();
+  case ValueType::number_map:
+    return {{"additionalProperties", {{"type", types({"number"}, true)}}}};
+  case ValueType::mapping:
+    if (spec.members.size == 0) return Json::object();
+    return object_of(pointers(spec.members.keys()));
+  case ValueType::list:
+    if (spec.members.size == 0) return Json::object();
+    return {{"items", object_of(pointers(spec.members.keys()))}};
+  default:
+    return Json::object();
+  }
+}
+
+Json schema_of(const KeySpec& spec) {
+  Json schema = Json::object();
+  schema["description"] =
+      std::string(spec.doc) + (spec.unit.empty() ? "" : " [" + std::string(spec.unit) + "]");
+  if (spec.type == ValueType::boolean) {
+    schema["enum"] = {true, false, 1, 0};
+    if (!spec.required) schema["enum"].push_back(nullptr);
+  } else if (!spec.choices.empty()) {
+    schema["enum"] = enumeration(spec);
+  } else if (spec.type != ValueType::any) {
+    schema["type"] = types(type_names(spec.type), !spec.required);
+  }
+  if (!spec.fallback.empty()) schema["default"] = Json::parse(spec.fallback);
+  const Json parts = value_parts(spec);
+  for (const auto& [keyword, value] : parts.items()) {
+    if (keyword != "type") schema[keyword] = value;
+  }
+  if (spec.type != ValueType::rotation) add_components(schema, spec.type);
+  if (spec.type == ValueType::number || spec.type == ValueType::integer) {
+    add_bounds(schema, bounds_of(spec));
+  }
+  return schema;
+}
+
+std::vector<const KeySpec*> pointers(std::span<const KeySpec> keys) {
+  std::vector<const KeySpec*> result;
+  for (const KeySpec& key : keys)
+    result.push_back(&key);
+  return result;
+}
+
+/// In a scene, `lights` and `poses` are sections of annotations.
+bool is_section(const KeySpec& spec) {
+  return spec.type == ValueType::list && spec.members.size == 0 && find_section(spec.name);
+}
+
+Json object_of(std::span<const KeySpec* const> keys) {
+  Json schema{{"type", "object"}};
+  for (const KeySpec* key : keys) {
+    if (key->required) schema["required"].push_back(std::string(key->name));
+  }
+  for (const KeySpec* key : keys) {
+    schema["properties"][std::string(key->name)] =
+        is_section(*key) ? reference(key->name) : schema_of(*key);
+  }
+  return schema;
+}
+
+Json head(std::string_view name, std::string title, std::string_view description) {
+  Json schema;
+  schema["$schema"] = "http://json-schema.org/draft-07/schema#";
+  schema["$id"] = std::string(kBase) + file_name(name);
+  schema["title"] = std::move(title);
+  schema["description"] = std::string(description);
+  return schema;
+}
+
+Json section_schema(const SectionSpec& section) {
+  Json schema =
+      head(section.name, "SMURF annotation section " + std::string(section.name), section.doc);
+  Json entry = object_of(section.keys());
+  switch (section.form) {
+  case SectionForm::list:
+    schema["type"] = types({"array"}, true);
+    schema["items"] = std::move(entry);
+    break;
+  case SectionForm::list_or_mapping:
+    schema["type"] = types({"array", "object"}, true);
+    if (entry.contains("required")) schema["required"] = entry["required"];
+    schema["properties"] = entry["properties"];
+    schema["items"] = std::move(entry);
+    break;
+  case SectionForm::named:
+    schema["type"] = types({"object"}, true);
+    schema["additionalProperties"] = std::move(entry);
+    break;
+  }
+  return schema;
+}
+
+void add_sections(Json& schema) {
+  for (const SectionSpec* section : all_sections()) {
+    schema["properties"][std::string(section->name)] = reference(section->name);
+    for (const std::string_view alias : section->aliases) {
+      schema["properties"][std::string(alias)] = reference(section->name);
+    }
+  }
+}
+
+Json annotations_schema() {
+  Json schema = head("annotations", "SMURF annotation file",
+                     "A .yml file in the list `files` of a model: sections by name. Sections that "
+                     "are not listed here may hold anything.");
+  schema["type"] = "object";
+  add_sections(schema);
+  return schema;
+}
+
+Json model_schema() {
+  Json schema = head("smurf", "SMURF model (.smurf)",
+                     "The main file of a model: which files belong to it. It may hold sections of "
+                     "annotations itself.");
+  schema.update(object_of(specs_of(main_keys())));
+  add_sections(schema);
+  return schema;
+}
+
+Json scene_schema() {
+  Json schema = head("smurfs", "SMURF scene (.smurfs) or assembly (.smurfa)",
+                     "Entities and where they are, and the world around them. Keys that are not "
+                     "listed belong to plug-ins.");
+  schema.update(object_of(pointers(scene_keys())));
+  return schema;
+}
+
+/// Two spaces a level; what fits is on one line.
+void print(const Json& json, std::size_t indent, std::size_t used, std::string& out) {
+  constexpr std::size_t kWidth = 100;
+  const std::string line = json.dump(-1);
+  if (!json.is_structured() || json.empty() || indent + used + line.size() <= kWidth) {
+    bool is_quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      out += line[i];
+      if (line[i] == '"' && (i == 0 || line[i - 1] != '\\')) is_quoted = !is_quoted;
+      if (!is_quoted && (line[i] == ',' || line[i] == ':')) out += ' ';
+    }
+    return;
+  }
+  const std::string margin(indent + 2, ' ');
+  out += json.is_array() ? "[" : "{";
+  const char* separator = "\n";
+  for (const auto& [key, value] : json.items()) {
+    const std::string label = json.is_array() ? "" : Json(key).dump() + ": ";
+    out += separator + margin + label;
+    separator = ",\n";
+    print(value, indent + 2, label.size() + 1, out);
+  }
+  out += "\n" + std::string(indent, ' ') + (json.is_array() ? "]" : "}");
+}
+
+std::string to_text(const Json& json) {
+  std::string text;
+  print(json, 0, 0, text);
+  return text + "\n";
+}
+
+} // namespace
+
+std::map<std::string, std::string> write_schemas() {
+  std::map<std::string, std::string> files;
+  files[file_name("smurf")] = to_text(model_schema());
+  files[file_name("smurfs")] = to_text(scene_schema());
+  files[file_name("annotations")] = to_text(annotations_schema());
+  for (const SectionSpec* section : all_sections()) {
+    files[file_name(section->name)] = to_text(section_schema(*section));
+  }
+  return files;
+}
+
+} // namespace smurf::test

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The JSON schemas of schemas/ that are made from the key tables of the readers.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace smurf::test {
+
+/// "motors.schema.json" -> its text.
+std::map<std::string, std::string> write_schemas();
+
+} // namespace smurf::test
