@@ -38,6 +38,9 @@ void resolve_joint_poses(LoadContext& context, LinkedScene& scene);
 /// 4. Fills X_WE, whatever the order of the entities.
 void compose_world_poses(LoadContext& context, LinkedScene& scene);
 
+/// The text that gives an instance its parent: its own, or that of an include around it.
+Span parent_place(const LinkedScene& scene, const Instance& instance);
+
 /// Forward kinematics, once per model and joint positions.
 class LinkFrames {
  public:

@@ -7,18 +7,30 @@ namespace smurf {
 
 void SceneNames::add(UseIndex scope, std::string_view name, EntityIndex entity) {
   if (name.empty()) return;
-  scopes_[to_size(scope)].emplace(name, entity);
-  if (anywhere_.emplace(name, entity).second) names_.push_back(name);
+  // An include has a name but is no entity: it gives way to one.
+  const auto keep = [&](std::unordered_map<std::string_view, EntityIndex>& table) {
+    const auto [found, is_new] = table.emplace(name, entity);
+    if (std::holds_alternative<UseIndex>(found->second)) found->second = entity;
+    return is_new;
+  };
+  keep(scopes_[to_size(scope)]);
+  if (keep(anywhere_)) names_.push_back(name);
 }
 
 std::optional<EntityIndex> SceneNames::find(UseIndex scope, std::string_view name,
                                             const LinkedScene& scene) const {
+  std::optional<EntityIndex> include;
   for (std::optional<UseIndex> at = scope; at; at = scene.uses[to_size(*at)].outer) {
     const auto& names = scopes_[to_size(*at)];
-    if (const auto found = names.find(name); found != names.end()) return found->second;
+    const auto found = names.find(name);
+    if (found == names.end()) continue;
+    if (std::holds_alternative<InstanceIndex>(found->second)) return found->second;
+    if (!include) include = found->second;
   }
-  if (const auto found = anywhere_.find(name); found != anywhere_.end()) return found->second;
-  return std::nullopt;
+  const auto found = anywhere_.find(name);
+  if (found == anywhere_.end()) return std::nullopt;
+  const bool is_instance = std::holds_alternative<InstanceIndex>(found->second);
+  return is_instance || !include ? found->second : *include;
 }
 
 std::optional<std::string_view> SceneNames::suggest(std::string_view name) {

@@ -92,19 +92,6 @@ class WorldPoses {
     if (X_RL) instance.X_WE = *parent.X_WE * *X_RL * placement.X_PE;
   }
 
-  /// The text that gives an instance its parent: its own, or that of an include around it.
-  Span parent_place(const Instance& instance) const {
-    const Entity* entity = &scene_.entity(instance);
-    std::optional<UseIndex> use = instance.use;
-    while (use) {
-      const bool is_own = entity->parent && entity->parent->find("::") != std::string::npos;
-      if (is_own) return entity->parent.span;
-      entity = scene_.entity(scene_.uses[to_size(*use)]);
-      use = scene_.uses[to_size(*use)].outer;
-    }
-    return {};
-  }
-
   void report_cycle(std::size_t on_cycle) {
     std::vector<std::size_t> members;
     std::size_t at = on_cycle;
@@ -116,7 +103,7 @@ class WorldPoses {
     } while (at != on_cycle);
     const Instance& reported = scene_.instances[first];
     Diagnostic& diagnostic =
-        sink_.report(rules::sml5104_cyclic_parent, parent_place(reported),
+        sink_.report(rules::sml5104_cyclic_parent, parent_place(scene_, reported),
                      members.size() == 1 ? "`" + reported.path + "` is placed relative to itself"
                                          : "`" + reported.path +
                                                "` is placed relative to something that is "
@@ -127,7 +114,7 @@ class WorldPoses {
       instance.placement.is_known = false;
       if (member == first || diagnostic.labels.size() >= kMostLabels) continue;
       diagnostic.labels.push_back(
-          {parent_place(instance), "`" + instance.path + "` refers back from here"});
+          {parent_place(scene_, instance), "`" + instance.path + "` refers back from here"});
     }
   }
 
@@ -162,6 +149,18 @@ void resolve_joint_poses(LoadContext& context, LinkedScene& scene) {
       report_pose(entity, *model, context.sink);
     }
   }
+}
+
+Span parent_place(const LinkedScene& scene, const Instance& instance) {
+  const Entity* entity = &scene.entity(instance);
+  for (std::optional<UseIndex> use = instance.use; use;) {
+    if (entity->parent && entity->parent->find("::") != std::string::npos) {
+      return entity->parent.span;
+    }
+    entity = scene.entity(scene.uses[to_size(*use)]);
+    use = scene.uses[to_size(*use)].outer;
+  }
+  return {};
 }
 
 void compose_world_poses(LoadContext& context, LinkedScene& scene) {

@@ -12,7 +12,7 @@ std::string quoted(std::string_view name) {
   return "`" + std::string(name) + "`";
 }
 
-/// Index of the first key this link appears under, as something else than a link.
+/// What the name is instead of a link, and the index of the link that it belongs to.
 std::optional<std::pair<std::string_view, std::uint32_t>> other_kind(const LinkedModel& model,
                                                                      std::string_view name) {
   if (const auto link = model.collision_names.find(name)) return std::pair("collision", *link);

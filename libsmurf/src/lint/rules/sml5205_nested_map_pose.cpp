@@ -11,10 +11,11 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (!use.inherits_in_mars() || entity_type(use.entity) == "primitive") return;
     const bool is_position = use.entity.position_is_mapping;
     if (!is_position && !use.entity.rotation.is_mapping) return;
-    Diagnostic& diagnostic = findings.report(
-        is_position ? use.entity.position.span : use.entity.rotation.span,
-        std::string("MARS cannot compose this ") + (is_position ? "position" : "rotation") +
-            " with the pose of the include, because it is a mapping");
+    const std::string key = is_position ? "position" : "rotation";
+    Diagnostic& diagnostic =
+        findings.report(is_position ? use.entity.position.span : use.entity.rotation.span,
+                        "MARS cannot compose this " + key +
+                            " with the pose of the include, because it is a mapping");
     diagnostic.help = is_position ? "write [x, y, z]" : "write [w, x, y, z]";
     diagnostic.labels.push_back(
         {place_of(*scene.entity(use.around)), "the scene is included here"});

@@ -16,8 +16,8 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (!is_position && !is_rotation) return;
     Diagnostic& diagnostic =
         findings.report(is_position ? entity.position.span : entity.rotation.span,
-                        std::string("the ") + (is_position ? "position" : "rotation") +
-                            " of a primitive is a mapping in MARS");
+                        is_position ? "the position of a primitive is a mapping in MARS"
+                                    : "the rotation of a primitive is a mapping in MARS");
     diagnostic.help = is_position ? "write {x: , y: , z: }" : "write {w: , x: , y: , z: }";
   });
 }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene as a table of models and a table of instances in the world frame.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "smurf/linked.hpp"
+#include "smurf/pose.hpp"
+#include "smurf/source.hpp"
+
+namespace smurf {
+
+struct ValueMember;
+
+/// Data that is carried along: what YAML and JSON have in common. Numbers keep their text's value.
+struct Value {
+  using List = std::vector<Value>;
+  using Object = std::vector<ValueMember>;
+  std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Object> data;
+};
+struct ValueMember {
+  std::string key;
+  Value value;
+};
+
+struct FlatModel {
+  std::string id;   ///< unique; the file's stem where that is
+  std::string type; ///< "smurf" or "urdf"
+  std::string file;
+  std::string urdf; ///< the same as `file` for a URDF; empty when there is none
+  ModelIndex source{};
+};
+
+struct FlatAttachment {
+  Attachment::Kind kind = Attachment::Kind::none;
+  std::string instance; ///< its path; kind link
+  std::string link;     ///< kind link
+};
+
+struct FlatInstance {
+  std::string name; ///< as written
+  std::string path; ///< unique: "outer/inner"
+  std::string type;
+  std::optional<std::size_t> model; ///< in FlatScene::models
+  std::string file;                 ///< of an entity without model; may be empty
+  std::string source_file;          ///< where the entity is written
+  std::uint32_t source_line = 1;
+  std::optional<Pose> X_WE; ///< of the root link frame; absent when the scene has errors
+  FlatAttachment anchor;
+  FlatAttachment parent; ///< kind none: the world
+  /// Of the joints that the named joint pose set gives, in the model's order; rad or m.
+  std::vector<std::pair<std::string, double>> joint_positions;
+  Value::Object properties; ///< every key that has no meaning of its own here
+  /// X_WL of every link, in the model's order, when asked for.
+  std::vector<std::pair<std::string, Pose>> links;
+};
+
+struct FlatPhysics {
+  std::optional<Vector3> gravity;  ///< m/s^2
+  std::optional<double> step_size; ///< s
+  std::optional<double> cfm, erp;
+};
+
+struct FlatScene {
+  std::string scene; ///< the file
+  FlatPhysics physics;
+  Value::Object environment;
+  Value::List lights; ///< in the world frame
+  std::vector<FlatModel> models;
+  std::vector<FlatInstance> instances; ///< depth-first, in file order
+};
+
+struct FlattenOptions {
+  bool links = false; ///< fill FlatInstance::links
+  /// Folder that all files of the result are relative to.
+  std::string output_folder = ".";
+  /// Absolute path that relative paths start from.
+  std::string current_folder = "/";
+};
+
+/// Total: what is in error has no pose. Nothing is read.
+FlatScene flatten(const LinkedScene& scene, const SourceMap& sources,
+                  const FlattenOptions& options);
+
+/// One transform on the way from the world to an instance.
+struct TransformStep {
+  std::string what; ///< "joint `j1` at 0.5 rad"
+  Span span;        ///< where it is written; may be empty
+  Pose X_step;      ///< relative to the step before
+  Pose X_W;         ///< all steps so far
+};
+
+/// The chain of transforms of an instance, from the world on; empty when the instance has no pose.
+std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex instance);
+
+/// An instance by its path, else the first by its name.
+std::optional<InstanceIndex> find_instance(const LinkedScene& scene, std::string_view name);
+
+} // namespace smurf

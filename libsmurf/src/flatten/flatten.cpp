@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// LinkedScene -> FlatScene: linear in the number of instances, links and properties.
+#include "smurf/flatten.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "base/path.hpp"
+#include "flatten/value.hpp"
+#include "link/scene_link.hpp"
+
+namespace smurf {
+namespace {
+
+class Flattener {
+ public:
+  Flattener(const LinkedScene& scene, const SourceMap& sources, const FlattenOptions& options)
+      : scene_(scene), sources_(sources), options_(options) {}
+
+  FlatScene run() {
+    flat_.scene = relative(scene_.path);
+    for (std::size_t i = 0; i < scene_.models.size(); ++i)
+      add_model(i);
+    set_world();
+    flat_.instances.reserve(scene_.instances.size());
+    for (const Instance& instance : scene_.instances) {
+      flat_.instances.push_back(flat_instance(instance));
+    }
+    return std::move(flat_);
+  }
+
+ private:
+  /// Both sides are made absolute, so that ".." and mixed kinds of paths come out right.
+  std::string relative(const std::string& path) {
+    const auto [known, is_new] = relative_.try_emplace(path);
+    if (is_new && !path.empty()) {
+      known->second = path::relative(path::join(options_.current_folder, path),
+                                     path::join(options_.current_folder, options_.output_folder));
+    }
+    return known->second;
+  }
+
+  void add_model(std::size_t index) {
+    const LinkedModel& model = scene_.models[index];
+    const std::string stem(path::stem(model.path));
+    std::string id = stem;
+    for (int number = 2; !ids_.insert(id).second; ++number) {
+      id = stem + "_" + std::to_string(number);
+    }
+    flat_.models.push_back({id, model.has_main ? "smurf" : "urdf", relative(model.path),
+                            relative(model.urdf_path),
+                            ModelIndex{static_cast<std::uint32_t>(index)}});
+  }
+
+  /// The loaded scene's settings win over those of the scenes inside it, of which the last one
+  /// wins. A .smurfa inside says nothing about the world.
+  void set_world() {
+    for (std::size_t i = scene_.uses.size(); i-- > 0;) {
+      const SceneFile& file = scene_.file(scene_.uses[i]);
+      const bool is_assembly = path::extension(file.path) == ".smurfa";
+      if (!file.document || (i > 0 && is_assembly)) continue;
+      const bool is_last_word = i == 0;
+      if (file.scene.physics) set_physics(*file.scene.physics, is_last_word);
+      if (file.scene.environment != yaml::kNoNode && (is_last_word || flat_.environment.empty())) {
+        flat_.environment = to_object({*file.document, file.scene.environment});
+      }
+    }
+    for (const SceneUse& use : scene_.uses) {
+      const SceneFile& file = scene_.file(use);
+      if (use.outer && path::extension(file.path) == ".smurfa") continue;
+      for (const Light& light : file.scene.lights) {
+        flat_.lights.push_back(to_value({*file.document, light.node}));
+      }
+    }
+  }
+
+  template <class T>
+  static void set(std::optional<T>& value, const Field<T>& field, bool is_last_word) {
+    if (field && (is_last_word || !value)) value = *field;
+  }
+
+  void set_physics(const Physics& physics, bool is_last_word) {
+    set(flat_.physics.gravity, physics.gravity, is_last_word);
+    set(flat_.physics.cfm, physics.cfm, is_last_word);
+    set(flat_.physics.erp, physics.erp, is_last_word);
+    Field<double> seconds = physics.step_size;
+    if (seconds) *seconds.value /= 1000;
+    set(flat_.physics.step_size, seconds, is_last_word);
+  }
+
+  FlatAttachment flat_attachment(const Attachment& attachment) const {
+    if (attachment.kind != Attachment::Kind::link) return {attachment.kind, {}, {}};
+    return {attachment.kind, scene_.instance(attachment.instance).path, attachment.link};
+  }
+
+  FlatInstance flat_instance(const Instance& instance) {
+    const Entity& entity = scene_.entity(instance);
+    const SceneFile& file = scene_.file(scene_.use(instance));
+    FlatInstance flat;
+    flat.name = instance.name;
+    flat.path = instance.path;
+    flat.type = instance.type;
+    if (instance.model) {
+      flat.model = to_size(*instance.model);
+    } else {
+      flat.file = relative(instance.file);
+    }
+    flat.source_file = relative(file.path);
+    flat.source_line = sources_.line_of(entity.span.source, entity.span.begin);
+    flat.X_WE = instance.X_WE;
+    flat.anchor = flat_attachment(instance.placement.anchor);
+    flat.parent = flat_attachment(instance.placement.parent);
+    for (const CustomSection& key : entity.extra) {
+      flat.properties.push_back({key.name.value, to_value({*file.document, key.node})});
+    }
+    if (const LinkedModel* model = scene_.model(instance)) {
+      add_joints(instance, *model, flat);
+      if (options_.links) add_links(instance, *model, flat);
+    }
+    return flat;
+  }
+
+  void add_joints(const Instance& instance, const LinkedModel& model, FlatInstance& flat) {
+    std::vector<std::pair<std::uint32_t, double>> by_joint;
+    for (const auto& [name, position] : instance.joint_positions) {
+      if (const auto joint = model.joint_names.find(name)) by_joint.emplace_back(*joint, position);
+    }
+    std::sort(by_joint.begin(), by_joint.end());
+    for (const auto& [joint, position] : by_joint) {
+      flat.joint_positions.emplace_back(*model.robot->joints[joint].name, position);
+    }
+  }
+
+  void add_links(const Instance& instance, const LinkedModel& model, FlatInstance& flat) {
+    if (!instance.X_WE) return;
+    const std::vector<std::optional<Pose>>& frames = frames_.of(scene_, instance);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const Field<std::string>& name = model.robot->links[i].name;
+      if (!frames[i] || !name || model.link_names.find(*name) != i) continue;
+      flat.links.emplace_back(*name, *instance.X_WE * *frames[i]);
+    }
+  }
+
+  const LinkedScene& scene_;
+  const SourceMap& sources_;
+  const FlattenOptions& options_;
+  FlatScene flat_;
+  std::unordered_map<std::string, std::string> relative_;
+  std::unordered_set<std::string> ids_;
+  LinkFrames frames_;
+};
+
+} // namespace
+
+FlatScene flatten(const LinkedScene& scene, const SourceMap& sources,
+                  const FlattenOptions& options) {
+  return Flattener(scene, sources, options).run();
+}
+
+std::optional<InstanceIndex> find_instance(const LinkedScene& scene, std::string_view name) {
+  std::optional<InstanceIndex> by_name;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const InstanceIndex index{static_cast<std::uint32_t>(i)};
+    if (scene.instances[i].path == name) return index;
+    if (!by_name && scene.instances[i].name == name) by_name = index;
+  }
+  return by_name;
+}
+
+} // namespace smurf

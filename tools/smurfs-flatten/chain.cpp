@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurfs-flatten/chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/numbers.hpp"
+
+namespace smurf::tools {
+namespace {
+
+std::string join(const Vector3& vector) {
+  std::string text;
+  for (const double component : vector) {
+    // The noise of a sine is no news to a person.
+    const double shown = std::fabs(component) < 1e-12 ? 0 : component;
+    text += (text.empty() ? "" : " ") + format_rounded(shown, 9);
+  }
+  return text;
+}
+
+std::string describe(const Pose& pose) {
+  std::string text = "xyz " + join(pose.position);
+  Vector3 degrees = to_rpy(pose.orientation);
+  for (double& angle : degrees)
+    angle *= 180 / std::numbers::pi;
+  return text + "  rpy " + join(degrees) + " deg";
+}
+
+std::string place(const SourceMap& sources, Span span) {
+  const Position at = sources.position(span.source, span.begin);
+  return sources.path(span.source) + ":" + std::to_string(at.line) + ":" +
+         std::to_string(at.column);
+}
+
+} // namespace
+
+std::string describe_chain(const LinkedScene& scene, const SourceMap& sources,
+                           InstanceIndex instance) {
+  const std::vector<TransformStep> steps = explain(scene, instance);
+  std::size_t place_width = 0;
+  std::size_t what_width = 0;
+  for (const TransformStep& step : steps) {
+    place_width = std::max(place_width, place(sources, step.span).size());
+    what_width = std::max(what_width, step.what.size());
+  }
+  const auto padded = [](std::string text, std::size_t width) {
+    text.resize(std::max(text.size(), width), ' ');
+    return text + "  ";
+  };
+  std::string text;
+  for (const TransformStep& step : steps) {
+    text += padded(place(sources, step.span), place_width) + padded(step.what, what_width) +
+            describe(step.X_step) + "\n";
+  }
+  text += padded("in the world", place_width) + padded("", what_width) +
+          describe(steps.back().X_W) + "\n";
+  return text;
+}
+
+} // namespace smurf::tools

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --explain: where an instance's pose comes from.
+#pragma once
+
+#include <string>
+
+#include "smurf/flatten.hpp"
+
+namespace smurf::tools {
+
+/// One line a transform, from the world to the instance, each with the place it is written at.
+std::string describe_chain(const LinkedScene& scene, const SourceMap& sources,
+                           InstanceIndex instance);
+
+} // namespace smurf::tools

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// smurfs-flatten: a scene as instances in the world frame.
+#include <filesystem>
+
+#include "base/path.hpp"
+#include "common/converter.hpp"
+#include "smurfs-flatten/chain.hpp"
+#include "smurfs-flatten/formats.hpp"
+
+using namespace smurf;
+using namespace smurf::tools;
+
+namespace {
+
+constexpr std::string_view kTool = "smurfs-flatten";
+
+struct Options {
+  ConverterOptions common;
+  std::string scene;
+  std::string format = "json";
+  std::string dialect = "spec";
+  std::string explained;
+  bool links = false;
+  bool strict = false;
+};
+
+std::vector<std::string_view> format_names() {
+  std::vector<std::string_view> names;
+  for (const SceneFormat& format : scene_formats())
+    names.push_back(format.name);
+  return names;
+}
+
+void add_options(Command& command, Options& options) {
+  const auto add = [&](Option option) {
+    option.group = "Conversion";
+    command.options.push_back(std::move(option));
+  };
+  add({.name = "format",
+       .metavar = "FORMAT",
+       .help = "What to write; json unless given.",
+       .values = format_names(),
+       .set = set_text(options.format)});
+  add({.name = "links",
+       .help = "Write the world pose of every link as well.",
+       .set = set_flag(options.links)});
+  add({.name = "dialect",
+       .metavar = "NAME",
+       .help = "How the scene is read. spec, the default, takes it as documented; where MARS "
+               "differs, a warning says so.",
+       .values = {"spec"},
+       .set = set_text(options.dialect)});
+  add({.name = "explain",
+       .metavar = "NAME",
+       .help = "Write nothing but the chain of transforms that leads to an instance.",
+       .set = set_text(options.explained)});
+  add({.name = "strict",
+       .help = "Refuse to write what the format cannot say completely.",
+       .set = set_flag(options.strict)});
+}
+
+Command make_command(Options& options) {
+  Command command;
+  command.name = kTool;
+  command.summary =
+      "Expands a SMURF scene: every entity, those of nested scenes included, with its "
+      "pose in the world.";
+  command.operands = "SCENE";
+  command.details =
+      "SCENE is a .smurfs or .smurfa file; a .smurf or .urdf counts as a scene of one model. Poses "
+      "are those of the URDF root links, in metres and unit quaternions; a parent link is taken in "
+      "the joint pose that its entity names. A scene with errors is refused.";
+  command.options = converter_options(options.common, "Write the result to FILE; without it, or "
+                                                      "with '-', to standard output.");
+  add_options(command, options);
+  command.set_operand = take_one_operand(options.scene);
+  command.examples = {
+      {"smurfs-flatten scene.smurfs -o scene.json", "expand a scene"},
+      {"smurfs-flatten scene.smurfs --links | jq '.instances[0].links'", "poses of all links"},
+      {"smurfs-flatten scene.smurfs --explain cell/Table", "see where a pose comes from"}};
+  return command;
+}
+
+/// Standard output counts as the current folder.
+FlattenOptions flatten_options(const Options& options) {
+  const std::string& output = options.common.output;
+  const bool to_stdout = output.empty() || output == "-";
+  return {.links = options.links,
+          .output_folder = to_stdout ? "." : std::string(path::parent(output)),
+          .current_folder = std::filesystem::current_path().generic_string()};
+}
+
+int explain_instance(const LinkedScene& scene, const SourceMap& sources, const Options& options) {
+  const auto instance = find_instance(scene, options.explained);
+  if (!instance) {
+    std::vector<std::string_view> known;
+    for (const Instance& each : scene.instances)
+      known.push_back(each.path);
+    complain(kTool, "the scene has no instance '" + options.explained + "'" +
+                        did_you_mean(options.explained, known));
+    return kFailed;
+  }
+  const std::string text = describe_chain(scene, sources, *instance);
+  return write_output(kTool, options.common.output, text) ? kDone : kFailed;
+}
+
+/// False when there are losses and they are not wanted.
+bool accept_losses(const SceneFormat& format, const FlatScene& flat, const Options& options) {
+  if (format.losses == nullptr) return true;
+  const std::vector<std::string> losses = format.losses(flat);
+  for (const std::string& loss : losses)
+    complain(kTool, loss);
+  return losses.empty() || !options.strict;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  prepare_streams();
+  Options options;
+  if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
+
+  Conversion conversion(kTool, options.common);
+  const auto scene = conversion.load_scene(options.scene);
+  if (!scene) return conversion.fail();
+  if (const ExitCode verdict = conversion.report(*scene); verdict == kFailed)
+    return kFailed;
+  else if (verdict != kDone)
+    return conversion.refuse("has errors");
+  if (!options.explained.empty()) {
+    return explain_instance(*scene, conversion.sources(), options);
+  }
+  const SceneFormat& format = *find_scene_format(options.format);
+  const FlatScene flat = flatten(*scene, conversion.sources(), flatten_options(options));
+  if (!accept_losses(format, flat, options)) return conversion.refuse("has losses");
+  const std::string text = format.write(flat, options.links);
+  return write_output(kTool, options.common.output, text) ? kDone : kFailed;
+}
