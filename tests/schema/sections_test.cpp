@@ -58,6 +58,20 @@ TEST_CASE("a null says nothing, so a required key stays missing") {
   CHECK(reading.shape_findings()[0]->message == "this motor has no `joint`");
 }
 
+TEST_CASE("a misspelt required key is one finding, at the key") {
+  const Reading reading(FileKind::annotations, "motors: [{name: a, jiont: b}]\n");
+  REQUIRE(reading.shape_findings().size() == 1);
+  const Diagnostic& finding = *reading.shape_findings()[0];
+  CHECK(finding.message == "this motor has no `joint`");
+  CHECK(finding.help == "did you mean `joint` by `jiont`?");
+  CHECK(reading.sources.text(finding.span) == "jiont");
+
+  const Reading json(FileKind::annotations, R"({"joint": [{"name": "j", "type": "slidr"}]})");
+  const Edit& edit = json.shape_findings().at(0)->fixes.at(0).edits.at(0);
+  CHECK(json.sources.text(edit.span) == "slidr");
+  CHECK(edit.text == "slider");
+}
+
 TEST_CASE("every section is found by its names") {
   for (const std::string_view name : section_names()) {
     CAPTURE(name);

@@ -75,7 +75,8 @@ void check_choice(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
       sink.report(rules::sml4002_unknown_value, value.span(),
                   "`" + std::string(value.text()) + "` is not a value of " + name_of(spec));
   if (const auto near = nearest(value.text(), spec.choices)) {
-    return offer(diagnostic, "did you mean `" + std::string(*near) + "`?", value.span(), *near);
+    return offer(diagnostic, "did you mean `" + std::string(*near) + "`?",
+                 without_quotes(value.span(), value.text()), *near);
   }
   diagnostic.help = "known values:";
   for (const std::string_view choice : spec.choices) {

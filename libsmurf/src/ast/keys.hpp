@@ -115,6 +115,9 @@ void report_missing(std::span<const KeySpec* const> missing, yaml::View mapping,
 /// The type of a quoted scalar when the quotes are taken away; text for everything else.
 yaml::ScalarType type_without_quotes(yaml::View value);
 
+/// The bytes of `text` within the quotes of a scalar or key, so that an edit keeps them (JSON).
+Span without_quotes(Span span, std::string_view text);
+
 /// "a number", "a list of names": for messages.
 std::string_view describe(ValueType type);
 /// What is written there, for messages: "a list", "the text `abc`".
