@@ -49,9 +49,11 @@ bool is_mapping(const yaml::Document& document, std::string_view what, Diagnosti
   const yaml::View root = document.view();
   if (root && root.is_mapping()) return true;
   const Span place = root ? root.span() : Span{document.source, 0, 0};
+  const bool is_empty = !root || root.is_null();
   sink.report(rules::sml2011_root_not_mapping, place,
-              "the " + std::string(what) + " holds " + (root ? describe(root) : "nothing") +
-                  " instead of keys and values");
+              "the " + std::string(what) +
+                  (is_empty ? std::string(" is empty")
+                            : " holds " + describe(root) + " instead of keys and values"));
   return false;
 }
 

@@ -18,7 +18,7 @@ constexpr const SectionSpec* kSections[] = {
 void report_shape(const SectionSpec& section, yaml::View value, std::string_view expected,
                   DiagnosticSink& sink) {
   sink.report(rules::sml4001_wrong_type, value.place(),
-              "the section `" + std::string(section.name) + "` is " + std::string(expected) +
+              "the section `" + std::string(section.name) + "` must be " + std::string(expected) +
                   ", not " + describe(value));
 }
 

@@ -63,17 +63,9 @@ class NumberReader {
   Token whole() const { return {0, static_cast<std::uint32_t>(text_.size())}; }
 
   bool has_residue() {
-    for (const std::string_view mark : {"${", "$("}) {
-      const std::size_t at = text_.find(mark);
-      if (at == std::string_view::npos) continue;
-      sink_.report(rules::sml1009_xacro_residue, place(whole()),
-                   "`" + std::string(text_) + "` is a xacro expression that was never expanded")
-          .help = "run xacro and lint its output";
-      return true;
-    }
+    if (is_xacro(text_)) return true; // the reader of the file reports it
     if (text_.find('%') != std::string_view::npos) {
-      sink_.report(rules::sml1012_percent_in_value, place(whole()),
-                   "`%` in a number: urdfdom before 5.1 passes this text to printf and crashes");
+      report_percent(place(whole()), text_, sink_);
       return true;
     }
     return false;
@@ -95,7 +87,8 @@ class NumberReader {
         sink_.report(rules::sml1806_comma_separator, place(whole()),
                      "commas separate the numbers of `" + std::string(attribute_.name) + "`");
     diagnostic.help = "separate them by single spaces";
-    diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span, fixed}}});
+    // Not safe: Bullet reads the text as a zero vector.
+    diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span, fixed}}});
     return true;
   }
 
@@ -108,9 +101,10 @@ class NumberReader {
                                       : std::string_view(lower);
     const std::string shown = "`" + std::string(text) + "`";
     if (bare == "nan") {
-      sink_.report(rules::sml1803_nan, place(token), shown + " is not a number to any robot");
+      sink_.report(rules::sml1803_nan, place(token),
+                   shown + " is not a number that a reader can use");
     } else if (bare == "inf" || bare == "infinity") {
-      sink_.report(rules::sml1804_inf, place(token), shown + " is infinite; urdfdom refuses it");
+      sink_.report(rules::sml1804_inf, place(token), shown + " is infinite, which urdfdom refuses");
     } else if (is_decimal_comma(text)) {
       report_comma(token, text);
     } else if (bare.starts_with("0x") || has_suffix(bare)) {
@@ -118,8 +112,11 @@ class NumberReader {
                    shown + " is not a plain decimal number");
     } else if (std::any_of(text.begin(), text.end(),
                            [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
-      sink_.report(rules::sml1811_unicode_digit_or_space, place(token),
-                   shown + " holds a character that only looks like part of a number");
+      sink_
+          .report(rules::sml1811_unicode_digit_or_space, place(token),
+                  shown + " holds the character " + code_point(text) +
+                      ", which only looks like part of a number")
+          .help = "type the number again";
     } else if (is_out_of_range(bare)) {
       sink_.report(rules::sml1810_overflow_underflow, place(token),
                    shown + " is outside the range of a double");
@@ -127,6 +124,24 @@ class NumberReader {
       sink_.report(rules::sml1801_not_a_number, place(token), shown + " is not a number");
     }
     return std::nullopt;
+  }
+
+  /// The first character beyond ASCII, as "U+2212".
+  static std::string code_point(std::string_view text) {
+    std::size_t at = 0;
+    while (static_cast<unsigned char>(text[at]) < 0x80)
+      ++at;
+    const auto first = static_cast<unsigned char>(text[at]);
+    const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    std::uint32_t value = first & (0xFFU >> (size + 1));
+    for (std::size_t i = 1; i < size && at + i < text.size(); ++i) {
+      value = value << 6U | (static_cast<unsigned char>(text[at + i]) & 0x3FU);
+    }
+    std::string digits;
+    for (; value > 0 || digits.size() < 4; value >>= 4U) {
+      digits.insert(digits.begin(), "0123456789ABCDEF"[value & 0xFU]);
+    }
+    return "U+" + digits;
   }
 
   static bool is_decimal_comma(std::string_view text) {
@@ -145,7 +160,8 @@ class NumberReader {
     Diagnostic& diagnostic = sink_.report(rules::sml1805_decimal_comma, place(token),
                                           "`" + std::string(text) + "` has a decimal comma");
     diagnostic.help = "write `" + point + "`";
-    diagnostic.fixes.push_back({Applicability::safe, {{place(token), point}}});
+    // Not safe: Drake and Bullet read the digits before the comma.
+    diagnostic.fixes.push_back({Applicability::unsafe, {{place(token), point}}});
   }
 
   /// A number followed by letters: "1kg", "1.0f", "90deg".
@@ -186,9 +202,11 @@ class NumberReader {
       if (!fixed.empty()) fixed += ' ';
       fixed += text_.substr(token.begin, token.end - token.begin);
     }
-    if (count == 1 && fixed != text_) {
+    if (count == 1) {
+      if (tokens.back().end == text_.size()) return; // readers skip blanks in front
       Diagnostic& diagnostic = sink_.report(rules::sml1802_trailing_space, place(whole()),
-                                            "a blank beside the number `" + fixed + "`");
+                                            "a blank follows the number `" + fixed + "`");
+      diagnostic.help = "delete the blank";
       diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span, fixed}}});
     } else if (std::any_of(text_.begin(), text_.end(), is_line_or_tab)) {
       Diagnostic& diagnostic =
@@ -196,7 +214,7 @@ class NumberReader {
                        "a tab or line break between the numbers of `" +
                            std::string(attribute_.name) + "`");
       diagnostic.help = "separate them by single spaces";
-      diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span, fixed}}});
+      diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span, fixed}}});
     }
   }
 
@@ -206,6 +224,15 @@ class NumberReader {
 };
 
 }  // namespace
+
+bool is_xacro(std::string_view value) {
+  return value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos;
+}
+
+void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
+  sink.report(rules::sml1012_percent_in_value, place, "`" + std::string(value) + "` holds a `%`")
+      .notes.push_back("urdfdom up to 5.0 passes this text to printf, which may crash");
+}
 
 std::vector<double> read_numbers(const xml::Attribute& attribute, std::size_t count,
                                  DiagnosticSink& sink) {
@@ -218,9 +245,10 @@ constinit const Rule sml1009_xacro_residue{
     .id = "SML1009",
     .name = "xacro-residue",
     .severity = Severity::error,
-    .summary = "A xacro expression was never expanded.",
-    .why = "No URDF reader knows xacro: numeric fields fail in urdfdom, names and paths are taken "
-           "literally.",
+    .summary = "A file still holds xacro elements or expressions.",
+    .why =
+        "No URDF reader knows xacro: elements are ignored, numeric fields fail in urdfdom, names and "
+        "paths are taken literally.",
     .remedy = "Run xacro and keep its output, or give the file the ending .urdf.xacro.",
     .sources = "urdfdom 3.0.1, executed; 25 of 322 files of the Tola/Corke dataset."};
 
@@ -249,9 +277,10 @@ constinit const Rule sml1802_trailing_space{
     .id = "SML1802",
     .name = "trailing-space",
     .severity = Severity::error,
-    .summary = "A blank stands beside a single number.",
-    .why = "urdfdom refuses `\"1 \"`: a mass written so loses all visuals and collisions of its link "
-           "while the load \"succeeds\".",
+    .summary = "A blank follows a single number.",
+    .why =
+        "urdfdom refuses `\"1 \"`: a mass written so loses all visuals and collisions of its link "
+        "while the load \"succeeds\".",
     .remedy = "Delete the blank.",
     .sources = "urdfdom 3.0.1 utils.h:73-88, executed."};
 

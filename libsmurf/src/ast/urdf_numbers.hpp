@@ -2,6 +2,7 @@
 // Numbers in URDF attributes: one grammar, and a name for every way readers disagree about a text.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
@@ -14,5 +15,11 @@ namespace smurf {
 /// refuses it (a trailing blank, tabs) still gives values.
 std::vector<double> read_numbers(const xml::Attribute& attribute, std::size_t count,
                                  DiagnosticSink& sink);
+
+/// True when a value holds an expression of xacro, "${...}" or "$(...)".
+bool is_xacro(std::string_view value);
+
+/// Reports SML1012 for a value that holds `%`.
+void report_percent(Span place, std::string_view value, DiagnosticSink& sink);
 
 }  // namespace smurf

@@ -12,6 +12,20 @@ namespace {
 
 using xml::View;
 
+/// Names are compared without case, as a link written `Link` is reported and meant as a link.
+bool is(View element, std::string_view name) {
+  return std::equal(element.name().begin(), element.name().end(), name.begin(), name.end(),
+                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
+}
+
+View child_of(View element, std::string_view name) {
+  if (const View exact = element.child(name)) return exact;
+  for (const View child : element) {
+    if (is(child, name)) return child;
+  }
+  return {};
+}
+
 class Reader {
  public:
   explicit Reader(DiagnosticSink& sink) : sink_(sink) {}
@@ -20,11 +34,11 @@ class Reader {
     text(root, "name", robot.name);
     text(root, "version", robot.version);
     for (const View child : root) {
-      if (child.name() == "link") {
+      if (is(child, "link")) {
         robot.links.push_back(link(child));
-      } else if (child.name() == "joint") {
+      } else if (is(child, "joint")) {
         robot.joints.push_back(joint(child));
-      } else if (child.name() == "material") {
+      } else if (is(child, "material")) {
         robot.materials.push_back(material(child));
       } else {
         robot.extensions.push_back(child.id());
@@ -62,7 +76,7 @@ class Reader {
 
   urdf::Origin origin(View parent) {
     urdf::Origin out;
-    const View element = parent.child("origin");
+    const View element = child_of(parent, "origin");
     if (!element) return out;
     out.element = element.id();
     vector(element, "xyz", out.xyz);
@@ -75,8 +89,8 @@ class Reader {
     out.element = element.id();
     out.span = element.span();
     out.origin = origin(element);
-    if (const View mass = element.child("mass")) number(mass, "value", out.mass);
-    if (const View inertia = element.child("inertia")) {
+    if (const View mass = child_of(element, "mass")) number(mass, "value", out.mass);
+    if (const View inertia = child_of(element, "inertia")) {
       number(inertia, "ixx", out.ixx);
       number(inertia, "ixy", out.ixy);
       number(inertia, "ixz", out.ixz);
@@ -89,7 +103,7 @@ class Reader {
 
   urdf::Geometry geometry(View parent) {
     urdf::Geometry out;
-    const View element = parent.child("geometry");
+    const View element = child_of(parent, "geometry");
     if (!element) return out;
     out.element = element.id();
     // urdfdom takes the first child (link.cpp:224); so do we, foreign elements included.
@@ -138,8 +152,11 @@ class Reader {
     out.element = element.id();
     out.span = element.span();
     text(element, "name", out.name);
-    if (const View color = element.child("color")) vector(color, "rgba", out.rgba);
-    if (const View texture = element.child("texture")) text(texture, "filename", out.texture);
+    if (out.name && out.name->find('%') != std::string::npos) {
+      report_percent(out.name.span, *out.name, sink_);
+    }
+    if (const View color = child_of(element, "color")) vector(color, "rgba", out.rgba);
+    if (const View texture = child_of(element, "texture")) text(texture, "filename", out.texture);
     return out;
   }
 
@@ -149,18 +166,18 @@ class Reader {
     out.span = element.span();
     text(element, "name", out.name);
     for (const View child : element) {
-      if (child.name() == "inertial" && !out.inertial) {
+      if (is(child, "inertial") && !out.inertial) {
         out.inertial = inertial(child);
-      } else if (child.name() == "visual") {
+      } else if (is(child, "visual")) {
         urdf::Visual visual;
         visual.element = child.id();
         visual.span = child.span();
         text(child, "name", visual.name);
         visual.origin = origin(child);
         visual.geometry = geometry(child);
-        if (const View paint = child.child("material")) visual.material = material(paint);
+        if (const View paint = child_of(child, "material")) visual.material = material(paint);
         out.visuals.push_back(std::move(visual));
-      } else if (child.name() == "collision") {
+      } else if (is(child, "collision")) {
         urdf::Collision collision;
         collision.element = child.id();
         collision.span = child.span();
@@ -197,38 +214,38 @@ class Reader {
     text(element, "type", out.type_name);
     if (out.type_name) out.type = joint_type(*out.type_name);
     out.origin = origin(element);
-    if (const View parent = element.child("parent")) text(parent, "link", out.parent);
-    if (const View child = element.child("child")) text(child, "link", out.child);
-    if (const View axis = element.child("axis")) {
+    if (const View parent = child_of(element, "parent")) text(parent, "link", out.parent);
+    if (const View child = child_of(element, "child")) text(child, "link", out.child);
+    if (const View axis = child_of(element, "axis")) {
       out.axis_element = axis.id();
       vector(axis, "xyz", out.axis);
     }
-    if (const View limit = element.child("limit")) {
+    if (const View limit = child_of(element, "limit")) {
       place(limit, out.limit.emplace());
       number(limit, "lower", out.limit->lower);
       number(limit, "upper", out.limit->upper);
       number(limit, "effort", out.limit->effort);
       number(limit, "velocity", out.limit->velocity);
     }
-    if (const View dynamics = element.child("dynamics")) {
+    if (const View dynamics = child_of(element, "dynamics")) {
       place(dynamics, out.dynamics.emplace());
       number(dynamics, "damping", out.dynamics->damping);
       number(dynamics, "friction", out.dynamics->friction);
     }
-    if (const View mimic = element.child("mimic")) {
+    if (const View mimic = child_of(element, "mimic")) {
       place(mimic, out.mimic.emplace());
       text(mimic, "joint", out.mimic->joint);
       number(mimic, "multiplier", out.mimic->multiplier);
       number(mimic, "offset", out.mimic->offset);
     }
-    if (const View safety = element.child("safety_controller")) {
+    if (const View safety = child_of(element, "safety_controller")) {
       place(safety, out.safety_controller.emplace());
       number(safety, "soft_lower_limit", out.safety_controller->soft_lower_limit);
       number(safety, "soft_upper_limit", out.safety_controller->soft_upper_limit);
       number(safety, "k_position", out.safety_controller->k_position);
       number(safety, "k_velocity", out.safety_controller->k_velocity);
     }
-    if (const View calibration = element.child("calibration")) {
+    if (const View calibration = child_of(element, "calibration")) {
       place(calibration, out.calibration.emplace());
       number(calibration, "rising", out.calibration->rising);
       number(calibration, "falling", out.calibration->falling);
@@ -238,6 +255,37 @@ class Reader {
 
   DiagnosticSink& sink_;
 };
+
+/// Reports the first trace of xacro, whose cause is one: the file was not expanded. True when there
+/// are elements of xacro, so that what is read would not be the robot.
+bool report_xacro(const xml::Document& document, DiagnosticSink& sink) {
+  std::size_t count = 0;
+  bool has_elements = false;
+  Span first;
+  std::string what;
+  const auto add = [&](Span place, std::string_view text, std::string_view kind) {
+    if (count++ > 0 && place.begin >= first.begin) return;
+    first = place;
+    what = "`" + std::string(text) + "` is " + std::string(kind);
+  };
+  for (const xml::Element& element : document.elements) {
+    if (!element.name.starts_with("xacro:")) continue;
+    has_elements = true;
+    add(element.name_span, element.name, "a xacro element");
+  }
+  for (const xml::Attribute& attribute : document.attributes) {
+    if (!is_xacro(attribute.value)) continue;
+    add(attribute.value_span, attribute.value, "a xacro expression");
+  }
+  if (count == 0) return false;
+  Diagnostic& diagnostic =
+      sink.report(rules::sml1009_xacro_residue, first, what + " that was never expanded");
+  if (count > 1) {
+    diagnostic.notes.push_back("the file holds " + std::to_string(count - 1) + " more");
+  }
+  diagnostic.help = "run xacro and lint its output";
+  return has_elements;
+}
 
 }  // namespace
 
@@ -250,6 +298,7 @@ std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sin
     if (root.name() == "sdf") diagnostic.notes.push_back("this is an SDFormat file, not a URDF");
     return std::nullopt;
   }
+  if (report_xacro(document, sink)) return std::nullopt;
   check_urdf_shape(document, sink);
   urdf::Robot robot;
   Reader(sink).robot(root, robot);

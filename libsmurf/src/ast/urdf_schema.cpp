@@ -19,11 +19,10 @@ constexpr std::string_view kRobotExtensions[] = {
 
 constexpr AttributeSpec kLinkAttributes[] = {{"name", true}, {"type"}};
 constexpr ChildSpec kLinkChildren[] = {{"inertial", true}, {"visual"}, {"collision"}};
-constexpr std::string_view kLinkExtensions[] = {"contact",       "collision_checking",
-                                                "audio_source",  "self_collision_checking",
-                                                "sensor",        "velocity_decay",
-                                                "kinematic",     "selfCollide",
-                                                "gravity",       "inertia_from_file"};
+constexpr std::string_view kLinkExtensions[] = {
+    "contact", "collision_checking", "audio_source", "self_collision_checking",
+    "sensor",  "velocity_decay",     "kinematic",    "selfCollide",
+    "gravity", "inertia_from_file",  "bullet",       "self_filter"};
 
 constexpr ChildSpec kInertialChildren[] = {{"origin", true}, {"mass", true}, {"inertia", true}};
 constexpr AttributeSpec kMassAttributes[] = {{"value", true}};
@@ -49,7 +48,7 @@ constexpr AttributeSpec kMaterialAttributes[] = {{"name", true}};
 constexpr ChildSpec kMaterialChildren[] = {{"color", true}, {"texture", true}};
 constexpr std::string_view kMaterialExtensions[] = {"specular", "shininess"};
 constexpr AttributeSpec kColorAttributes[] = {{"rgba", true}};
-constexpr AttributeSpec kTextureAttributes[] = {{"filename", true}};
+constexpr AttributeSpec kTextureAttributes[] = {{"filename"}};
 
 constexpr AttributeSpec kJointAttributes[] = {{"name", true}, {"type"}};
 constexpr ChildSpec kJointChildren[] = {{"origin", true},      {"parent", true},

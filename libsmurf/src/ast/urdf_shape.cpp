@@ -27,6 +27,12 @@ class ShapeChecker {
  public:
   explicit ShapeChecker(DiagnosticSink& sink) : sink_(sink) {}
 
+  void document(View root, const ElementSpec& spec) {
+    element(root, spec);
+    report_foreign();
+  }
+
+ private:
   // The depth of the document is bounded by Limits::xml_depth.
   void element(View element, const ElementSpec& spec) {
     attributes(element, spec);
@@ -34,8 +40,11 @@ class ShapeChecker {
     repeated(element, spec);
   }
 
- private:
   void attributes(View element, const ElementSpec& spec) {
+    std::vector<std::string_view> absent;
+    for (const AttributeSpec& known : spec.attributes) {
+      if (element.attribute(known.name) == nullptr) absent.push_back(known.name);
+    }
     for (const auto* attribute = element.attributes_begin();
          attribute != element.attributes_end(); ++attribute) {
       const std::string_view name = attribute->name;
@@ -46,30 +55,33 @@ class ShapeChecker {
           holds(spec.extensions, name)) {
         continue;
       }
-      unknown_attribute(element, *attribute, spec);
+      unknown_attribute(element, *attribute, absent);
     }
     for (const AttributeSpec& attribute : spec.attributes) {
-      if (!attribute.required || element.attribute(attribute.name) != nullptr) continue;
+      if (!attribute.required || !holds(absent, attribute.name)) continue;
       sink_.report(rules::sml1113_required_attribute_missing, element.name_span(),
                    "the element " + quoted(element.name()) + " has no " +
                        quoted(attribute.name));
     }
   }
 
-  void unknown_attribute(View element, const xml::Attribute& attribute, const ElementSpec& spec) {
-    std::vector<std::string_view> names;
-    for (const AttributeSpec& known : spec.attributes) {
-      if (element.attribute(known.name) == nullptr) names.push_back(known.name);
+  /// A slip of the pen takes the attribute that was meant out of `absent`: one cause, one finding.
+  void unknown_attribute(View element, const xml::Attribute& attribute,
+                         std::vector<std::string_view>& absent) {
+    std::string message = quoted(element.name()) + " has no attribute " + quoted(attribute.name);
+    const auto near = nearest(attribute.name, absent);
+    if (!near) {
+      add_foreign(rules::sml1107_unknown_attribute, attribute.name_span, std::move(message));
+      return;
     }
-    Diagnostic& diagnostic = sink_.report(
-        rules::sml1107_unknown_attribute, attribute.name_span,
-        quoted(element.name()) + " has no attribute " + quoted(attribute.name));
+    Diagnostic& diagnostic =
+        sink_.report(rules::sml1107_unknown_attribute, attribute.name_span, std::move(message));
     diagnostic.notes.push_back("URDF readers ignore it without a word");
-    if (const auto near = nearest(attribute.name, names)) {
-      diagnostic.help = "did you mean " + quoted(*near) + "?";
-      diagnostic.fixes.push_back(
-          {Applicability::unsafe, {{attribute.name_span, std::string(*near)}}});
-    }
+    diagnostic.severity = Severity::error;
+    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{attribute.name_span, std::string(*near)}}});
+    std::erase(absent, *near);
   }
 
   void child(View parent, View child, const ElementSpec& spec) {
@@ -92,22 +104,53 @@ class ShapeChecker {
   }
 
   void unknown_child(View parent, View child, std::optional<std::string_view> near) {
+    std::string message = quoted(parent.name()) + " has no element " + quoted(child.name());
+    if (!near) {
+      add_foreign(rules::sml1106_unknown_element, child.name_span(), std::move(message));
+      return;
+    }
     Diagnostic& diagnostic =
-        sink_.report(rules::sml1106_unknown_element, child.name_span(),
-                     quoted(parent.name()) + " has no element " + quoted(child.name()));
+        sink_.report(rules::sml1106_unknown_element, child.name_span(), std::move(message));
     diagnostic.notes.push_back("URDF readers ignore it and all it holds without a word");
-    if (near) diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.severity = Severity::error;
+    diagnostic.help = "did you mean " + quoted(*near) + "?";
+  }
+
+  /// Names of another vocabulary come with every joint; each is one finding.
+  void add_foreign(const Rule& rule, Span place, std::string message) {
+    const auto known = std::find_if(foreign_.begin(), foreign_.end(), [&](const Foreign& f) {
+      return f.rule == &rule && f.message == message;
+    });
+    if (known == foreign_.end()) {
+      foreign_.push_back({&rule, place, std::move(message), 1});
+    } else {
+      ++known->count;
+    }
+  }
+
+  void report_foreign() {
+    for (Foreign& foreign : foreign_) {
+      Diagnostic& diagnostic =
+          sink_.report(*foreign.rule, foreign.place, std::move(foreign.message));
+      diagnostic.notes.push_back("readers that do not know it ignore it without a word");
+      if (foreign.count > 1) {
+        diagnostic.notes.push_back("it stands in this file " + std::to_string(foreign.count) +
+                                   " times");
+      }
+    }
   }
 
   void misplaced(View parent, View child) {
-    sink_.report(rules::sml1108_misplaced_element, child.name_span(),
-                 quoted(child.name()) + " does not belong into " + quoted(parent.name()))
+    sink_
+        .report(rules::sml1108_misplaced_element, child.name_span(),
+                quoted(child.name()) + " does not belong in " + quoted(parent.name()))
         .notes.push_back("URDF readers ignore it without a word");
   }
 
   void wrong_case(View child, std::string_view name) {
-    sink_.report(rules::sml1114_tag_case, child.name_span(),
-                 quoted(child.name()) + " is written " + quoted(name) + "; case matters")
+    sink_
+        .report(rules::sml1114_tag_case, child.name_span(),
+                "the element " + quoted(child.name()) + " must be written " + quoted(name))
         .notes.push_back("URDF readers ignore it and all it holds without a word");
   }
 
@@ -125,11 +168,20 @@ class ShapeChecker {
             rules::sml1109_duplicate_singleton, child.name_span(),
             "a second " + quoted(child.name()) + " in one " + quoted(element.name()));
         diagnostic.labels.push_back({first.name_span(), "the first one"});
+        diagnostic.help = "keep one of them; which one is read depends on the reader";
       }
     }
   }
 
+  struct Foreign {
+    const Rule* rule = nullptr;
+    Span place;
+    std::string message;
+    std::size_t count = 0;
+  };
+
   DiagnosticSink& sink_;
+  std::vector<Foreign> foreign_;
 };
 
 }  // namespace
@@ -137,7 +189,7 @@ class ShapeChecker {
 void check_urdf_shape(const xml::Document& document, DiagnosticSink& sink) {
   const View root = document.view();
   if (const ElementSpec* spec = urdf::find_element_spec(root.name())) {
-    ShapeChecker(sink).element(root, *spec);
+    ShapeChecker(sink).document(root, *spec);
   }
 }
 

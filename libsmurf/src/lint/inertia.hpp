@@ -12,4 +12,7 @@ namespace smurf {
 /// Principal moments, ascending, kg m^2; none unless all six entries are readable.
 std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& inertial);
 
+/// True when the smallest of ascending moments is positive beyond rounding.
+bool is_positive_definite(const std::array<double, 3>& moments);
+
 }  // namespace smurf

@@ -25,6 +25,16 @@ Span visual_or_collision(const LinkedModel& model, NameKind kind, std::string_vi
   return {};
 }
 
+/// Names in a row, such as `finger_1` and `finger_3`: nobody means the one by the other.
+bool differ_in_digits(std::string_view a, std::string_view b) {
+  const auto without_digits = [](std::string_view text) {
+    std::string rest(text);
+    std::erase_if(rest, [](char c) { return c >= '0' && c <= '9'; });
+    return rest;
+  };
+  return without_digits(a) == without_digits(b);
+}
+
 }  // namespace
 
 std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
@@ -75,9 +85,9 @@ bool can_judge(const LinkedModel& model, NameKind kind) {
   return is_annotation ? model.is_complete : model.robot.has_value();
 }
 
-void check_reference(const LinkedModel& model, NameKind kind, std::string_view name, Span place,
-                     std::string_view subject, Findings& findings) {
-  if (!can_judge(model, kind) || names(model, kind).contains(name)) return;
+Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
+                            Span place, std::string_view subject, Findings& findings) {
+  if (!can_judge(model, kind) || names(model, kind).contains(name)) return nullptr;
   const std::string kind_name(to_string(kind));
   Diagnostic& diagnostic =
       findings.report(place, std::string(subject) + " names the " + kind_name + " " +
@@ -93,18 +103,19 @@ void check_reference(const LinkedModel& model, NameKind kind, std::string_view n
       diagnostic.labels.push_back(
           {defined, "the " + std::string(to_string(other)) + " is defined here"});
     }
-    return;
+    return &diagnostic;
   }
   diagnostic.caret = "no such " + kind_name;
   if (!model.urdf_path.empty() && kind != NameKind::motor && kind != NameKind::sensor) {
     diagnostic.caret += " in `" + model.urdf_path + "`";
   }
   const auto near = nearest(name, names(model, kind).names());
-  if (!near) return;
+  if (!near || differ_in_digits(name, *near)) return &diagnostic;
   diagnostic.help = "did you mean " + quoted(*near) + "?";
   diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
   const Span defined = definition(model, kind, *near);
   if (!defined.empty()) diagnostic.labels.push_back({defined, quoted(*near) + " is defined here"});
+  return &diagnostic;
 }
 
 void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
@@ -187,6 +198,17 @@ Span name_place(const LinkedModel& model, const urdf::Link& link) {
 
 Span name_place(const LinkedModel& model, const urdf::Joint& joint) {
   return joint.name.span.empty() ? tag_name(model, joint.element) : joint.name.span;
+}
+
+bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view name) {
+  const xml::View view(model.robot->document, element);
+  const std::string_view known[] = {name};
+  const bool in_attributes =
+      std::any_of(view.attributes_begin(), view.attributes_end(),
+                  [&](const xml::Attribute& a) { return nearest(a.name, known).has_value(); });
+  return in_attributes || std::any_of(view.begin(), view.end(), [&](const xml::View child) {
+           return nearest(child.name(), known).has_value();
+         });
 }
 
 }  // namespace smurf

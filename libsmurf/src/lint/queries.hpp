@@ -24,9 +24,10 @@ Span definition(const LinkedModel& model, NameKind kind, std::string_view name);
 bool can_judge(const LinkedModel& model, NameKind kind);
 
 /// Reports a reference to a name that is not there: "`subject` names the joint `x`, ...". Says when
-/// the name exists as another kind, else suggests the nearest. Does nothing when it is known.
-void check_reference(const LinkedModel& model, NameKind kind, std::string_view name, Span place,
-                     std::string_view subject, Findings& findings);
+/// the name exists as another kind, else suggests the nearest. Does nothing and returns null when
+/// it is known; else the result is valid until the next report.
+Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
+                            Span place, std::string_view subject, Findings& findings);
 
 /// Same, for a whole list.
 void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
@@ -58,6 +59,9 @@ Span name_place(const LinkedModel& model, const urdf::Link& link);
 Span name_place(const LinkedModel& model, const urdf::Joint& joint);
 /// The `inertia` element's name, or the inertial's.
 Span inertia_place(const LinkedModel& model, const urdf::Inertial& inertial);
+/// True when the element has an attribute or a child whose name is nearly `name`: that the thing
+/// itself is missing is then reported with the slip.
+bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view name);
 /// Place of an element's name in its start tag.
 Span tag_name(const LinkedModel& model, xml::ElementId element);
 

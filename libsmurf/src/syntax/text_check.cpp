@@ -43,14 +43,31 @@ constinit const Rule sml0005_unsupported_encoding{
 
 }  // namespace rules
 
+namespace {
+
+/// A byte order mark, or a NUL beside the first character: our files begin with ASCII.
+bool is_wide(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE")) return true;
+  if (text.starts_with("\0\0\xFE\xFF"sv) || text.starts_with("\0\0\0"sv)) return true;
+  return text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0');
+}
+
+std::string hex(char c) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  const auto byte = static_cast<unsigned char>(c);
+  return {kDigits[byte / 16], kDigits[byte % 16]};
+}
+
+} // namespace
+
 std::uint32_t byte_order_mark_size(std::string_view text) {
   return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
 }
 
 bool check_text(const SourceMap& sources, SourceId id, DiagnosticSink& sink) {
   const std::string_view text = sources.text(id);
-  if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") ||
-      text.starts_with(std::string_view("\0\0\xFE\xFF", 4))) {
+  if (is_wide(text)) {
     sink.report(rules::sml0005_unsupported_encoding, {id, 0, 0},
                 "the file is not UTF-8 but UTF-16 or UTF-32")
         .help = "save it as UTF-8";
@@ -62,17 +79,15 @@ bool check_text(const SourceMap& sources, SourceId id, DiagnosticSink& sink) {
   });
   if (control != text.end()) {
     const auto at = static_cast<std::uint32_t>(control - text.begin());
-    constexpr std::string_view kHex = "0123456789ABCDEF";
-    const auto byte = static_cast<unsigned char>(*control);
     sink.report(rules::sml0004_control_character, {id, at, at + 1},
-                std::string("the control character U+00") + kHex[byte / 16] + kHex[byte % 16] +
-                    " is not allowed in a text file");
+                "the control character U+00" + hex(*control) + " is not allowed in a text file")
+        .help = "delete it";
     return false;
   }
   if (const std::optional<std::size_t> at = utf8::find_invalid(text)) {
     const auto begin = static_cast<std::uint32_t>(*at);
     sink.report(rules::sml0003_invalid_utf8, {id, begin, begin + 1},
-                "byte " + std::to_string(begin) + " is not valid UTF-8")
+                "the byte 0x" + hex(text[begin]) + " is not valid UTF-8 here")
         .help = "save the file as UTF-8";
     return false;
   }

@@ -72,11 +72,11 @@ class Scanner {
     const std::size_t next = declaration + 5;
     if (next < text_.size() && !is_space(text_[next])) return;  // <?xml-stylesheet
     if (text_.substr(0, declaration).find('<') != std::string_view::npos) return;
-    sink_.report(rules::sml1005_xml_junk_before_prolog,
-                 span(at_, static_cast<std::uint32_t>(declaration)),
-                 "the XML declaration is not the first thing in the file")
-        .fixes.push_back(
-            {Applicability::safe, {{span(at_, static_cast<std::uint32_t>(declaration)), ""}}});
+    const Span junk = span(at_, static_cast<std::uint32_t>(declaration));
+    Diagnostic& diagnostic = sink_.report(rules::sml1005_xml_junk_before_prolog, junk,
+                                          "the XML declaration is not the first thing in the file");
+    diagnostic.help = "delete what stands before it";
+    diagnostic.fixes.push_back({Applicability::safe, {{junk, ""}}});
   }
 
   void markup() {
@@ -123,8 +123,10 @@ class Scanner {
     if (dashes == std::string_view::npos && body.ends_with('-')) dashes = body.size() - 1;
     if (dashes == std::string_view::npos) return;
     const auto place = static_cast<std::uint32_t>(begin + 4 + dashes);
-    sink_.report(rules::sml1004_xml_comment_dashes, span(place, place + 2),
-                 "`--` inside a comment");
+    sink_
+        .report(rules::sml1004_xml_comment_dashes, span(place, place + 2),
+                "a comment holds `--`, which XML forbids")
+        .help = "write `- -` or another dash";
   }
 
   void doctype() {
@@ -134,7 +136,7 @@ class Scanner {
     const std::size_t subset = text_.find('[', begin);
     if (subset < close) {
       sink_.report(rules::sml1013_dtd_or_xinclude, span(begin, begin + 9),
-                   "a document type with its own declarations");
+                   "URDF readers ignore the declarations of this document type");
       close = text_.find('>', std::min(text_.find(']', subset), text_.size()));
     }
     if (close == std::string_view::npos) {
@@ -225,6 +227,7 @@ class Scanner {
     element.span = element.tag_span;
     index_.elements.push_back(element);
     check_prefixes(element);
+    check_inclusion(element.name_span);
     if (is_closed) close_element();
   }
 
@@ -366,6 +369,11 @@ class Scanner {
            (value > 0xFFFF && value <= 0x10FFFF);
   }
 
+  void check_inclusion(Span name) {
+    if (text_.substr(name.begin, name.end - name.begin) != "xi:include") return;
+    sink_.report(rules::sml1013_dtd_or_xinclude, name, "URDF readers do not follow `xi:include`");
+  }
+
   void reference() {
     const std::uint32_t begin = at_;
     const std::size_t semicolon = text_.find_first_of("; <\"'&", begin + 1);
@@ -383,8 +391,10 @@ class Scanner {
     const bool is_known = name == "lt" || name == "gt" || name == "amp" || name == "quot" ||
                           name == "apos" || name.front() == '#';
     if (is_known) return;
-    sink_.report(rules::sml1013_dtd_or_xinclude, span(begin, at_),
-                 "the entity `&" + std::string(name) + ";` is not one of XML's own");
+    sink_
+        .report(rules::sml1013_dtd_or_xinclude, span(begin, at_),
+                "URDF readers do not expand the entity `&" + std::string(name) + ";`")
+        .help = "write the text out";
   }
 
   /// Readers take the first piece of text of an element.

@@ -45,6 +45,17 @@ class TreeBuilder final : public YAML::EventHandler {
     document_.source = id;
   }
 
+  /// Where the innermost open list or mapping in brackets begins, as yaml-cpp counts.
+  int last_open(char bracket, int fallback) const {
+    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
+      const std::uint32_t begin = document_.nodes[index(frame->node)].span.begin;
+      if (frame->flow && begin < text_.size() && text_[begin] == bracket) {
+        return static_cast<int>(begin - mark_shift_);
+      }
+    }
+    return fallback;
+  }
+
   yaml::Document take() { return std::move(document_); }
   /// One past the last byte of the root.
   std::uint32_t end() const {
@@ -91,7 +102,8 @@ class TreeBuilder final : public YAML::EventHandler {
     node.text = value.text;
     const bool is_complex = value.kind == Kind::sequence || value.kind == Kind::mapping;
     if (is_complex && expects_key()) {
-      sink_.report(rules::sml0012_complex_key, node.span, "a list or mapping is used as a key");
+      sink_.report(rules::sml0012_complex_key, node.span, "a list or mapping is used as a key")
+          .help = "use a plain text, or put it in quotes";
     }
     append(node, 0, sizes_[index(target->second)]);
   }
@@ -274,8 +286,8 @@ class TreeBuilder final : public YAML::EventHandler {
     frame.flow = style == YAML::EmitterStyle::Flow;
     frame.anchor = anchor;
     if (takes_key(node)) {
-      sink_.report(rules::sml0012_complex_key, node.span,
-                   "a list or mapping is used as a key");
+      sink_.report(rules::sml0012_complex_key, node.span, "a list or mapping is used as a key")
+          .help = "use a plain text, or put it in quotes";
       frame.is_key = true;
       frame.node = add_unlinked(node);
     } else {
@@ -307,6 +319,12 @@ class TreeBuilder final : public YAML::EventHandler {
     };
     std::vector<Entry> entries;
     for (NodeId child = at(mapping).first_child; child != kNoNode; child = at(child).next_sibling) {
+      // A list or mapping as a key has no text; it is reported as such.
+      const Span key = at(child).key_span;
+      if (at(child).key.empty() && !key.empty() && text_[key.begin] != '"' &&
+          text_[key.begin] != '\'') {
+        continue;
+      }
       entries.push_back({at(child).key, child});
     }
     std::stable_sort(entries.begin(), entries.end(),
@@ -392,9 +410,9 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
                 "this line does not fit what stands above it");
     return;
   }
-  sink.report(rules::sml0013_several_documents, {id, at, at},
-              "a second YAML document begins here")
-      .notes.push_back("readers take the first document and drop the rest without a word");
+  sink.report(rules::sml0013_several_documents, {id, at, at}, "a second YAML document begins here")
+      .notes.push_back(
+          "MARS reads the first document and drops the rest, PyYAML (Phobos) refuses the file");
 }
 
 }  // namespace
@@ -414,7 +432,10 @@ std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
   } catch (const StopParsing&) {
     return std::nullopt;
   } catch (const YAML::Exception& error) {
-    report_parser_error(error.msg, error.mark.is_null() ? 0 : error.mark.pos, sources, id, sink);
+    int place = error.mark.is_null() ? 0 : error.mark.pos;
+    if (error.msg == "end of sequence flow not found") place = builder.last_open('[', place);
+    if (error.msg == "end of map flow not found") place = builder.last_open('{', place);
+    report_parser_error(error.msg, place, sources, id, sink);
     return std::nullopt;
   }
   return builder.take();

@@ -7,7 +7,11 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.parent || joint.parent->empty()) return;
-    check_reference(model, NameKind::link, *joint.parent, joint.parent.span, title(joint), findings);
+    Diagnostic* diagnostic = check_reference(model, NameKind::link, *joint.parent,
+                                             joint.parent.span, title(joint), findings);
+    if (diagnostic != nullptr && *joint.parent == "world") {
+      diagnostic->notes.push_back("only Drake knows a link `world` that is not declared");
+    }
   });
 }
 

@@ -9,6 +9,7 @@ void check_end(const LinkedModel& model, const urdf::Joint& joint, std::string_v
   if (name && !name->empty()) return;
   const xml::View element(model.robot->document, joint.element);
   const xml::View child = element.child(end);
+  if (has_slip(model, child ? child.id() : joint.element, child ? "link" : end)) return;
   findings.report(child ? child.name_span() : name_place(model, joint),
                   title(joint) + " has no " + std::string(end) + " link");
 }

@@ -4,10 +4,13 @@
 namespace smurf::rules {
 namespace {
 
-/// Roots that stand there because a joint names an unknown link are the fault of that joint.
+/// Roots that stand there because a joint names an unknown link, or one link twice, are the fault
+/// of that joint.
 bool has_broken_joints(const LinkedModel& model) {
   for (std::size_t i = 0; i < model.tree.joint_parent.size(); ++i) {
-    if (!model.tree.joint_parent[i] || !model.tree.joint_child[i]) return true;
+    const auto parent = model.tree.joint_parent[i];
+    const auto child = model.tree.joint_child[i];
+    if (!parent || !child || *parent == *child) return true;
   }
   return false;
 }
@@ -19,11 +22,12 @@ void check(const LinkedModel& model, Findings& findings) {
     const urdf::Link& root = model.link(model.tree.roots[i]);
     // A second link of the same name is no root of its own; the duplicate is reported.
     if (root.name && model.link_names.find(*root.name) != to_size(model.tree.roots[i])) continue;
-    if (!root.name) continue;
+    if (!root.name || root.name->empty()) continue;
     Diagnostic& diagnostic =
         findings.report(name_place(model, root), "no joint leads to " + title(root) +
                                                      ", so the robot has several root links");
     diagnostic.caret = "also a root";
+    diagnostic.help = "connect it by a joint, or delete it";
     diagnostic.labels.push_back({name_place(model, first), "the first root link"});
   }
 }

@@ -14,9 +14,10 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!first || to_size(*first) == i) continue;
     const urdf::Joint& other = model.joint(*first);
     Diagnostic& diagnostic =
-        findings.report(joints[i].child.span, title(model.link(*child)) +
-                                                  " already is the child of " + title(other));
+        findings.report(joints[i].child.span,
+                        title(model.link(*child)) + " is already the child of " + title(other));
     diagnostic.caret = "a second parent";
+    diagnostic.help = "keep one of the two joints; URDF has no closed chains";
     diagnostic.labels.push_back({other.child.span, "first made a child here"});
   }
 }

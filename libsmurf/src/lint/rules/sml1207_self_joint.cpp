@@ -7,7 +7,7 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.parent || !joint.child || *joint.parent != *joint.child) return;
-    if (joint.child->empty()) return;
+    if (!model.link_names.contains(*joint.child)) return; // reported where it is unknown
     Diagnostic& diagnostic = findings.report(
         joint.child.span,
         title(joint) + " connects the link " + quoted(*joint.child) + " to itself");

@@ -8,9 +8,12 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     const bool needs_limit = joint.type == urdf::JointType::revolute ||
                              joint.type == urdf::JointType::prismatic;
-    if (!needs_limit || joint.limit) return;
-    findings.report(name_place(model, joint),
-                    title(joint) + " is " + *joint.type_name + " and has no `limit`");
+    if (!needs_limit || joint.limit || has_slip(model, joint.element, "limit")) return;
+    findings
+        .report(name_place(model, joint),
+                title(joint) + " is " + *joint.type_name + " and has no `limit`")
+        .help = joint.type == urdf::JointType::revolute ? "add one, or make the joint continuous"
+                                                        : "add one";
   });
 }
 

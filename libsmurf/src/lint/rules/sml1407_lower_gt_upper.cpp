@@ -10,9 +10,11 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.limit || !joint.has_one_axis()) return;
     const Field<double>& lower = joint.limit->lower;
     const Field<double>& upper = joint.limit->upper;
-    const double low = lower.written ? lower.value_or(0) : 0;
-    const double high = upper.written ? upper.value_or(0) : 0;
-    if (!(lower || upper) || low <= high) return;
+    const bool is_readable = (lower || !lower.written) && (upper || !upper.written);
+    if (!is_readable) return;
+    const double low = lower.value_or(0);
+    const double high = upper.value_or(0);
+    if (low <= high) return;
     Diagnostic& diagnostic =
         findings.report(lower ? lower.span : upper.span,
                         "the lower limit " + format_number(low) + " of " + title(joint) +

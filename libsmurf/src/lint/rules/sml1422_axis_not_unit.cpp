@@ -25,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.notes.push_back("Bullet moves this joint " + format_rounded(length) +
                                " times as far as commanded");
     diagnostic.help = "write " + quoted(unit);
-    diagnostic.fixes.push_back({Applicability::safe, {{joint.axis.span, unit}}});
+    diagnostic.fixes.push_back({Applicability::unsafe, {{joint.axis.span, unit}}});
   });
 }
 

@@ -12,6 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto moments = principal_moments(*link.inertial);
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");
+    diagnostic.help = "write the mass, or remove the `inertial` of a link that is only a frame";
     if (moments && (*moments)[2] == 0) diagnostic.severity = Severity::warning;
   });
 }

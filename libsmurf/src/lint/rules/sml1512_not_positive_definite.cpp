@@ -9,20 +9,19 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kSmallest = 1e-9;  // relative to the trace; rounding stays below
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial) return;
     const auto moments = principal_moments(*link.inertial);
     if (!moments) return;
     const auto& [low, middle, high] = *moments;
     if (high == 0 && low == 0) return;  // all zero is another defect
-    const double scale = std::fabs(low) + std::fabs(middle) + std::fabs(high);
-    if (low > kSmallest * scale) return;
+    if (is_positive_definite(*moments)) return;
     Diagnostic& diagnostic = findings.report(
         inertia_place(model, *link.inertial),
         "the inertia of " + title(link) + " is not that of any body");
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4);
+    diagnostic.notes.push_back("the principal moments of a body are positive");
   });
 }
 

@@ -13,13 +13,14 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto moments = principal_moments(*link.inertial);
     if (!moments) return;
     const auto& [low, middle, high] = *moments;
-    if (low <= 0 || (high - low - middle) / high <= kRounding) return;
+    if (!is_positive_definite(*moments) || (high - low - middle) / high <= kRounding) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is not physically possible");
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4) + ": " +
-                       format_rounded(high, 4) + " > " + format_rounded(low + middle, 4);
+                       format_rounded(high, 4) + " > " + format_rounded(low, 4) + " + " +
+                       format_rounded(middle, 4);
     diagnostic.notes.push_back("the largest moment can be at most the sum of the other two");
   });
 }

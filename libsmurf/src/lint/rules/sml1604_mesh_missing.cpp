@@ -1,25 +1,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+#include <set>
+
+#include "base/path.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
+std::string_view package_of(std::string_view filename) {
+  constexpr std::string_view kScheme = "package://";
+  if (!filename.starts_with(kScheme)) return {};
+  filename.remove_prefix(kScheme.size());
+  return filename.substr(0, filename.find('/'));
+}
+
+/// A package of which nothing is found is one finding however many files it should hold, and no
+/// error: it may lie elsewhere.
+void report_package(const std::vector<const MeshReference*>& uses, std::string_view package,
+                    Findings& findings) {
+  const std::string name(package);
+  Diagnostic& diagnostic =
+      findings.report(uses.front()->span, "cannot find any file of the package " + quoted(package));
+  diagnostic.caret = "in no folder above the URDF";
+  diagnostic.severity = Severity::warning;
+  if (uses.size() > 1) {
+    diagnostic.notes.push_back("the URDF names " + std::to_string(uses.size()) + " files of it");
+  }
+  diagnostic.help = "name its folder: `--package " + name + "=DIR`";
+}
+
+void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& findings) {
+  Diagnostic& diagnostic =
+      findings.report(mesh.span, std::string(mesh.is_texture ? "texture" : "mesh") +
+                                     " file not found: " + quoted(mesh.filename));
+  if (mesh.path.empty()) {
+    diagnostic.caret = "in no folder above the URDF";
+  } else if (mesh.path != mesh.filename) {
+    diagnostic.caret = "resolved to " + quoted(mesh.path);
+  }
+  if (lost_beside > 0) {
+    const std::string others =
+        lost_beside == 1 ? "nor is the other file"
+                         : "nor is any of the " + std::to_string(lost_beside) + " other files";
+    diagnostic.notes.push_back(others + " that the URDF names in this folder");
+  }
+  if (mesh.is_texture) diagnostic.severity = Severity::warning;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
+  std::set<std::string_view> found; // packages and folders of which something is there
   for (const MeshReference& mesh : model.meshes) {
-    if (mesh.exists || mesh.filename.empty()) continue;
-    const bool is_package = mesh.filename.starts_with("package://");
-    if (mesh.path.empty() && !is_package) continue;  // a URI of another kind is not looked up
-    Diagnostic& diagnostic = findings.report(
-        mesh.span, std::string(mesh.is_texture ? "texture" : "mesh") + " file not found: " +
-                       quoted(mesh.filename));
-    if (!mesh.path.empty()) {
-      diagnostic.caret = "resolved to " + quoted(mesh.path);
+    if (!mesh.exists) continue;
+    found.insert(package_of(mesh.filename));
+    found.insert(path::parent(mesh.path));
+  }
+  std::map<std::string_view, std::vector<const MeshReference*>> lost_packages;
+  std::map<std::string_view, std::vector<const MeshReference*>> lost_folders;
+  std::set<std::string_view> seen;
+  for (const MeshReference& mesh : model.meshes) {
+    if (mesh.exists || mesh.filename.empty() || !seen.insert(mesh.filename).second) continue;
+    const std::string_view package = package_of(mesh.filename);
+    const std::string_view folder = path::parent(mesh.path);
+    if (mesh.path.empty()) {
+      // Other URIs (http, model) are not looked up.
+      if (package.empty()) continue;
+      if (found.contains(package))
+        report_file(mesh, 0, findings);
+      else
+        lost_packages[package].push_back(&mesh);
+    } else if (found.contains(folder)) {
+      report_file(mesh, 0, findings);
     } else {
-      diagnostic.caret = "in no folder above the URDF";
-      diagnostic.help = "name the package's folder: `--package NAME=DIR`";
+      lost_folders[folder].push_back(&mesh);
     }
-    if (!mesh.is_texture) continue;
-    diagnostic.severity = Severity::warning;
+  }
+  for (const auto& [package, uses] : lost_packages)
+    report_package(uses, package, findings);
+  for (const auto& [folder, uses] : lost_folders) {
+    report_file(*uses.front(), uses.size() - 1, findings);
   }
 }
 
@@ -32,7 +91,9 @@ extern constinit const Rule sml1604_mesh_missing{
     .summary = "A mesh or texture file does not exist.",
     .why = "Bullet loses the whole robot, Drake, MuJoCo, Pinocchio and DART refuse the file or "
            "the body; urdfdom and sdformat do not look.",
-    .remedy = "Correct the path (relative to the URDF), or add the file.",
+    .remedy =
+        "Correct the path (relative to the URDF), add the file, or name the package's folder with "
+        "`--package NAME=DIR`.",
     .sources = "Bullet, MuJoCo 3.14, DART 6.12 and urdfdom 3.0.1, executed.",
     .check_model = check};
 

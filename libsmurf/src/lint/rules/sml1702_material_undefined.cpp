@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
@@ -13,13 +15,22 @@ void check(const LinkedModel& model, Findings& findings) {
       defined.add(*material.name, 0);
     }
   });
+  std::map<std::string_view, std::size_t> uses;
+  for_each_material(model, [&](const urdf::Material& material) {
+    if (material.name) ++uses[*material.name];
+  });
+  NameTable reported;
   for_each_link(model, [&](const urdf::Link& link) {
     for (const urdf::Visual& visual : link.visuals) {
       if (!visual.material || !visual.material->name) continue;
       const Field<std::string>& name = visual.material->name;
-      if (name->empty() || defined.contains(*name)) continue;
+      if (name->empty() || defined.contains(*name) || reported.contains(*name)) continue;
+      reported.add(*name, 0);
       Diagnostic& diagnostic =
           findings.report(name.span, "the material " + quoted(*name) + " is defined nowhere");
+      if (uses[*name] > 1) {
+        diagnostic.notes.push_back("it is used " + std::to_string(uses[*name]) + " times");
+      }
       if (const auto near = nearest(*name, defined.names())) {
         diagnostic.help = "did you mean " + quoted(*near) + "?";
         diagnostic.fixes.push_back({Applicability::unsafe, {{name.span, std::string(*near)}}});

@@ -7,9 +7,11 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.has_main || !model.main.files) return;
   for (const std::string& file : model.unlisted_files) {
-    findings.report(model.files.front().document->view().find("files").key_span(),
-                    quoted(file) + " lies beside the main file but is not listed")
-        .help = "list it, or delete it";
+    Diagnostic& diagnostic =
+        findings.report(model.files.front().document->view().find("files").key_span(),
+                        quoted(file) + " lies beside the main file but is not listed");
+    diagnostic.notes.push_back("readers load only what `files` lists");
+    diagnostic.help = "list it, or delete it";
   }
 }
 

@@ -13,10 +13,12 @@ void check(const LinkedModel& model, Findings& findings) {
     for (const yaml::View section : root) {
       // Known sections of the wrong shape are reported where they are read.
       if (!section.is_scalar() || is_section_name(section.key())) continue;
-      findings.report(section.key_span(), quoted(section.key()) +
-                                              " is a plain value; annotation files hold only "
-                                              "lists and mappings")
-          .notes.push_back("MARS ends with an exception on it");
+      Diagnostic& diagnostic =
+          findings.report(section.key_span(), quoted(section.key()) +
+                                                  " is a plain value, but annotation files hold "
+                                                  "only lists and mappings");
+      diagnostic.notes.push_back("MARS ends with an exception on it");
+      diagnostic.help = "move it to the main file, or delete it";
     }
   }
 }

@@ -7,6 +7,8 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for (const CollisionAnnotation& entry : model.annotations.collisions) {
     if (!entry.name || creates_collision(model, entry)) continue;
+    // Without its link there is no collision either; the link is reported.
+    if (entry.link && !model.link_names.contains(*entry.link)) continue;
     check_reference(model, NameKind::collision, *entry.name, entry.name.span,
                     "this collision entry", findings);
   }
