@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Layout of the text reports, against hand-drawn frames, and the JSON report.
+#include <algorithm>
+#include <iterator>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -287,9 +290,9 @@ TEST_CASE("long lines are cut on a terminal only") {
   // At the start and at the end of the line the room is used.
   CHECK(frame("token " + after + "\n", "token", 40) ==
         "  |\n1 | token bbbbbbbbbbbbbbbbbbbbbbbb...\n  | ^^^^^ here\n  |\n\n");
-  CHECK(frame(before + " token\n", "token", 40) == "  |\n1 | ..." + std::string(24, 'a') +
-                                                       " token\n  | " + std::string(28, ' ') +
-                                                       "^^^^^ here\n  |\n\n");
+  CHECK(frame(before + " token\n", "token", 40) ==
+        "  |\n1 | ..." + std::string(24, 'a') + " token\n  | " + std::string(28, ' ') +
+            "^^^^^\n  | " + std::string(28, ' ') + "here\n  |\n\n");
   // Neighbours are cut at their end.
   CHECK(frame(before + "\ntoken\n", "token", 40) ==
         "  |\n1 | " + std::string(30, 'a') + "...\n2 | token\n  | ^^^^^ here\n  |\n\n");
@@ -297,6 +300,104 @@ TEST_CASE("long lines are cut on a terminal only") {
     const std::string narrow = frame("x" + line, line.substr(90, 30), width);
     CHECK(narrow.find("^") != std::string::npos);
   }
+}
+
+TEST_CASE("marks in the part of a line that is cut away are drawn under the dots") {
+  SourceMap sources;
+  const std::string filler(30, 'x');
+  const SourceId id = sources.add("a.yml", "left " + filler + " near token " + filler + " right\n");
+  Diagnostic diagnostic = diagnose(find(sources, id, "token"), "bad");
+  for (const std::string_view label : {"left", "near", "right"}) {
+    diagnostic.labels.push_back({find(sources, id, label), std::string(label)});
+  }
+  diagnostic.labels.push_back({{id, 0, 47}, "from the left"});
+  const std::string shown = render_full(diagnostic, sources, {false, 34});
+  CHECK(shown.substr(shown.find("  |")) == R"(  |
+1 | ...xxxxxx near token xxxxxx...
+  |                ^^^^^
+  | --- left
+  | ---------------------
+  | from the left
+  |           ---- near
+  |                            ---
+  |                          right
+  |
+
+)");
+}
+
+TEST_CASE("any bytes, any marks, any width: lines of printable text") {
+  std::mt19937 random(20240612);
+  const auto pick = [&](std::uint32_t count) {
+    return static_cast<std::uint32_t>(random()) % count;
+  };
+  constexpr std::string_view kPieces[] = {
+      "a",    " ",     "\t", "\n", "\r\n", "\xff", "é", "肘", "\xF0\x9F\xA4\x96", "\xE2\x80\xAE",
+      "\x1b", "\u0301"};
+  for (int round = 0; round < 2000; ++round) {
+    SourceMap sources;
+    std::string text;
+    for (std::uint32_t i = pick(60); i > 0; --i)
+      text += kPieces[pick(std::size(kPieces))];
+    const SourceId id = sources.add("a.yml", text);
+    const auto span = [&] {
+      const std::uint32_t begin = pick(static_cast<std::uint32_t>(text.size()) + 2);
+      return Span{id, begin, begin + pick(40)};
+    };
+    Diagnostic diagnostic = diagnose(span(), "bad", "here");
+    for (std::uint32_t i = pick(3); i > 0; --i)
+      diagnostic.labels.push_back({span(), "label"});
+    const std::string shown = render_full(diagnostic, sources, {false, static_cast<int>(pick(60))});
+    CAPTURE(text);
+    CHECK(std::none_of(shown.begin(), shown.end(), [](char c) {
+      return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == '\x7f';
+    }));
+    CHECK(shown.find(" \n") == std::string::npos);
+    CHECK_NOTHROW(nlohmann::json::parse(
+        render_json(std::vector<Diagnostic>{diagnostic}, sources, {}, {"tool", "0"})));
+  }
+}
+
+TEST_CASE("a text that does not fit beside its mark stands below it") {
+  SourceMap sources;
+  const SourceId id = sources.add("a.urdf", "<mesh filename=\"../meshes/a.stl\"/>\n");
+  const Diagnostic diagnostic =
+      diagnose(find(sources, id, "../meshes/a.stl"), "bad", "resolved to `robots/meshes/a.stl`");
+  const auto full = [&](int width) {
+    const std::string shown = render_full(diagnostic, sources, {false, width});
+    return shown.substr(shown.find("  |"));
+  };
+  CHECK(full(0) == full(80));
+  CHECK(full(60) == R"(  |
+1 | <mesh filename="../meshes/a.stl"/>
+  |                 ^^^^^^^^^^^^^^^
+  |                 resolved to `robots/meshes/a.stl`
+  |
+
+)");
+  CHECK(full(44) == R"(  |
+1 | <mesh filename="../meshes/a.stl"/>
+  |                 ^^^^^^^^^^^^^^^
+  |        resolved to `robots/meshes/a.stl`
+  |
+
+)");
+}
+
+TEST_CASE("a fix without help describes itself") {
+  SourceMap sources;
+  const SourceId id = sources.add("a.yml", "a & b\n");
+  const auto help = [&](std::vector<Edit> edits) {
+    Diagnostic diagnostic = diagnose({id, 2, 3}, "bad");
+    diagnostic.fixes.push_back({Applicability::safe, std::move(edits)});
+    const std::string shown = render_full(diagnostic, sources, {});
+    return shown.substr(shown.find("  = "));
+  };
+  CHECK(help({{{id, 2, 3}, "&amp;"}}) == "  = help: write `&amp;` [safe fix]\n\n");
+  CHECK(help({{{id, 2, 4}, ""}}) == "  = help: delete `& ` [safe fix]\n\n");
+  CHECK(help({{{id, 2, 2}, "#"}}) == "  = help: insert `#` [safe fix]\n\n");
+  CHECK(help({{{id, 2, 2}, "#"}, {{id, 3, 3}, "#"}}) == "  = help: a fix is known [safe fix]\n\n");
+  CHECK(help({{{id, 2, 3}, std::string(61, 'x')}}) == "  = help: a fix is known [safe fix]\n\n");
 }
 
 TEST_CASE("colour only when asked for") {

@@ -4,6 +4,7 @@
 #include "render/frame.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace smurf::render {
@@ -99,14 +100,14 @@ std::string Frame::source_rows(std::uint32_t number) const {
   for (const Mark& mark : others_) {
     if (lines_of(mark.span).first == number) marks.push_back(&mark);
   }
-  if (style_.width > 0) {
-    const int margin = has_bracket_ ? 2 : 0;
-    const bool opens = has_bracket_ && number == main_lines_.first;
-    ByteRange focus{span.begin, span.begin};
-    if (!marks.empty()) focus = on_first_line(marks.front()->span);
-    if (opens) focus = {on_first_line(main_.span).begin, on_first_line(main_.span).begin};
-    line.cut(style_.width - static_cast<int>(gutter_) - 3 - margin, focus);
+  std::vector<ByteRange> ranges;
+  if (has_bracket_ && number == main_lines_.first) {
+    const std::uint32_t begin = on_first_line(main_.span).begin;
+    ranges.push_back({begin, begin});
   }
+  for (const Mark* mark : marks)
+    ranges.push_back(on_first_line(mark->span));
+  line.cut(room(), ranges);
 
   const bool opens_beside =
       number == main_lines_.first && line.is_first_text(on_first_line(main_.span).begin);
@@ -126,16 +127,30 @@ std::string Frame::bracket(std::uint32_t line, bool opens_beside) const {
   return "  ";
 }
 
+/// Columns for a source line.
+int Frame::room() const {
+  if (style_.width <= 0) return std::numeric_limits<int>::max();
+  return style_.width - static_cast<int>(gutter_) - 3 - (has_bracket_ ? 2 : 0);
+}
+
+/// The text stands beside the mark, or below it and further left where the terminal is too narrow.
 std::string Frame::mark_row(const SourceLine& line, const Mark& mark) const {
   const ByteRange range = on_first_line(mark.span);
-  std::string drawn = line.underline(range, mark.line);
-  if (!mark.text.empty()) drawn.append(" ").append(escape(mark.text));
-  std::string margin = has_bracket_ ? "  " : "";
   const std::uint32_t number = lines_of(mark.span).first;
-  if (has_bracket_ && number > main_lines_.first && number <= main_lines_.last) {
-    margin = paint_(main_.ink, "|") + " ";
+  const std::string margin = bracket(number, false);
+  const std::string lead = line.lead(range.begin, ' ');
+  const std::string drawn = line.underline(range, mark.line);
+  if (mark.text.empty()) return row("", margin + lead + paint_(mark.ink, drawn));
+
+  const std::string text = escape(mark.text);
+  const std::size_t columns = width_of(text);
+  const auto free = static_cast<std::size_t>(std::max(room(), 0));
+  if (width_of(lead) + drawn.size() + 1 + columns <= free) {
+    return row("", margin + lead + paint_(mark.ink, drawn + " " + text));
   }
-  return row("", margin + line.lead(range.begin, ' ') + paint_(mark.ink, drawn));
+  const std::size_t indent = std::min(lead.size(), free - std::min(columns, free));
+  return row("", margin + lead + paint_(mark.ink, drawn)) +
+         row("", margin + lead.substr(0, indent) + paint_(mark.ink, text));
 }
 
 std::string Frame::opening_row(const SourceLine& line) const {

@@ -38,12 +38,19 @@ std::size_t SourceLine::index_of(std::uint32_t offset) const {
   return is_past_end ? glyphs_.size() : before;
 }
 
-void SourceLine::cut(int columns, ByteRange focus) {
+void SourceLine::cut(int columns, std::span<const ByteRange> marks) {
   const int room = std::max(columns, kFewestColumns);
   if (columns_between(0, glyphs_.size()) <= room) return;
   const int inside = room - 2 * static_cast<int>(kEllipsis.size());
-  const std::size_t begin = index_of(focus.begin);
-  const std::size_t end = std::max(begin, index_of(focus.end));
+  std::size_t begin = marks.empty() ? 0 : index_of(marks.front().begin);
+  std::size_t end = marks.empty() ? 0 : std::max(begin, index_of(marks.front().end));
+  for (const ByteRange& mark : marks) {
+    const std::size_t first = std::min(begin, index_of(mark.begin));
+    const std::size_t last = std::max(end, index_of(mark.end));
+    if (columns_between(first, last) > inside) continue;
+    begin = first;
+    end = last;
+  }
 
   // Half of what the mark leaves free, but a few columns at least, is for what stands before it;
   // what one side does not need goes to the other.
@@ -71,9 +78,10 @@ std::string SourceLine::text() const {
 }
 
 std::string SourceLine::lead(std::uint32_t offset, char fill) const {
+  const std::size_t index = index_of(offset);
+  if (index < first_) return {};
   std::string out(is_cut_left() ? kEllipsis.size() : 0, fill);
-  const std::size_t end = std::clamp(index_of(offset), first_, last_);
-  for (std::size_t i = first_; i < end; ++i) {
+  for (std::size_t i = first_; i < std::min(index, last_); ++i) {
     if (glyphs_[i].is_tab) {
       out += '\t';
     } else {
@@ -84,15 +92,17 @@ std::string SourceLine::lead(std::uint32_t offset, char fill) const {
 }
 
 std::string SourceLine::underline(ByteRange range, char fill) const {
-  const std::size_t begin = std::clamp(index_of(range.begin), first_, last_);
-  // A mark that ends inside a character covers it.
+  const std::size_t begin = index_of(range.begin);
   std::size_t end = index_of(range.end);
+  // A mark that ends inside a character covers it.
   if (end < glyphs_.size() && glyphs_[end].offset < range.end) ++end;
-  end = std::clamp(end, begin, last_);
-  std::size_t columns = 0;
-  for (std::size_t i = begin; i < end; ++i) {
+  end = std::max(begin, end);
+
+  std::size_t columns = begin < first_ ? kEllipsis.size() : 0;
+  for (std::size_t i = std::max(begin, first_); i < std::min(end, last_); ++i) {
     columns += glyphs_[i].is_tab ? 1U : static_cast<std::size_t>(glyphs_[i].width);
   }
+  if (end > last_ || (begin >= last_ && is_cut_right())) columns += kEllipsis.size();
   return std::string(std::max<std::size_t>(columns, 1), fill);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,15 +22,15 @@ class SourceLine {
  public:
   SourceLine(std::string_view line, std::uint32_t offset);
 
-  /// Shows at most `columns` columns, chosen around `focus`.
-  void cut(int columns, ByteRange focus);
+  /// Shows at most `columns` columns, chosen around the first mark and as many others as fit.
+  void cut(int columns, std::span<const ByteRange> marks);
 
   /// As shown: cut with "...", without trailing white space.
   std::string text() const;
   /// What stands before `offset` in the row below: `fill` for each column, tabs as tabs, so that
   /// the row stays aligned whatever the width of a tab.
   std::string lead(std::uint32_t offset, char fill) const;
-  /// `fill` for each column that the range takes; at least one.
+  /// `fill` for each column that the range takes, at least one; what is cut away takes the dots.
   std::string underline(ByteRange range, char fill) const;
   /// True when nothing but white space stands before `offset`.
   bool is_first_text(std::uint32_t offset) const;

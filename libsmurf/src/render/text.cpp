@@ -44,9 +44,18 @@ std::string arrow(std::size_t indent, std::string_view where, const Painter& pai
   return std::string(indent, ' ') + paint(Ink::frame, "-->") + " " + std::string(where) + "\n";
 }
 
-std::string tag(const Diagnostic& diagnostic) {
-  const bool is_safe = diagnostic.fixes.front().applicability == Applicability::safe;
-  return is_safe ? "[safe fix]" : "[unsafe fix]";
+/// For a fix that no help describes.
+std::string describe(const Fix& fix, const SourceMap& sources) {
+  constexpr std::size_t kLongest = 60;
+  if (fix.edits.size() == 1 && has_source(fix.edits[0].span, sources)) {
+    const Edit& edit = fix.edits[0];
+    const std::string_view old = sources.text(clamp(edit.span, sources));
+    if (edit.text.empty() && old.size() <= kLongest) return "delete `" + std::string(old) + "`";
+    if (edit.text.size() <= kLongest) {
+      return (old.empty() ? "insert `" : "write `") + edit.text + "`";
+    }
+  }
+  return "a fix is known";
 }
 
 std::string header(const Diagnostic& diagnostic, const Painter& paint) {
@@ -57,7 +66,8 @@ std::string header(const Diagnostic& diagnostic, const Painter& paint) {
 }
 
 /// "= note: ..." rows under a frame.
-std::string remarks(const Diagnostic& diagnostic, std::size_t indent, const Painter& paint) {
+std::string remarks(const Diagnostic& diagnostic, const SourceMap& sources, std::size_t indent,
+                    const Painter& paint) {
   const auto remark = [&](std::string_view kind, std::string_view text) {
     return std::string(indent + 1, ' ') + paint(Ink::frame, "=") + " " + paint(Ink::strong, kind) +
            ": " + escape(text) + "\n";
@@ -67,8 +77,9 @@ std::string remarks(const Diagnostic& diagnostic, std::size_t indent, const Pain
     out += remark("note", note);
   std::string help = diagnostic.help;
   if (!diagnostic.fixes.empty()) {
-    if (help.empty()) help = "a fix is known";
-    help += " " + tag(diagnostic);
+    const Fix& fix = diagnostic.fixes.front();
+    if (help.empty()) help = describe(fix, sources);
+    help += fix.applicability == Applicability::safe ? " [safe fix]" : " [unsafe fix]";
   }
   if (!help.empty()) out += remark("help", help);
   return out;
@@ -90,10 +101,10 @@ std::string note_frame(const Label& label, const SourceMap& sources, const TextS
 std::string main_frame(const Diagnostic& diagnostic, const SourceMap& sources,
                        const TextStyle& style) {
   const Painter paint(style.color);
-  if (!has_source(diagnostic.span, sources)) return remarks(diagnostic, 1, paint);
+  if (!has_source(diagnostic.span, sources)) return remarks(diagnostic, sources, 1, paint);
   if (!has_text(diagnostic.span, sources)) {
     return arrow(1, escape(sources.path(diagnostic.span.source)), paint) +
-           remarks(diagnostic, 1, paint);
+           remarks(diagnostic, sources, 1, paint);
   }
   std::vector<render::Mark> others;
   for (const Label& label : diagnostic.labels) {
@@ -105,7 +116,7 @@ std::string main_frame(const Diagnostic& diagnostic, const SourceMap& sources,
       {clamp(diagnostic.span, sources), diagnostic.caret, render::ink_of(diagnostic.severity), '^'},
       std::move(others), 1);
   return arrow(frame.gutter(), place(diagnostic.span, sources), paint) + frame.draw() +
-         remarks(diagnostic, frame.gutter(), paint);
+         remarks(diagnostic, sources, frame.gutter(), paint);
 }
 
 std::string count(std::size_t number, std::string_view noun) {
