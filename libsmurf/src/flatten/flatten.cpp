@@ -43,7 +43,8 @@ class Flattener {
 
   void add_model(std::size_t index) {
     const LinkedModel& model = scene_.models[index];
-    const std::string stem(path::stem(model.path));
+    std::string stem(path::stem(model.path));
+    if (stem.empty()) stem = "model";
     std::string id = stem;
     for (int number = 2; !ids_.insert(id).second; ++number) {
       id = stem + "_" + std::to_string(number);

@@ -212,7 +212,7 @@ class SceneExpander {
   }
 
   bool is_too_deep(UseIndex outer, const Entity& entity) {
-    std::uint32_t depth = 1;
+    std::uint32_t depth = 0;
     for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer)
       ++depth;
     if (depth <= context_.limits.include_depth) return false;

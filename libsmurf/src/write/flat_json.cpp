@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flat JSON, one line per instance: large scenes stay readable and diff well.
-#include <array>
+#include <algorithm>
 
 #include "base/numbers.hpp"
 #include "smurf/write.hpp"
@@ -105,11 +105,11 @@ class JsonWriter {
     key("orientation");
     const Quaternion& q = pose.orientation;
     out_ += "{\"w\": ";
-    number(q.w);
+    number(std::clamp(q.w, -1.0, 1.0));
     for (const auto& [name, component] :
          {std::pair("x", q.x), std::pair("y", q.y), std::pair("z", q.z)}) {
       key(name);
-      number(component);
+      number(std::clamp(component, -1.0, 1.0));
     }
     out_ += '}';
   }

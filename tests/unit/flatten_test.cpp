@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Flat scenes: what the tables hold, how they are written, and that explanations add up.
+#include <cmath>
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "smurf/flatten.hpp"
+#include "smurf/write.hpp"
+#include "support/scenes.hpp"
+
+using namespace smurf;
+using namespace smurf::test;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::string kScenes = std::string(SMURF_FIXTURES) + "/scenes/";
+
+Json to_json(const LoadedScene& loaded, const FlattenOptions& options) {
+  return Json::parse(
+      write_flat_json(flatten(loaded.scene, loaded.sources, options), options.links));
+}
+
+} // namespace
+
+TEST_CASE("models are listed once, under unique names") {
+  LoadedScene loaded;
+  loaded.files.add("other/box.urdf", "<robot name=\"o\"><link name=\"l\"/></robot>");
+  loaded.load_text(R"(entities:
+- {name: A, file: box.urdf}
+- {name: B, file: ./other/../box.urdf}
+- {name: C, file: other/box.urdf}
+- {name: D, file: crane.smurf}
+)");
+  CHECK(loaded.briefs() == "");
+  const Json flat = to_json(loaded, {});
+  CHECK(flat["models"].dump() ==
+        R"([{"id":"box","type":"urdf","file":"box.urdf","urdf":"box.urdf"},)"
+        R"({"id":"box_2","type":"urdf","file":"other/box.urdf","urdf":"other/box.urdf"},)"
+        R"({"id":"crane","type":"smurf","file":"crane.smurf","urdf":"crane.urdf"}])");
+  CHECK(flat["instances"][1]["model"] == "box");
+  CHECK(flat["instances"][2]["model"] == "box_2");
+}
+
+TEST_CASE("files are relative to the folder of the output") {
+  LoadedScene loaded;
+  loaded.load_text("entities:\n- {name: A, file: box.urdf}\n");
+  const auto urdf = [&](const std::string& folder) {
+    const FlattenOptions options{.output_folder = folder, .current_folder = "/home/eve/scenes"};
+    return to_json(loaded, options)["models"][0]["urdf"].get<std::string>();
+  };
+  CHECK(urdf(".") == "box.urdf");
+  CHECK(urdf("") == "box.urdf");
+  CHECK(urdf("out/flat") == "../../box.urdf");
+  CHECK(urdf("..") == "scenes/box.urdf");
+  CHECK(urdf("/home/eve/out") == "../scenes/box.urdf");
+}
+
+TEST_CASE("anchors, parents, joints and properties") {
+  LoadedScene loaded;
+  loaded.files.add("in.smurfs", "entities:\n- {name: A, file: crane.smurf, pose: up}\n");
+  loaded.load_text(R"(entities:
+- {name: in, file: in.smurfs, anchor: world}
+- name: B
+  type: bow
+  file: bow.yml
+  parent: "A::hook"
+  anchor: parent
+  main_entity: true
+  colors: [red, 1, 1.5, -0x1, "2", ~, yes, .nan, {deep: {er: 1e3}}]
+  text: "tab\t quote\" \x01"
+)");
+  loaded.files.add("bow.yml", "");
+  const Json flat = to_json(loaded, {});
+  const Json& a = flat["instances"][0];
+  const Json& b = flat["instances"][1];
+  CHECK(a["anchor"] == "world");
+  CHECK(a["parent"] == "world");
+  CHECK(a["joint_positions"].dump() == R"({"boom_joint":-0.5})");
+  CHECK(b["anchor"].dump() == R"({"instance":"in/A","link":"hook"})");
+  CHECK(b["parent"] == b["anchor"]);
+  CHECK(b["file"] == "bow.yml");
+  CHECK(b["source"].dump() == R"({"file":"scene.smurfs","line":3})");
+  CHECK(b["properties"].dump() ==
+        "{\"main_entity\":true,\"colors\":[\"red\",1,1.5,\"-0x1\",\"2\",null,\"yes\",\".nan\","
+        "{\"deep\":{\"er\":1000}}],\"text\":\"tab\\t quote\\\" \\u0001\"}");
+}
+
+TEST_CASE("the outer scene's world wins, an assembly's does not count") {
+  LoadedScene loaded;
+  loaded.files.add("in.smurfs", R"(
+physics: {gravity: {z: -1}, ode: {cfm: 0.5, stepsize: 3}}
+environment: {background: {r: 1, g: 0, b: 0, a: 1}}
+lights: [{name: inner}]
+)");
+  loaded.files.add("as.smurfa", "physics: {ode: {erp: 0.9}}\nlights: [{name: lost}]\n");
+  loaded.load_text(R"(
+physics: {gravity: {x: 0, y: 0, z: -9.81}}
+lights: [{name: outer}]
+entities: [{name: in, file: in.smurfs}, {name: as, file: as.smurfa}]
+)");
+  const Json flat = to_json(loaded, {});
+  CHECK(flat["physics"].dump() == R"({"gravity":[0,0,-9.81],"step_size":0.003,"cfm":0.5})");
+  CHECK(flat["environment"].dump() == R"({"background":{"r":1,"g":0,"b":0,"a":1}})");
+  CHECK(flat["lights"].dump() == R"([{"name":"outer"},{"name":"inner"}])");
+}
+
+TEST_CASE("link poses are in the world frame") {
+  LoadedScene loaded;
+  loaded.load_text("entities:\n- {name: A, file: crane.smurf, position: [5, 0, 0], pose: up}\n");
+  const FlatScene flat = flatten(loaded.scene, loaded.sources, {.links = true});
+  REQUIRE(flat.instances[0].links.size() == 3);
+  const auto& [name, X_WL] = flat.instances[0].links[2];
+  CHECK(name == "hook");
+  const Matrix expected = translation(5, 0, 1) * rotation_y(-0.5) * translation(2, 0, 0);
+  CHECK(difference(to_matrix4(X_WL), expected) < 1e-12);
+  CHECK(to_json(loaded, {.links = true})["instances"][0]["links"].size() == 3);
+  CHECK(!to_json(loaded, {})["instances"][0].contains("links"));
+}
+
+TEST_CASE("a model or a URDF is a scene of one instance") {
+  for (const char* path : {"crane.smurf", "crane.urdf"}) {
+    LoadedScene loaded;
+    loaded.load(path);
+    CHECK(loaded.briefs() == "");
+    const Json flat = to_json(loaded, {});
+    REQUIRE(flat["instances"].size() == 1);
+    CHECK(flat["instances"][0]["name"] == "crane");
+    CHECK(flat["instances"][0]["source"]["file"] == path);
+    CHECK(flat["models"][0]["urdf"] == "crane.urdf");
+  }
+}
+
+TEST_CASE("the steps of an explanation multiply to the pose") {
+  for (const char* path :
+       {"example/example.smurfs", "nested/outer.smurfs", "showcase/showcase.smurfs"}) {
+    LoadedScene loaded;
+    loaded.load(kScenes + path);
+    for (std::size_t i = 0; i < loaded.scene.instances.size(); ++i) {
+      const Instance& instance = loaded.scene.instances[i];
+      CAPTURE(instance.path);
+      const auto steps = explain(loaded.scene, InstanceIndex{static_cast<std::uint32_t>(i)});
+      Matrix product = translation(0, 0, 0);
+      for (const TransformStep& step : steps) {
+        product = product * to_matrix4(step.X_step);
+        CHECK(difference(product, to_matrix4(step.X_W)) < 1e-12);
+        CHECK(!loaded.sources.text(step.span).empty());
+      }
+      CHECK(difference(product, to_matrix4(*instance.X_WE)) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("instances are found by path, then by name") {
+  LoadedScene loaded;
+  loaded.load(kScenes + "nested/outer.smurfs");
+  CHECK(find_instance(loaded.scene, "cell/sub/Box") == find_instance(loaded.scene, "Box"));
+  CHECK(find_instance(loaded.scene, "Base") == InstanceIndex{0});
+  CHECK(!find_instance(loaded.scene, "cell"));
+}
+
+TEST_CASE("a scene in error is flattened without a pose, not refused") {
+  LoadedScene loaded;
+  loaded.load_text("entities:\n- {name: A, file: box.urdf, parent: \"B::lid\"}\n");
+  CHECK(loaded.briefs() == "SML5101 scene.smurfs:2:37\n");
+  CHECK(to_json(loaded, {.links = true})["instances"][0]["position"].is_null());
+}
