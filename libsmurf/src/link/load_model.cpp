@@ -38,6 +38,9 @@ void merge(Annotations& to, Annotations&& from) {
   append(to.graphics, std::move(from.graphics));
   append(to.poses, std::move(from.poses));
   append(to.submechanisms, std::move(from.submechanisms));
+  append(to.exoskeletons, std::move(from.exoskeletons));
+  append(to.interfaces, std::move(from.interfaces));
+  append(to.submodels, std::move(from.submodels));
   append(to.custom, std::move(from.custom));
 }
 
@@ -130,7 +133,11 @@ class ModelLoader {
     if (!document) return;
     auto annotations = read_annotations(*document, context_.sink);
     model_.files.back().document = std::move(document);
-    if (annotations) merge(model_.annotations, std::move(*annotations));
+    if (annotations) {
+      merge(model_.annotations, std::move(*annotations));
+    } else {
+      model_.is_complete = false;
+    }
   }
 
   /// Several URDFs: the last one wins, as in MARS; a rule reports it.

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// docs/rules.md is made from the rule table and the fixtures; this test fails when it is stale.
+// SMURF_UPDATE_SNAPSHOTS=1 writes it.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "smurf/diagnostic.hpp"
+
+namespace fs = std::filesystem;
+using namespace smurf;
+
+namespace {
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string family_title(std::string_view id) {
+  static const std::map<char, std::string> kTitles = {
+      {'0', "SML0xxx: files, YAML, encodings, limits"},
+      {'1', "SML1xxx: the URDF"},
+      {'2', "SML2xxx: the main file"},
+      {'3', "SML3xxx: what annotations refer to"},
+      {'4', "SML4xxx: shapes and values of annotations"},
+      {'5', "SML5xxx: scenes and assemblies"},
+      {'6', "SML6xxx: the load check"},
+      {'7', "SML7xxx: readers that disagree"},
+      {'8', "SML8xxx: losses in a conversion"},
+      {'9', "SML9xxx: configuration and suppressions"}};
+  return kTitles.at(id[3]);
+}
+
+std::string rules_page() {
+  std::ostringstream page;
+  page << "# Rules\n\n"
+          "Made from the rule table and the fixtures by `rules_page_test`; do not edit. "
+          "`smurf-lint --explain ID` prints the same texts.\n";
+  char family = 0;
+  for (const Rule* rule : all_rules()) {
+    if (rule->id[3] != family) {
+      family = rule->id[3];
+      page << "\n## " << family_title(rule->id) << "\n\n| id | name | severity | finds |\n|---|---|---|---|\n";
+      for (const Rule* row : all_rules()) {
+        if (row->id[3] != family) continue;
+        page << "| [" << row->id << "](#" << row->name << ") | " << row->name << " | "
+             << to_string(row->severity) << " | " << row->summary << " |\n";
+      }
+    }
+    page << "\n<a id=\"" << rule->name << "\"></a>\n### " << rule->id << " " << rule->name
+         << "\n\n"
+         << rule->summary << " (" << to_string(rule->severity) << ")\n\n"
+         << "**Why it matters.** " << rule->why << "\n\n**What to do.** " << rule->remedy
+         << "\n\n**Sources.** " << rule->sources << "\n";
+    const std::string example = read(fs::path(SMURF_FIXTURES) / "rules" /
+                                     (std::string(rule->id) + "-" + std::string(rule->name)) /
+                                     "bad.expected.txt");
+    if (!example.empty()) {
+      // The first diagnostic is example enough.
+      const std::size_t second = example.find("\n\n");
+      page << "\n```text\n" << example.substr(0, second) << "\n```\n";
+    }
+  }
+  return page.str();
+}
+
+}  // namespace
+
+TEST_CASE("docs/rules.md is what the rule table says") {
+  const fs::path path = fs::path(SMURF_FIXTURES) / ".." / "docs" / "rules.md";
+  const std::string page = rules_page();
+  if (std::getenv("SMURF_UPDATE_SNAPSHOTS") != nullptr) {
+    std::ofstream(path, std::ios::binary) << page;
+  }
+  CHECK_MESSAGE(read(path) == page, "docs/rules.md is stale: run with SMURF_UPDATE_SNAPSHOTS=1");
+}

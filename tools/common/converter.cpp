@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/converter.hpp"
+
+#include "common/input.hpp"
+#include "common/shared_options.hpp"
+
+namespace smurf::tools {
+
+std::vector<Option> converter_options(ConverterOptions& options, std::string_view output_help) {
+  return {output_option(options.output, output_help),
+          report_option("report", options.reports),
+          fail_on_option(options.threshold),
+          stdin_filename_option(options.stdin_filename),
+          package_option(options.packages),
+          color_option(options.color),
+          quiet_option(options.quiet, "Say nothing but errors.")};
+}
+
+Setter take_one_operand(std::string& operand) {
+  return [&operand](std::string_view value) -> std::optional<std::string> {
+    if (!operand.empty()) return "'" + std::string(value) + "' is one operand too many";
+    operand = value;
+    return std::nullopt;
+  };
+}
+
+Conversion::Conversion(std::string_view tool, const ConverterOptions& options)
+    : tool_(tool), options_(options) {}
+
+std::optional<std::string> Conversion::open(const std::string& path) {
+  if (path.empty()) {
+    complain(tool_, "no input is named; see --help");
+    return std::nullopt;
+  }
+  path_ = path;
+  if (path == "-") return read_standard_input(tool_, options_.stdin_filename, files_);
+  if (const auto reason = why_unreadable(path, files_)) {
+    complain(tool_, "cannot read '" + path + "': " + *reason);
+    return std::nullopt;
+  }
+  return path;
+}
+
+std::optional<LinkedModel> Conversion::load_model(const std::string& path) {
+  const auto name = open(path);
+  if (!name) return std::nullopt;
+  LoadContext loading = context();
+  return smurf::load_model(*name, loading);
+}
+
+std::optional<LinkedScene> Conversion::load_scene(const std::string& path) {
+  const auto name = open(path);
+  if (!name) return std::nullopt;
+  LoadContext loading = context();
+  return smurf::load_scene(*name, loading);
+}
+
+ExitCode Conversion::report(const LinkedModel& model) {
+  lint_model(model, {}, sink_);
+  std::vector<Diagnostic> diagnostics = sink_.take();
+  locate(model, diagnostics);
+  return write_reports(std::move(diagnostics), 1, 0);
+}
+
+ExitCode Conversion::report(const LinkedScene& scene) {
+  lint_scene(scene, {}, sink_);
+  for (const LinkedModel& model : scene.models)
+    lint_model(model, {}, sink_);
+  std::vector<Diagnostic> diagnostics = sink_.take();
+  locate(scene, diagnostics);
+  return write_reports(std::move(diagnostics), scene.models.size(), scene.scenes.size());
+}
+
+ExitCode Conversion::write_reports(std::vector<Diagnostic> diagnostics, std::size_t models,
+                                   std::size_t scenes) {
+  diagnostics = finish(std::move(diagnostics), sources_, {});
+  Summary summary = summarize(diagnostics);
+  summary.files = sources_.size();
+  summary.models = models;
+  summary.scenes = scenes;
+  if (options_.quiet) {
+    std::erase_if(diagnostics, [](const Diagnostic& d) { return d.severity != Severity::error; });
+  }
+  // A clean run says nothing: the result is what was asked for.
+  std::vector<ReportRequest> reports = options_.reports;
+  if (reports.empty() && !diagnostics.empty()) {
+    reports.push_back({find_report_format("full"), {}});
+  }
+  for (const ReportRequest& report : reports) {
+    const Results results{.diagnostics = diagnostics,
+                          .sources = sources_,
+                          .summary = summary,
+                          .tool = tool_,
+                          .quiet = options_.quiet};
+    if (report.file.empty()) {
+      write_error(report.format->render(results, style_for(Stream::error, options_.color)));
+    } else if (!write_output(tool_, report.file, report.format->render(results, {}))) {
+      return kFailed;
+    }
+  }
+  return summary.errors > 0 ? kFindings : judge(summary, options_.threshold);
+}
+
+ExitCode Conversion::refuse(std::string_view reason) const {
+  complain(tool_, "'" + path_ + "' " + std::string(reason) + "; nothing was written");
+  return kFindings;
+}
+
+} // namespace smurf::tools

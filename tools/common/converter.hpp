@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What converters do before they convert: load, check, report on standard error, refuse.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/command.hpp"
+#include "common/report.hpp"
+#include "smurf/lint.hpp"
+#include "smurf/load.hpp"
+
+namespace smurf::tools {
+
+struct ConverterOptions {
+  std::string output;
+  std::vector<ReportRequest> reports;
+  Threshold threshold;
+  ColorChoice color = ColorChoice::automatic;
+  std::string stdin_filename;
+  std::map<std::string, std::string> packages;
+  bool quiet = false;
+};
+
+/// Rows of the option table that all converters have.
+std::vector<Option> converter_options(ConverterOptions& options, std::string_view output_help);
+
+/// A setter for exactly one operand.
+Setter take_one_operand(std::string& operand);
+
+/// One run of a converter. Diagnostics go to standard error, or where --report says.
+class Conversion {
+ public:
+  /// `tool` and `options` must outlive it.
+  Conversion(std::string_view tool, const ConverterOptions& options);
+
+  /// None when the file cannot be read; that has been said.
+  std::optional<LinkedModel> load_model(const std::string& path);
+  std::optional<LinkedScene> load_scene(const std::string& path);
+
+  /// Runs the rules and reports. kFindings when the result is to be refused: there is an error, or
+  /// something else that reaches the threshold.
+  ExitCode report(const LinkedModel& model);
+  ExitCode report(const LinkedScene& scene);
+
+  /// "smurf2urdf: PATH reason"; kFindings.
+  ExitCode refuse(std::string_view reason) const;
+  ExitCode fail() const { return kFailed; }
+
+  const SourceMap& sources() const { return sources_; }
+  DiagnosticSink& sink() { return sink_; }
+
+ private:
+  LoadContext context() { return {sources_, files_, sink_, {}, options_.packages}; }
+  std::optional<std::string> open(const std::string& path);
+  ExitCode write_reports(std::vector<Diagnostic> diagnostics, std::size_t models,
+                         std::size_t scenes);
+
+  std::string_view tool_;
+  const ConverterOptions& options_;
+  DiskFiles disk_;
+  MemoryFiles files_{&disk_};
+  SourceMap sources_;
+  DiagnosticSink sink_;
+  std::string path_;
+};
+
+} // namespace smurf::tools

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf2urdf/verify.hpp"
+
+#include "base/numbers.hpp"
+#include "smurf/load.hpp"
+
+namespace smurf::tools {
+
+Verification verify(const LinkedModel& model, const std::string& urdf, bool is_sound) {
+  Verification verification;
+  SourceMap sources;
+  MemoryFiles files;
+  DiagnosticSink sink;
+  files.add("result.urdf", urdf);
+  LoadContext context{sources, files, sink, {}, {}};
+  const LinkedModel result = load_model("result.urdf", context);
+  if (!result.robot) {
+    verification.problem = "the result cannot be read again; this is a defect of this tool";
+    return verification;
+  }
+  verification.proof = compare_models(model, result);
+  if (!verification.proof.holds()) {
+    verification.problem = "the result is another robot: " + verification.proof.difference;
+  }
+  if (!is_sound) return verification;
+  verification.urdfdom = ask_urdfdom(urdf);
+  if (verification.urdfdom.was_asked && !verification.urdfdom.accepts) {
+    const std::string& words = verification.urdfdom.messages;
+    verification.problem = "urdfdom refuses the result: " + words.substr(0, words.find('\n'));
+  }
+  return verification;
+}
+
+std::string describe(const Verification& verification) {
+  const Proof& proof = verification.proof;
+  const auto line = [](std::string_view what, double figure, std::string_view unit) {
+    return std::string(what) + format_rounded(figure) + std::string(unit) + "\n";
+  };
+  std::string text = "compared " + std::to_string(proof.links) + " links at " +
+                     std::to_string(proof.joint_positions) + " joint positions\n";
+  text += line("  largest distance of a link  ", proof.position, " m");
+  text += line("  largest angle of a link     ", proof.angle, " rad");
+  text += line("  total mass                  ", proof.mass, " relative");
+  text += line("  centre of mass              ", proof.center_of_mass, " m");
+  text += line("  inertia                     ", proof.inertia, " relative");
+  text += line("  joint limits                ", proof.limits, " relative");
+  text += "  urdfdom                     ";
+  if (!verification.urdfdom.was_asked) return text + "not asked\n";
+  return text + (verification.urdfdom.accepts ? "accepts\n" : "refuses\n");
+}
+
+}  // namespace smurf::tools

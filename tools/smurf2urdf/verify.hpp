@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The last look at an exported URDF before it is written.
+#pragma once
+
+#include <string>
+
+#include "smurf/convert.hpp"
+
+namespace smurf::tools {
+
+struct Verification {
+  Proof proof;
+  RefereeVerdict urdfdom;
+  std::string problem;  ///< why the result must not be written; empty when all is well
+
+  bool holds() const { return problem.empty(); }
+};
+
+/// Reads `urdf` again and compares it with the model it came from. urdfdom is asked only about the
+/// export of a model without errors, because it crashes on some broken ones.
+Verification verify(const LinkedModel& model, const std::string& urdf, bool is_sound);
+
+/// The figures, a line each.
+std::string describe(const Verification& verification);
+
+}  // namespace smurf::tools
