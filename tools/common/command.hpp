@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace smurf::tools {
@@ -15,11 +16,10 @@ namespace smurf::tools {
 inline constexpr std::string_view kVersion = SMURF_VERSION;
 
 /// What a tool returns, whatever the format of its output.
-enum ExitCode : int {
-  kDone = 0,     ///< nothing at or above the threshold
-  kFindings = 1, ///< findings at or above it, or a result refused because of them
-  kFailed = 2,   ///< could not do the job
-};
+using ExitCode = int;
+inline constexpr ExitCode kDone = 0;     ///< nothing at or above the threshold
+inline constexpr ExitCode kFindings = 1; ///< findings at or above it, or a result refused for them
+inline constexpr ExitCode kFailed = 2;   ///< could not do the job
 
 /// Takes one value as written ("" for a flag, or where a value is left out); returns what is wrong
 /// with it: "'x' is not a number".
@@ -59,7 +59,8 @@ std::string help_text(const Command& command);
 
 /// Calls the setters. Returns the exit code when the run ends here: after --help and --version, and
 /// after a mistake, which is said on standard error in one line.
-std::optional<int> parse_command_line(const Command& command, int argc, const char* const* argv);
+std::optional<ExitCode> parse_command_line(const Command& command, int argc,
+                                           const char* const* argv);
 
 /// Setters for plain values. The variables must outlive the command.
 Setter set_flag(bool& flag);

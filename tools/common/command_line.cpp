@@ -121,7 +121,8 @@ class CommandLine {
 
 } // namespace
 
-std::optional<int> parse_command_line(const Command& command, int argc, const char* const* argv) {
+std::optional<ExitCode> parse_command_line(const Command& command, int argc,
+                                           const char* const* argv) {
   CommandLine line(command);
   if (auto wrong = line.parse(std::vector<std::string>(argv + std::min(argc, 1), argv + argc))) {
     complain(command.name, *wrong);
