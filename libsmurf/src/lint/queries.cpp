@@ -112,7 +112,8 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
   const auto near = nearest(name, names(model, kind).names());
   if (!near || differ_in_digits(name, *near)) return &diagnostic;
   diagnostic.help = "did you mean " + quoted(*near) + "?";
-  diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
+  diagnostic.fixes.push_back(
+      {Applicability::unsafe, {{within_quotes(model, place), std::string(*near)}}});
   const Span defined = definition(model, kind, *near);
   if (!defined.empty()) diagnostic.labels.push_back({defined, quoted(*near) + " is defined here"});
   return &diagnostic;
@@ -124,6 +125,18 @@ void check_references(const LinkedModel& model, NameKind kind, const Field<NameL
   for (const Spanned<std::string>& name : *list) {
     check_reference(model, kind, name.value, name.span, subject, findings);
   }
+}
+
+Span within_quotes(const LinkedModel& model, Span place) {
+  const yaml::Document* document = model.document(place.source);
+  if (document == nullptr) return place;
+  const yaml::NodeId id = yaml::node_at(*document, place.begin);
+  if (id == yaml::kNoNode) return place;
+  const yaml::Node& node = document->nodes[static_cast<std::size_t>(id)];
+  const bool is_quoted =
+      node.style == yaml::Style::single_quoted || node.style == yaml::Style::double_quoted;
+  if (!is_quoted || node.span != place) return place;
+  return {place.source, place.begin + 1, place.end - 1};
 }
 
 std::string subject(std::string_view what, const Annotation& annotation) {

@@ -33,6 +33,9 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
 void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
                       std::string_view subject, Findings& findings);
 
+/// The place of a YAML scalar within its quotes, if it has any, so that an edit keeps them.
+Span within_quotes(const LinkedModel& model, Span place);
+
 /// "motor `elbow`", or "this motor" for an entry without name.
 std::string subject(std::string_view what, const Annotation& annotation);
 

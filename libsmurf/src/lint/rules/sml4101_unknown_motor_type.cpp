@@ -25,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (const auto near = nearest(*motor.type, kTypes)) {
       diagnostic.help = "did you mean " + quoted(*near) + "?";
       diagnostic.fixes.push_back(
-          {Applicability::unsafe, {{motor.type.span, std::string(*near)}}});
+          {Applicability::unsafe, {{within_quotes(model, motor.type.span), std::string(*near)}}});
     }
   }
 }
