@@ -71,9 +71,10 @@ std::string relative(std::string_view path, std::string_view folder) {
   const std::string whole = normalize(path);
   const std::string base = normalize(folder.empty() ? "." : folder);
   if (is_absolute(whole) != is_absolute(base)) return whole;
-  const std::vector<std::string_view> to = split(whole);
+  std::vector<std::string_view> to = split(whole);
   std::vector<std::string_view> from = split(base);
-  if (from.size() == 1 && from.front() == ".") from.clear();
+  if (whole == ".") to.clear();
+  if (base == ".") from.clear();
   std::size_t common = 0;
   while (common < to.size() && common < from.size() && to[common] == from[common]) ++common;
   std::string result;

@@ -24,8 +24,6 @@ std::string explain(std::string_view words) {
                                "missing `:` breaks it"},
       {"end of sequence not found", "this line does not fit the list above: its indentation or a "
                                     "missing `-` breaks it"},
-      {"end of sequence flow not found", "this `[` is never closed"},
-      {"end of map flow not found", "this `{` is never closed"},
   };
   for (const Row& row : kRows) {
     if (words == row.yaml_cpp) return std::string(row.ours);
@@ -33,21 +31,47 @@ std::string explain(std::string_view words) {
   return std::string(words);
 }
 
-}  // namespace
+/// Counts brackets without reading what they hold: only a choice of words depends on it.
+bool is_closed(std::string_view text, std::uint32_t bracket) {
+  int depth = 0;
+  for (const char c : text.substr(bracket)) {
+    if (c == '[' || c == '{') ++depth;
+    if ((c == ']' || c == '}') && --depth == 0) return true;
+  }
+  return false;
+}
 
-void report_parser_error(std::string_view words, int place, const SourceMap& sources, SourceId id,
+/// Something stands in brackets where only a comma or the closing bracket may stand.
+void report_in_brackets(std::uint32_t at, Span bracket, std::string_view text,
+                        DiagnosticSink& sink) {
+  const std::string open(text.substr(bracket.begin, 1));
+  if (at <= bracket.begin || !is_closed(text, bracket.begin)) {
+    sink.report(rules::sml0010_yaml_syntax, bracket, "this `" + open + "` is never closed");
+    return;
+  }
+  sink.report(rules::sml0010_yaml_syntax, {bracket.source, at, at + 1},
+              std::string("a `,` or `") + (open == "[" ? ']' : '}') + "` is missing before this")
+      .labels.push_back({bracket, "opened here"});
+}
+
+} // namespace
+
+void report_parser_error(std::string_view words, int place, Span bracket, const SourceMap& sources,
                          DiagnosticSink& sink) {
+  const SourceId id = bracket.source;
   const std::string_view text = sources.text(id);
   const std::uint32_t shift = byte_order_mark_size(text);
   const auto size = static_cast<std::uint32_t>(text.size());
   std::uint32_t at = std::min(static_cast<std::uint32_t>(std::max(place, 0)) + shift, size);
+  if (words.ends_with("flow not found") && !bracket.empty()) {
+    return report_in_brackets(at, bracket, text, sink);
+  }
   std::string message = explain(words);
   // A tab in the indentation is reported by yaml-cpp at the following colon, in other words.
   const std::size_t line_start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
   const std::size_t content = std::min(text.find_first_not_of(" \t", line_start), text.size());
   const std::string_view indent = text.substr(line_start, content - line_start);
-  const bool is_in_flow = words.find("flow") != std::string_view::npos;
-  if (const std::size_t tab = indent.find('\t'); tab != std::string_view::npos && !is_in_flow) {
+  if (const std::size_t tab = indent.find('\t'); tab != std::string_view::npos && bracket.empty()) {
     at = static_cast<std::uint32_t>(line_start + tab);
     message = "a tab is used for indentation; YAML allows only spaces there";
   }
@@ -61,4 +85,4 @@ void report_parser_error(std::string_view words, int place, const SourceMap& sou
   sink.report(rules::sml0010_yaml_syntax, {id, at, end}, message);
 }
 
-}  // namespace smurf
+} // namespace smurf

@@ -9,8 +9,8 @@
 namespace smurf {
 
 /// Reports SML0010. `words` and `place` are yaml-cpp's message and position, which counts bytes
-/// behind the byte order mark.
-void report_parser_error(std::string_view words, int place, const SourceMap& sources, SourceId id,
+/// behind the byte order mark; `bracket` is the innermost one that is open there, or empty.
+void report_parser_error(std::string_view words, int place, Span bracket, const SourceMap& sources,
                          DiagnosticSink& sink);
 
-}  // namespace smurf
+} // namespace smurf

@@ -45,18 +45,13 @@ class TreeBuilder final : public YAML::EventHandler {
     document_.source = id;
   }
 
-  /// Where the innermost open list or mapping in brackets begins, as yaml-cpp counts.
-  int last_open(char bracket, int fallback) const {
-    for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame) {
-      const std::uint32_t begin = document_.nodes[index(frame->node)].span.begin;
-      if (frame->flow && begin < text_.size() && text_[begin] == bracket) {
-        return static_cast<int>(begin - mark_shift_);
-      }
-    }
-    return fallback;
-  }
-
   yaml::Document take() { return std::move(document_); }
+  /// The innermost bracket that is open; an empty span when there is none.
+  Span open_bracket() const {
+    if (frames_.empty() || !frames_.back().flow) return {document_.source, 0, 0};
+    const std::uint32_t begin = document_.nodes[index(frames_.back().node)].span.begin;
+    return {document_.source, begin, begin + 1};
+  }
   /// One past the last byte of the root.
   std::uint32_t end() const {
     return document_.root == kNoNode ? 0 : document_.nodes[index(document_.root)].span.end;
@@ -432,10 +427,8 @@ std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
   } catch (const StopParsing&) {
     return std::nullopt;
   } catch (const YAML::Exception& error) {
-    int place = error.mark.is_null() ? 0 : error.mark.pos;
-    if (error.msg == "end of sequence flow not found") place = builder.last_open('[', place);
-    if (error.msg == "end of map flow not found") place = builder.last_open('{', place);
-    report_parser_error(error.msg, place, sources, id, sink);
+    report_parser_error(error.msg, error.mark.is_null() ? 0 : error.mark.pos,
+                        builder.open_bracket(), sources, sink);
     return std::nullopt;
   }
   return builder.take();

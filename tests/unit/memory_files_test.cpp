@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "smurf/file_reader.hpp"
+
+using namespace smurf;
+
+namespace {
+
+class Folder {
+ public:
+  Folder() {
+    std::string pattern = std::filesystem::temp_directory_path() / "smurf_test_XXXXXX";
+    path_ = ::mkdtemp(pattern.data());
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+using Names = std::vector<std::string>;
+
+} // namespace
+
+TEST_CASE("files: in memory") {
+  MemoryFiles files;
+  files.add("a/./b/../x.yml", "one");
+  files.add("a/y.yml", "");
+  files.add("top.smurf", "t");
+  files.add("/abs/z", "z");
+
+  CHECK(files.read("a/x.yml", 3).text == "one");
+  CHECK(files.read("./a//x.yml", 3).status == ReadStatus::ok);
+  CHECK(files.read("a/x.yml", 2).status == ReadStatus::too_large);
+  CHECK(files.read("a/y.yml", 0).status == ReadStatus::ok);
+  CHECK(files.read("a", 9).status == ReadStatus::not_found);
+  CHECK(files.is_file("a/x.yml"));
+  CHECK(!files.is_file("a"));
+  CHECK(files.list("a") == Names{"x.yml", "y.yml"});
+  CHECK(files.list("") == Names{"top.smurf"});
+  CHECK(files.list(".") == Names{"top.smurf"});
+  CHECK(files.list("/abs") == Names{"z"});
+  CHECK(files.list("none").empty());
+  files.add("a/y.yml", "again");
+  CHECK(files.read("a/y.yml", 9).text == "again");
+}
+
+TEST_CASE("files: memory in front of others") {
+  MemoryFiles behind;
+  behind.add("a", "behind");
+  behind.add("b", "behind");
+  MemoryFiles files(&behind);
+  files.add("a", "front");
+  CHECK(files.read("a", 99).text == "front");
+  CHECK(files.read("b", 99).text == "behind");
+  CHECK(files.is_file("b"));
+  CHECK(!files.is_file("c"));
+  CHECK(files.list("") == Names{"a", "b"});
+}
+
+TEST_CASE("files: on disk") {
+  const Folder folder;
+  std::ofstream(folder / "a.yml") << "text";
+  std::ofstream(folder / "empty");
+  std::filesystem::create_directory(folder / "sub");
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  const DiskFiles files;
+
+  CHECK(files.read(folder / "a.yml", 4).text == "text");
+  CHECK(files.read(folder / "a.yml", 3).status == ReadStatus::too_large);
+  CHECK(files.read(folder / "empty", 0).status == ReadStatus::ok);
+  CHECK(files.read(folder / "none", 9).status == ReadStatus::not_found);
+  CHECK(files.read(folder / "a.yml/x", 9).status == ReadStatus::not_found);
+  CHECK(files.read(folder / "sub", 9).status == ReadStatus::not_a_file);
+  CHECK(files.read(folder / "pipe", 9).status == ReadStatus::not_a_file);
+  CHECK(files.read("/dev/zero", 9).status == ReadStatus::not_a_file);
+  CHECK(files.read("", 9).status == ReadStatus::not_found);
+  CHECK(files.read(std::string("a\0b", 3), 9).status == ReadStatus::not_found);
+  CHECK(files.read(folder / std::string(5000, 'x'), 9).status != ReadStatus::ok);
+  CHECK(files.is_file(folder / "a.yml"));
+  CHECK(!files.is_file(folder / "sub"));
+  CHECK(!files.is_file(folder / "pipe"));
+  CHECK(!files.is_file(std::string("/dev/null\0", 10)));
+  CHECK(files.list(folder / "") == Names{"a.yml", "empty", "pipe", "sub"});
+  CHECK(files.list(folder / "none").empty());
+}

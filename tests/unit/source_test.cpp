@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <doctest/doctest.h>
+
+#include "smurf/source.hpp"
+
+using namespace smurf;
+
+TEST_CASE("source: lines and columns count code points") {
+  struct Row {
+    std::string text;
+    std::uint32_t offset;
+    Position position;
+  };
+  const Row rows[] = {
+      {"", 0, {1, 1}},
+      {"ab", 0, {1, 1}},
+      {"ab", 2, {1, 3}},
+      {"a\nb", 1, {1, 2}},
+      {"a\nb", 2, {2, 1}},
+      {"a\n", 2, {2, 1}},
+      {"\n\n\n", 2, {3, 1}},
+      {"a\r\nb", 3, {2, 1}},
+      {"\xC3\xA4\xE2\x82\xACx", 2, {1, 2}},
+      {"\xC3\xA4\xE2\x82\xACx", 5, {1, 3}},
+      {"\xF0\x9F\xA4\x96x", 4, {1, 2}},
+      {"\xEF\xBB\xBF"
+       "ab",
+       0,
+       {1, 1}},
+      {"\xEF\xBB\xBF"
+       "ab",
+       3,
+       {1, 1}},
+      {"\xEF\xBB\xBF"
+       "ab",
+       4,
+       {1, 2}},
+      {"\xEF\xBB\xBF"
+       "a\nb",
+       5,
+       {2, 1}},
+      {"a\n\xEF\xBB\xBF"
+       "b",
+       5,
+       {2, 2}},
+  };
+  for (const Row& row : rows) {
+    CAPTURE(row.text);
+    CAPTURE(row.offset);
+    SourceMap sources;
+    const SourceId id = sources.add("a", row.text);
+    const Position at = sources.position(id, row.offset);
+    CHECK(at.line == row.position.line);
+    CHECK(at.column == row.position.column);
+    CHECK(sources.line_of(id, row.offset) == row.position.line);
+  }
+}
+
+TEST_CASE("source: bytes of a line") {
+  SourceMap sources;
+  const SourceId id = sources.add("a", "one\ntwo\r\n\nlast");
+  REQUIRE(sources.line_count(id) == 4);
+  CHECK(sources.text(sources.line_span(id, 1)) == "one");
+  CHECK(sources.text(sources.line_span(id, 2)) == "two");
+  CHECK(sources.text(sources.line_span(id, 3)).empty());
+  CHECK(sources.text(sources.line_span(id, 4)) == "last");
+  const SourceId ends = sources.add("b", "x\n");
+  CHECK(sources.line_count(ends) == 2);
+  CHECK(sources.text(sources.line_span(ends, 2)).empty());
+}
+
+TEST_CASE("source: views stay valid while the map grows") {
+  SourceMap sources;
+  const SourceId first = sources.add("first", "short");
+  const std::string_view text = sources.text(first);
+  for (int i = 0; i < 1000; ++i)
+    sources.add("more", "x");
+  CHECK(text == "short");
+  CHECK(text.data() == sources.text(first).data());
+  CHECK(sources.size() == 1001);
+}
+
+TEST_CASE("source: what could not be read has a path and no text") {
+  SourceMap sources;
+  const SourceId id = sources.add_unreadable("gone.urdf");
+  CHECK(sources.path(id) == "gone.urdf");
+  CHECK(!sources.is_readable(id));
+  CHECK(sources.text(id).empty());
+  CHECK(sources.position(id, 0) == Position{1, 1});
+}
+
+TEST_CASE("source: spans are half open") {
+  const Span span{SourceId{0}, 2, 4};
+  CHECK(!span.contains(1));
+  CHECK(span.contains(2));
+  CHECK(span.contains(3));
+  CHECK(!span.contains(4));
+  CHECK(!span.empty());
+  CHECK(Span{}.empty());
+}
