@@ -38,4 +38,27 @@ std::string escape_xml(std::string_view text) {
   return escaped;
 }
 
+std::string yaml_like(std::string_view original, std::string_view text) {
+  if (original.starts_with('\'')) {
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+    return quoted + "'";
+  }
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           c == '_' || c == '-' || c == '/' || c == '.';
+  };
+  const bool starts_like_a_word = !text.empty() && is_plain(text.front()) && text.front() != '-';
+  if (!original.starts_with('"') && starts_like_a_word &&
+      std::all_of(text.begin(), text.end(), is_plain)) {
+    return std::string(text);
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
 }  // namespace smurf

@@ -17,4 +17,8 @@ std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 /// Text as it stands inside an XML attribute of either quote.
 std::string escape_xml(std::string_view text);
 
+/// Text as a YAML scalar that takes the place of `original`: quoted as that was, or where a plain
+/// scalar could be misread.
+std::string yaml_like(std::string_view original, std::string_view text);
+
 }  // namespace smurf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Named joint pose sets and world poses. X_WE = X_WP * X_PE, where P may be a link of another
 // instance in its own joint pose set.
+#include "base/edits.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "link/kinematics.hpp"
@@ -16,10 +17,10 @@ const JointPoseSet* find_set(const std::vector<JointPoseSet>& sets, std::string_
   return nullptr;
 }
 
-void report_pose(const Entity& entity, const LinkedModel& model, DiagnosticSink& sink) {
-  Diagnostic& diagnostic =
-      sink.report(rules::sml5105_unknown_pose, entity.pose.span,
-                  "there is no joint pose set `" + *entity.pose + "` in `" + model.path + "`");
+void report_pose(const Entity& entity, const LinkedModel& model, LoadContext& context) {
+  Diagnostic& diagnostic = context.sink.report(rules::sml5105_unknown_pose, entity.pose.span,
+                                               "there is no joint pose set `" + *entity.pose +
+                                                   "` in `" + model.path + "`");
   if (*entity.pose == "default") {
     diagnostic.severity = Severity::info;
     diagnostic.help = "Phobos up to 0.7 writes this name always; the joints stay at zero";
@@ -32,8 +33,10 @@ void report_pose(const Entity& entity, const LinkedModel& model, DiagnosticSink&
     }
   }
   if (const auto near = nearest(*entity.pose, known)) {
+    const std::string_view written = context.sources.text(entity.pose.span);
     diagnostic.help = "did you mean `" + std::string(*near) + "`?";
-    diagnostic.fixes.push_back({Applicability::unsafe, {{entity.pose.span, std::string(*near)}}});
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{entity.pose.span, yaml_like(written, *near)}}});
   } else if (known.empty()) {
     diagnostic.help = "the model has no section `poses`";
   }
@@ -146,7 +149,7 @@ void resolve_joint_poses(LoadContext& context, LinkedScene& scene) {
     } else if (auto positions = joint_positions(*model, *entity.pose)) {
       instance.joint_positions = std::move(*positions);
     } else if (model->is_complete) {
-      report_pose(entity, *model, context.sink);
+      report_pose(entity, *model, context);
     }
   }
 }

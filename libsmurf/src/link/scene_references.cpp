@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parents and anchors: from words to frames. Whether they can be composed is another step.
+#include "base/edits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
@@ -31,7 +32,7 @@ struct Reference {
 class ReferenceResolver {
  public:
   ReferenceResolver(LoadContext& context, SceneNames& names, LinkedScene& scene)
-      : sink_(context.sink), names_(names), scene_(scene) {}
+      : sink_(context.sink), sources_(context.sources), names_(names), scene_(scene) {}
 
   void run() {
     // Outer uses come first, so that what a scene inherits is known before its entities.
@@ -89,7 +90,7 @@ class ReferenceResolver {
                                               quoted(*reference.field) + ", which is taken as " +
                                               quoted(lower) + " but is an unknown entity to MARS");
     diagnostic.help = "write " + quoted(lower);
-    diagnostic.fixes.push_back({Applicability::unsafe, {{reference.field.span, lower}}});
+    diagnostic.fixes.push_back({Applicability::unsafe, {edit(reference, lower)}});
   }
 
   Attachment anchor(const Entity& entity, UseIndex use, std::optional<InstanceIndex> self,
@@ -200,7 +201,12 @@ class ReferenceResolver {
   void suggest(Diagnostic& diagnostic, const Reference& reference, const std::string& text,
                std::string_view before, std::string_view after) {
     diagnostic.help = std::string(before) + quoted(text) + std::string(after);
-    diagnostic.fixes.push_back({Applicability::unsafe, {{reference.field.span, text}}});
+    diagnostic.fixes.push_back({Applicability::unsafe, {edit(reference, text)}});
+  }
+
+  Edit edit(const Reference& reference, const std::string& text) {
+    const Span span = reference.field.span;
+    return {span, yaml_like(sources_.text(span), text)};
   }
 
   void report_entity(const Reference& reference, std::string_view name) {
@@ -250,6 +256,7 @@ class ReferenceResolver {
   }
 
   DiagnosticSink& sink_;
+  const SourceMap& sources_;
   SceneNames& names_;
   LinkedScene& scene_;
 };

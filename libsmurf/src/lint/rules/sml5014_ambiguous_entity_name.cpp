@@ -48,19 +48,29 @@ class Ambiguities {
       Diagnostic& diagnostic = findings_.report(
           reference.span, quoted(instance.name) + " means " + quoted(instance.path) +
                               " here, but MARS takes " + quoted(first.path));
-      label(diagnostic, instance, "meant here");
-      label(diagnostic, first, "the first of that name");
+      if (&scene_.entity(instance) != &scene_.entity(first)) {
+        label(diagnostic, place_of(scene_.entity(instance)), "meant here");
+        label(diagnostic, place_of(scene_.entity(first)), "the first of that name");
+      } else { // one entity, of a scene that is included twice
+        label(diagnostic, include_place(instance), "meant here");
+        label(diagnostic, include_place(first), "the first copy");
+      }
     } else if (!encloses(scene_.use(instance), use.around)) {
       Diagnostic& diagnostic =
           findings_.report(reference.span, std::to_string(named.count) + " entities are called " +
                                                quoted(instance.name) + "; the first is taken, " +
                                                quoted(instance.path));
-      label(diagnostic, first, "the first of that name");
+      label(diagnostic, place_of(scene_.entity(first)), "the first of that name");
     }
   }
 
-  void label(Diagnostic& diagnostic, const Instance& instance, std::string text) {
-    diagnostic.labels.push_back({place_of(scene_.entity(instance)), std::move(text)});
+  Span include_place(const Instance& instance) const {
+    const Entity* including = scene_.entity(scene_.use(instance));
+    return including == nullptr ? place_of(scene_.entity(instance)) : place_of(*including);
+  }
+
+  static void label(Diagnostic& diagnostic, Span place, std::string text) {
+    diagnostic.labels.push_back({place, std::move(text)});
   }
 
   const LinkedScene& scene_;

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of smurfs-flatten: results, refusals, paths, explanations."""
+import json
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+BOX = """<?xml version="1.0"?>
+<robot name="box">
+  <link name="base"/>
+  <link name="lid"/>
+  <joint name="glue" type="fixed">
+    <parent link="base"/>
+    <child link="lid"/>
+    <origin xyz="0 0 0.1"/>
+  </joint>
+</robot>
+"""
+SCENE = """entities:
+- {name: A, file: models/box.urdf, position: [1, 2, 3]}
+- {name: B, file: models/box.urdf, parent: "A::lid", anchor: parent, rotation: [90]}
+"""
+BROKEN = SCENE.replace("A::lid", "A::lit")
+# Sound, but MARS overwrites the inner anchor.
+OUTER = "entities:\n- {name: in, file: inner.smurfs}\n"
+INNER = "entities:\n- {name: A, file: models/box.urdf, anchor: world}\n"
+
+
+class FlattenTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("models/box.urdf", BOX)
+        self.write("scene.smurfs", SCENE)
+        self.write("broken.smurfs", BROKEN)
+        self.write("outer.smurfs", OUTER)
+        self.write("inner.smurfs", INNER)
+
+    def flat(self, *arguments):
+        return json.loads(self.expect(0, *arguments).stdout)
+
+
+class Result(FlattenTest):
+    def test_instances(self):
+        flat = self.flat("scene.smurfs")
+        self.assertEqual(flat["schema_version"], "1.0")
+        self.assertEqual(flat["scene"], "scene.smurfs")
+        self.assertEqual(flat["models"], [{"id": "box", "type": "urdf", "file": "models/box.urdf",
+                                           "urdf": "models/box.urdf"}])
+        a, b = flat["instances"]
+        self.assertEqual(a["position"], [1, 2, 3])
+        self.assertEqual(b["position"], [1, 2, 3.1])
+        self.assertEqual(b["parent"], {"instance": "A", "link": "lid"})
+        self.assertAlmostEqual(b["orientation"]["z"], math.sqrt(0.5), places=15)
+        self.assertNotIn("links", a)
+
+    def test_links(self):
+        links = self.flat("scene.smurfs", "--links")["instances"][1]["links"]
+        self.assertEqual(list(links), ["base", "lid"])
+        self.assertAlmostEqual(links["lid"]["position"][2], 3.2, places=15)
+
+    def test_single_model(self):
+        flat = self.flat("models/box.urdf")
+        self.assertEqual([i["name"] for i in flat["instances"]], ["box"])
+
+    def test_the_same_bytes_from_anywhere(self):
+        first = self.expect(0, "scene.smurfs").stdout
+        self.assertEqual(self.expect(0, "./models/../scene.smurfs").stdout, first)
+        self.assertEqual(self.expect(0, self.folder / "scene.smurfs").stdout, first)
+        self.assertEqual(
+            self.expect(0, "scene.smurfs", environment={"LC_ALL": "de_DE.UTF-8"}).stdout, first)
+
+    def test_standard_input(self):
+        done = self.expect(0, "-", "--stdin-filename", "scene.smurfs", stdin=SCENE)
+        self.assertEqual(done.stdout, self.expect(0, "scene.smurfs").stdout)
+
+    def test_fixtures(self):
+        for name, count in [("example/example", 5), ("showcase/showcase", 5)]:
+            flat = self.flat(cli.FIXTURES / f"scenes/{name}.smurfs")
+            self.assertEqual(len(flat["instances"]), count)
+            self.assertEqual(len({i["path"] for i in flat["instances"]}), count)
+
+
+class Output(FlattenTest):
+    def test_paths_are_relative_to_the_output(self):
+        (self.folder / "out").mkdir()
+        for output in ["out/flat.json", self.folder / "out/flat.json"]:
+            done = self.expect(0, "scene.smurfs", "-o", output)
+            self.assertEqual(done.stdout, "")
+            text = self.read("out/flat.json")
+            self.assertNotIn(str(self.folder), text)
+            flat = json.loads(text)
+            self.assertEqual(flat["models"][0]["urdf"], "../models/box.urdf")
+            self.assertEqual(flat["instances"][0]["source"], {"file": "../scene.smurfs", "line": 2})
+
+    def test_errors_leave_the_old_file(self):
+        self.write("flat.json", "old")
+        done = self.run_tool("broken.smurfs", "-o", "flat.json")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(self.read("flat.json"), "old")
+        self.assertIn("error[SML5101]", done.stderr)
+        self.assertIn("broken.smurfs:3:44", done.stderr)
+        self.assertIn("did you mean `A::lid`?", done.stderr)
+
+    def test_warnings_do_not_refuse_unless_told(self):
+        done = self.run_tool("outer.smurfs")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("warning[SML5201]", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["instances"][0]["anchor"], "world")
+        done = self.run_tool("outer.smurfs", "--fail-on", "warning")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+
+    def test_quiet(self):
+        self.assertEqual(len(self.flat("outer.smurfs", "-q")["instances"]), 1)
+
+    def test_report(self):
+        done = self.run_tool("outer.smurfs", "--report", "json=report.json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        report = json.loads(self.read("report.json"))
+        self.assertEqual([d["id"] for d in report["diagnostics"]], ["SML5201"])
+        self.assertEqual(report["diagnostics"][0]["pointer"], "/entities/0/anchor")
+        self.assertEqual(report["summary"]["scenes"], 2)
+
+
+class Explain(FlattenTest):
+    def test_chain(self):
+        done = self.expect(0, "scene.smurfs", "--explain", "B")
+        lines = done.stdout.splitlines()
+        self.assertEqual([line.split("  ")[0] for line in lines],
+                         ["scene.smurfs:2:10", "models/box.urdf:5:16", "scene.smurfs:3:10",
+                          "in the world"])
+        self.assertIn("joint `glue`", lines[1])
+        self.assertTrue(lines[-1].endswith("xyz 1 2 3.1  rpy 0 0 90 deg"), lines[-1])
+
+    def test_unknown_instance(self):
+        self.expect_complaint("the scene has no instance 'BB'; did you mean 'B'?",
+                              "scene.smurfs", "--explain", "BB")
+
+
+class Mistakes(FlattenTest):
+    def test_unreadable(self):
+        self.expect_complaint("cannot read 'none.smurfs': No such file or directory",
+                              "none.smurfs")
+
+    def test_unknown_words(self):
+        for option in ["--format", "--dialect"]:
+            done = self.expect(2, "scene.smurfs", option, "spek")
+            self.assertEqual(done.stdout, "")
+
+    def test_help(self):
+        text = self.expect(0, "--help").stdout
+        for option in ["--format", "--links", "--dialect", "--explain", "--strict", "--output"]:
+            self.assertIn(option, text)
+
+
+if __name__ == "__main__":
+    cli.main()
