@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The stages of libsmurf: who may include whom, and what stays out of the library.
+
+Prints one line a violation, `file:line: what`, and ends with exit code 1 if there is any.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SOURCE = ROOT / "libsmurf" / "src"
+PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
+
+# Each stage and the stages it may include besides itself. An include points left only:
+# base < syntax < ast < link < {lint, flatten, convert} < write ; base < render.
+STAGES = {
+    "base": set(),
+    "syntax": {"base"},
+    "ast": {"base", "syntax"},
+    "link": {"base", "syntax", "ast"},
+    "lint": {"base", "ast", "link"},
+    "flatten": {"base", "syntax", "ast", "link"},
+    "convert": {"base", "syntax", "ast", "link"},
+    "write": {"base", "syntax", "ast", "link", "lint", "flatten", "convert"},
+    "render": {"base"},
+}
+
+# Third-party headers by their first folder or name, and the stages that know them.
+THIRD_PARTY = {
+    "yaml-cpp": {"syntax"},
+    "tinyxml2.h": {"syntax"},
+    "nlohmann": {"render", "write"},
+    "Eigen": set(STAGES),
+    "urdf_parser": {"convert"},
+    "urdf_model": {"convert"},
+    "urdf_world": {"convert"},
+    "urdf_exception": {"convert"},
+    "console_bridge": {"convert"},
+    "tinyxml.h": {"convert"},
+}
+STAGE_PRIVATE = {"Eigen"}  # not in a header that another stage includes
+
+PRINTING = re.compile(
+    r"#include\s*<(iostream|cstdio|stdio\.h)>|\b(printf|fprintf|puts|putchar|perror)\s*\(|"
+    r"\bstd::(cout|cerr|clog)\b"
+)
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+LONGEST_FILE = 500
+
+
+def code_lines(path):
+    """Lines without // comments, with their numbers."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        yield number, re.sub(r"//.*", "", line)
+
+
+def sources(folder):
+    return sorted(p for p in folder.rglob("*") if p.suffix in {".cpp", ".hpp", ".def"})
+
+
+def is_standard(header):
+    return "/" not in header and "." not in header or header in {"fcntl.h", "unistd.h", "sys/stat.h"}
+
+
+def check_include(path, stage, bracket, header):
+    """What is wrong with an include of a file in a stage; empty when nothing is."""
+    first = header.split("/")[0]
+    if bracket == '"' or first in STAGES:
+        if first in STAGES:
+            is_allowed = first == stage or first in STAGES[stage]
+            return "" if is_allowed else f"{stage} must not include {header}"
+        return "" if first == "smurf" else f"{header} names no stage"
+    if first in THIRD_PARTY:
+        if stage not in THIRD_PARTY[first]:
+            return f"{stage} must not know {first}"
+        return ""
+    if is_standard(header):
+        return ""
+    return f"<{header}> is unknown here; name its stages in {pathlib.Path(__file__).name}"
+
+
+def check_private_headers():
+    """Libraries that stay inside a stage do not reach another one through its headers."""
+    holders = {}
+    for path in sources(SOURCE):
+        for number, line in code_lines(path):
+            include = INCLUDE.match(line)
+            if path.suffix == ".hpp" and include and include[2].split("/")[0] in STAGE_PRIVATE:
+                holders[str(path.relative_to(SOURCE))] = include[2]
+    for path in sources(SOURCE):
+        for number, line in code_lines(path):
+            include = INCLUDE.match(line)
+            if not include or include[2] not in holders:
+                continue
+            if include[2].split("/")[0] != path.relative_to(SOURCE).parts[0]:
+                yield path, number, f"{include[2]} brings {holders[include[2]]} to another stage"
+
+
+def check_stage_files():
+    for path in sources(SOURCE):
+        stage = path.relative_to(SOURCE).parts[0]
+        if stage not in STAGES:
+            yield path, 1, f"the folder {stage} is no stage"
+            continue
+        for number, line in code_lines(path):
+            if PRINTING.search(line):
+                yield path, number, "the library prints nothing"
+            include = INCLUDE.match(line)
+            if include and (fault := check_include(path, stage, *include.groups())):
+                yield path, number, fault
+
+
+def check_public_headers():
+    for path in sources(PUBLIC):
+        for number, line in code_lines(path):
+            if PRINTING.search(line):
+                yield path, number, "the library prints nothing"
+            include = INCLUDE.match(line)
+            if not include:
+                continue
+            bracket, header = include.groups()
+            is_own = bracket == '"' and header.startswith("smurf/") and header.count("/") == 1
+            if not is_own and not (bracket == "<" and "/" not in header and "." not in header):
+                yield path, number, f"a public header includes {header}"
+
+
+def check_sizes():
+    folders = [ROOT / "libsmurf", ROOT / "tools"]
+    for path in sorted(p for folder in folders for p in sources(folder)):
+        size = len(path.read_text(encoding="utf-8").splitlines())
+        if size > LONGEST_FILE:
+            yield path, size, f"{size} lines; split it below {LONGEST_FILE}"
+
+
+def main():
+    faults = [
+        *check_stage_files(),
+        *check_private_headers(),
+        *check_public_headers(),
+        *check_sizes(),
+    ]
+    for path, number, fault in faults:
+        print(f"{path.relative_to(ROOT)}:{number}: {fault}")
+    checked = len(sources(SOURCE)) + len(sources(PUBLIC))
+    if checked < 50:
+        print(f"only {checked} files were found; has the library moved?")
+        return 1
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
