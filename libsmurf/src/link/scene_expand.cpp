@@ -77,7 +77,9 @@ class SceneExpander {
   }
 
   void report_again(const std::string& path, Span reference, const Rule& rule) {
-    context_.sink.report(rule, reference, "cannot read `" + path + "`");
+    const bool exists = context_.files.is_file(path);
+    context_.sink.report(rule, reference,
+                         (exists ? "cannot read `" : "there is no file `") + path + "`");
   }
 
   void expand(UseIndex use) {
