@@ -302,6 +302,19 @@ TEST_CASE("long lines are cut on a terminal only") {
   }
 }
 
+TEST_CASE("a file of one endless line is not printed whole for each finding") {
+  const std::string filler(300000, 'x');
+  const std::string shown = frame(filler + " 肘 " + filler, "肘");
+  CHECK(shown.size() < 5000);
+  CHECK(shown.find(" 肘 xxx") != std::string::npos);
+  CHECK(frame(filler + " 肘 " + filler, "肘", 40) == R"(  |
+1 | ...xxxxxxxxxxxxx 肘 xxxxxxxxxxxxx...
+  |                  ^^ here
+  |
+
+)");
+}
+
 TEST_CASE("marks in the part of a line that is cut away are drawn under the dots") {
   SourceMap sources;
   const std::string filler(30, 'x');

@@ -27,7 +27,7 @@ Summary summarize(std::span<const Diagnostic> diagnostics);
 
 struct TextStyle {
   bool color = false;
-  int width = 0; ///< columns of the terminal; 0: lines are never cut
+  int width = 0; ///< columns of the terminal; 0: only lines above 2000 columns are cut
 };
 
 /// Who made a report.

@@ -4,7 +4,6 @@
 #include "render/frame.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace smurf::render {
@@ -13,6 +12,9 @@ namespace {
 constexpr std::uint32_t kLongBracket = 6; ///< lines of a mark that are all shown
 constexpr std::uint32_t kBracketHead = 4; ///< of a longer one
 constexpr std::uint32_t kBracketTail = 2;
+/// Without a terminal, lines are cut only for the sake of files that are one line: with a finding
+/// in each of its n elements, such a file would be printed n times.
+constexpr int kUncutColumns = 2000;
 
 } // namespace
 
@@ -93,8 +95,6 @@ std::string Frame::gap(std::uint32_t before, std::uint32_t after) const {
 
 std::string Frame::source_rows(std::uint32_t number) const {
   const Span span = sources_.line_span(main_.span.source, number);
-  SourceLine line(sources_.text(span), span.begin);
-
   std::vector<const Mark*> marks;
   if (!has_bracket_ && number == main_lines_.first) marks.push_back(&main_);
   for (const Mark& mark : others_) {
@@ -107,7 +107,8 @@ std::string Frame::source_rows(std::uint32_t number) const {
   }
   for (const Mark* mark : marks)
     ranges.push_back(on_first_line(mark->span));
-  line.cut(room(), ranges);
+  if (has_bracket_ && number == main_lines_.last) ranges.push_back(last_of_bracket());
+  const SourceLine line(sources_.text(span), span.begin, room(), ranges);
 
   const bool opens_beside =
       number == main_lines_.first && line.is_first_text(on_first_line(main_.span).begin);
@@ -129,7 +130,7 @@ std::string Frame::bracket(std::uint32_t line, bool opens_beside) const {
 
 /// Columns for a source line.
 int Frame::room() const {
-  if (style_.width <= 0) return std::numeric_limits<int>::max();
+  if (style_.width <= 0) return kUncutColumns;
   return style_.width - static_cast<int>(gutter_) - 3 - (has_bracket_ ? 2 : 0);
 }
 
@@ -145,7 +146,7 @@ std::string Frame::mark_row(const SourceLine& line, const Mark& mark) const {
   const std::string text = escape(mark.text);
   const std::size_t columns = width_of(text);
   const auto free = static_cast<std::size_t>(std::max(room(), 0));
-  if (width_of(lead) + drawn.size() + 1 + columns <= free) {
+  if (style_.width <= 0 || width_of(lead) + drawn.size() + 1 + columns <= free) {
     return row("", margin + lead + paint_(mark.ink, drawn + " " + text));
   }
   const std::size_t indent = std::min(lead.size(), free - std::min(columns, free));
@@ -158,11 +159,15 @@ std::string Frame::opening_row(const SourceLine& line) const {
   return row("", " " + paint_(main_.ink, "_" + line.lead(begin, '_') + main_.line));
 }
 
+/// The last byte that the main mark covers.
+ByteRange Frame::last_of_bracket() const {
+  const Span line = sources_.line_span(main_.span.source, main_lines_.last);
+  const std::uint32_t end = std::clamp(main_.span.end, line.begin, line.end);
+  return {end > line.begin ? end - 1 : end, end};
+}
+
 std::string Frame::closing_row(const SourceLine& line) const {
-  const Span span = sources_.line_span(main_.span.source, main_lines_.last);
-  const std::uint32_t end = std::clamp(main_.span.end, span.begin, span.end);
-  const std::uint32_t last = end > span.begin ? end - 1 : end;
-  std::string drawn = "|_" + line.lead(last, '_') + main_.line;
+  std::string drawn = "|_" + line.lead(last_of_bracket().begin, '_') + main_.line;
   if (!main_.text.empty()) drawn.append(" ").append(escape(main_.text));
   return row("", paint_(main_.ink, drawn));
 }

@@ -46,6 +46,7 @@ class Frame {
   ByteRange on_first_line(Span span) const;
 
   int room() const;
+  ByteRange last_of_bracket() const;
   std::string gap(std::uint32_t before, std::uint32_t after) const;
   std::string source_rows(std::uint32_t number) const;
   std::string mark_row(const SourceLine& line, const Mark& mark) const;

@@ -10,20 +10,50 @@ constexpr std::string_view kEllipsis = "...";
 constexpr int kFewestColumns = 20;
 constexpr int kTabColumns = 8; ///< a tab is counted at its widest when a line is cut
 
-bool is_blank(const Glyph& glyph) {
-  return glyph.is_tab || glyph.text == " " || glyph.text.empty();
+constexpr std::size_t kBytesPerColumn = 4; ///< what a character takes at most, bar combining marks
+
+int columns_of(const Glyph& glyph) {
+  return glyph.is_tab ? kTabColumns : glyph.width;
+}
+
+bool is_continuation(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+/// The part of a very long line that can be shown around a place: a file of one line is not decoded
+/// whole for each of its findings.
+ByteRange part_around(std::string_view line, std::size_t place, int room) {
+  const std::size_t reach = kBytesPerColumn * static_cast<std::size_t>(room);
+  std::size_t begin = place - std::min(place, reach);
+  std::size_t end = std::min(line.size(), place + reach);
+  while (begin > 0 && is_continuation(line[begin]))
+    --begin;
+  while (end < line.size() && is_continuation(line[end]))
+    ++end;
+  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
 }
 
 } // namespace
 
-SourceLine::SourceLine(std::string_view line, std::uint32_t offset)
-    : glyphs_(to_glyphs(line, offset)), last_(glyphs_.size()) {}
+SourceLine::SourceLine(std::string_view line, std::uint32_t offset, int columns,
+                       std::span<const ByteRange> marks)
+    : line_(line), offset_(offset) {
+  const int room = std::max(columns, kFewestColumns);
+  const std::uint32_t place = marks.empty() ? offset : std::max(offset, marks.front().begin);
+  const ByteRange part = part_around(line, place - offset, room);
+  glyphs_ = to_glyphs(line.substr(part.begin, part.end - part.begin), offset + part.begin);
+  last_ = glyphs_.size();
+  const bool is_whole = part.end - part.begin == line.size();
+  if (!is_whole || columns_between(0, glyphs_.size()) > room) cut(room, marks);
+  const std::uint32_t end = offset + part.end;
+  shown_.begin = first_ < glyphs_.size() ? glyphs_[first_].offset : end;
+  shown_.end = last_ < glyphs_.size() ? glyphs_[last_].offset : end;
+}
 
 int SourceLine::columns_between(std::size_t first, std::size_t last) const {
   int columns = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    columns += glyphs_[i].is_tab ? kTabColumns : glyphs_[i].width;
-  }
+  for (std::size_t i = first; i < last; ++i)
+    columns += columns_of(glyphs_[i]);
   return columns;
 }
 
@@ -38,9 +68,7 @@ std::size_t SourceLine::index_of(std::uint32_t offset) const {
   return is_past_end ? glyphs_.size() : before;
 }
 
-void SourceLine::cut(int columns, std::span<const ByteRange> marks) {
-  const int room = std::max(columns, kFewestColumns);
-  if (columns_between(0, glyphs_.size()) <= room) return;
+void SourceLine::cut(int room, std::span<const ByteRange> marks) {
   const int inside = room - 2 * static_cast<int>(kEllipsis.size());
   std::size_t begin = marks.empty() ? 0 : index_of(marks.front().begin);
   std::size_t end = marks.empty() ? 0 : std::max(begin, index_of(marks.front().end));
@@ -52,20 +80,23 @@ void SourceLine::cut(int columns, std::span<const ByteRange> marks) {
     end = last;
   }
 
-  // Half of what the mark leaves free, but a few columns at least, is for what stands before it;
+  // Half of what the marks leave free, but a few columns at least, is for what stands before them;
   // what one side does not need goes to the other.
-  const auto fits = [&](std::size_t first, std::size_t last, int columns_free) {
-    return columns_between(first, last) <= columns_free;
-  };
   const int before = std::max((inside - columns_between(begin, end)) / 2, inside / 8);
-  first_ = fits(0, end, inside) ? 0 : begin;
-  while (first_ > 0 && fits(first_ - 1, begin, before))
-    --first_;
+  const bool reaches_start = columns_between(0, end) <= inside;
+  first_ = reaches_start ? 0 : begin;
   last_ = begin;
-  while (last_ < glyphs_.size() && fits(first_, last_ + 1, inside))
-    ++last_;
-  while (first_ > 0 && last_ == glyphs_.size() && fits(first_ - 1, last_, inside))
-    --first_;
+  int used = columns_between(first_, begin);
+  const auto take_left = [&](int limit) {
+    while (first_ > 0 && used + columns_of(glyphs_[first_ - 1]) <= limit) {
+      used += columns_of(glyphs_[--first_]);
+    }
+  };
+  take_left(before);
+  while (last_ < glyphs_.size() && used + columns_of(glyphs_[last_]) <= inside) {
+    used += columns_of(glyphs_[last_++]);
+  }
+  if (last_ == glyphs_.size()) take_left(inside);
 }
 
 std::string SourceLine::text() const {
@@ -78,8 +109,8 @@ std::string SourceLine::text() const {
 }
 
 std::string SourceLine::lead(std::uint32_t offset, char fill) const {
+  if (offset < shown_.begin) return {};
   const std::size_t index = index_of(offset);
-  if (index < first_) return {};
   std::string out(is_cut_left() ? kEllipsis.size() : 0, fill);
   for (std::size_t i = first_; i < std::min(index, last_); ++i) {
     if (glyphs_[i].is_tab) {
@@ -98,17 +129,20 @@ std::string SourceLine::underline(ByteRange range, char fill) const {
   if (end < glyphs_.size() && glyphs_[end].offset < range.end) ++end;
   end = std::max(begin, end);
 
-  std::size_t columns = begin < first_ ? kEllipsis.size() : 0;
+  std::size_t columns = range.begin < shown_.begin ? kEllipsis.size() : 0;
   for (std::size_t i = std::max(begin, first_); i < std::min(end, last_); ++i) {
     columns += glyphs_[i].is_tab ? 1U : static_cast<std::size_t>(glyphs_[i].width);
   }
-  if (end > last_ || (begin >= last_ && is_cut_right())) columns += kEllipsis.size();
+  const bool is_in_right_dots = range.end > shown_.end || range.begin >= shown_.end;
+  if (is_cut_right() && is_in_right_dots) columns += kEllipsis.size();
   return std::string(std::max<std::size_t>(columns, 1), fill);
 }
 
 bool SourceLine::is_first_text(std::uint32_t offset) const {
-  const std::size_t end = index_of(offset);
-  return std::all_of(glyphs_.begin(), glyphs_.begin() + static_cast<std::ptrdiff_t>(end), is_blank);
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::string_view before = line_.substr(0, offset - offset_);
+  if (before.starts_with(kByteOrderMark)) before.remove_prefix(kByteOrderMark.size());
+  return before.find_first_not_of(" \t") == std::string_view::npos;
 }
 
 } // namespace smurf::render

@@ -20,10 +20,10 @@ struct ByteRange {
 
 class SourceLine {
  public:
-  SourceLine(std::string_view line, std::uint32_t offset);
-
   /// Shows at most `columns` columns, chosen around the first mark and as many others as fit.
-  void cut(int columns, std::span<const ByteRange> marks);
+  /// `offset` is the line's place in its source; `line` must outlive the object.
+  SourceLine(std::string_view line, std::uint32_t offset, int columns,
+             std::span<const ByteRange> marks);
 
   /// As shown: cut with "...", without trailing white space.
   std::string text() const;
@@ -36,14 +36,19 @@ class SourceLine {
   bool is_first_text(std::uint32_t offset) const;
 
  private:
-  bool is_cut_left() const { return first_ > 0; }
-  bool is_cut_right() const { return last_ < glyphs_.size(); }
+  void cut(int room, std::span<const ByteRange> marks);
+  std::uint32_t end_offset() const { return offset_ + static_cast<std::uint32_t>(line_.size()); }
+  bool is_cut_left() const { return shown_.begin > offset_; }
+  bool is_cut_right() const { return shown_.end < end_offset(); }
   int columns_between(std::size_t first, std::size_t last) const;
   std::size_t index_of(std::uint32_t offset) const;
 
-  std::vector<Glyph> glyphs_;
-  std::size_t first_ = 0; ///< the glyphs shown: [first_, last_)
+  std::string_view line_;
+  std::uint32_t offset_ = 0;
+  std::vector<Glyph> glyphs_; ///< of the line, or of the part around the first mark
+  std::size_t first_ = 0;     ///< the glyphs shown: [first_, last_)
   std::size_t last_ = 0;
+  ByteRange shown_;
 };
 
 } // namespace smurf::render
