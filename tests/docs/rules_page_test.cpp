@@ -47,21 +47,21 @@ std::string rules_page() {
   for (const Rule* rule : all_rules()) {
     if (rule->id[3] != family) {
       family = rule->id[3];
-      page << "\n## " << family_title(rule->id) << "\n\n| id | name | severity | finds |\n|---|---|---|---|\n";
+      page << "\n## " << family_title(rule->id)
+           << "\n\n| id | name | severity | finds |\n|---|---|---|---|\n";
       for (const Rule* row : all_rules()) {
         if (row->id[3] != family) continue;
         page << "| [" << row->id << "](#" << row->name << ") | " << row->name << " | "
              << to_string(row->severity) << " | " << row->summary << " |\n";
       }
     }
-    page << "\n<a id=\"" << rule->name << "\"></a>\n### " << rule->id << " " << rule->name
-         << "\n\n"
+    page << "\n<a id=\"" << rule->name << "\"></a>\n### " << rule->id << " " << rule->name << "\n\n"
          << rule->summary << " (" << to_string(rule->severity) << ")\n\n"
          << "**Why it matters.** " << rule->why << "\n\n**What to do.** " << rule->remedy
          << "\n\n**Sources.** " << rule->sources << "\n";
-    const std::string example = read(fs::path(SMURF_FIXTURES) / "rules" /
-                                     (std::string(rule->id) + "-" + std::string(rule->name)) /
-                                     "bad.expected.txt");
+    const std::string example =
+        read(fs::path(SMURF_FIXTURES) / "rules" /
+             (std::string(rule->id) + "-" + std::string(rule->name)) / "bad.expected.txt");
     if (!example.empty()) {
       // The first diagnostic is example enough.
       const std::size_t second = example.find("\n\n");

@@ -21,17 +21,14 @@ constexpr std::string_view kShapeRules[] = {"SML2011", "SML4001", "SML4002", "SM
 /// What JSON cannot say, infinities and NaN, stays text.
 Json scalar(yaml::View value) {
   switch (value.type()) {
-  case yaml::ScalarType::null:
-    return nullptr;
-  case yaml::ScalarType::boolean:
-    return *value.boolean();
+  case yaml::ScalarType::null: return nullptr;
+  case yaml::ScalarType::boolean: return *value.boolean();
   case yaml::ScalarType::integer:
   case yaml::ScalarType::number:
     if (const auto integer = value.integer()) return *integer;
     if (const auto number = value.number(); number && std::isfinite(*number)) return *number;
     break;
-  case yaml::ScalarType::text:
-    break;
+  case yaml::ScalarType::text: break;
   }
   return std::string(value.text());
 }
@@ -53,17 +50,14 @@ Json to_json(yaml::View value) {
 
 std::string schema_of(FileKind kind) {
   switch (kind) {
-  case FileKind::model:
-    return "smurf.schema.json";
-  case FileKind::annotations:
-    return "annotations.schema.json";
-  case FileKind::scene:
-    return "smurfs.schema.json";
+  case FileKind::model: return "smurf.schema.json";
+  case FileKind::annotations: return "annotations.schema.json";
+  case FileKind::scene: return "smurfs.schema.json";
   }
   return "";
 }
 
-} // namespace
+}  // namespace
 
 std::optional<FileKind> kind_of(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
@@ -79,15 +73,9 @@ Reading::Reading(FileKind kind, std::string text) {
   document = parse_yaml(sources, id, {}, syntax);
   if (!document) return;
   switch (kind) {
-  case FileKind::model:
-    read_model(*document, sink);
-    break;
-  case FileKind::annotations:
-    read_annotations(*document, sink);
-    break;
-  case FileKind::scene:
-    read_scene(*document, sink);
-    break;
+  case FileKind::model: read_model(*document, sink); break;
+  case FileKind::annotations: read_annotations(*document, sink); break;
+  case FileKind::scene: read_scene(*document, sink); break;
   }
 }
 
@@ -131,4 +119,4 @@ std::optional<std::vector<std::string>> CaseFile::disagreements() const {
   return result;
 }
 
-} // namespace smurf::test
+}  // namespace smurf::test

@@ -26,7 +26,7 @@ std::optional<FileKind> kind_of(const std::filesystem::path& path);
 struct Reading {
   SourceMap sources;
   DiagnosticSink sink;
-  std::optional<yaml::Document> document; ///< none when the text is not YAML
+  std::optional<yaml::Document> document;  ///< none when the text is not YAML
 
   Reading(FileKind kind, std::string text);
   /// What readers and schemas both judge: kinds of values, words, ranges and missing keys.
@@ -58,4 +58,4 @@ class CaseFile {
   std::size_t valid_count_ = 0;
 };
 
-} // namespace smurf::test
+}  // namespace smurf::test

@@ -89,8 +89,7 @@ std::vector<std::string> values_of(const KeySpec& spec) {
   const Bounds bounds = bounds_of(spec);
   for (const double bound : {bounds.minimum, bounds.maximum}) {
     if (!std::isfinite(bound)) continue;
-    for (const double offset : {-1.0, 0.0, 1.0})
-      values.push_back(format_number(bound + offset));
+    for (const double offset : {-1.0, 0.0, 1.0}) values.push_back(format_number(bound + offset));
   }
   if (!spec.fallback.empty()) values.emplace_back(spec.fallback);
   for (const KeySpec& member : spec.members.keys()) {
@@ -150,11 +149,9 @@ void enumerate_section(const SectionSpec& section, std::set<const KeySpec*>& don
 std::vector<std::string_view> known_names() {
   std::vector<std::string_view> names = section_names();
   for (const SectionSpec* section : all_sections()) {
-    for (const KeySpec* key : section->keys())
-      names.push_back(key->name);
+    for (const KeySpec* key : section->keys()) names.push_back(key->name);
   }
-  for (const KeySpec& key : all_entity_keys())
-    names.push_back(key.name);
+  for (const KeySpec& key : all_entity_keys()) names.push_back(key.name);
   return names;
 }
 
@@ -163,23 +160,20 @@ const T& pick(const std::vector<T>& items, std::mt19937& random) {
   return items[random() % items.size()];
 }
 
-} // namespace
+}  // namespace
 
 void enumerate_values(const AddCase& add) {
   std::set<const KeySpec*> done;
-  for (const SectionSpec* section : all_sections())
-    enumerate_section(*section, done, add);
+  for (const SectionSpec* section : all_sections()) enumerate_section(*section, done, add);
   for (const Key<Model>& key : main_keys()) {
     for (const std::string& value : values_of(key.spec))
       add(FileKind::model, entry({}, key.spec, value));
   }
   for (const KeySpec& key : scene_keys()) {
-    for (const std::string& value : values_of(key))
-      add(FileKind::scene, entry({}, key, value));
+    for (const std::string& value : values_of(key)) add(FileKind::scene, entry({}, key, value));
   }
   for (const FileKind kind : {FileKind::model, FileKind::annotations, FileKind::scene}) {
-    for (const std::string_view value : kValues)
-      add(kind, std::string(value));
+    for (const std::string_view value : kValues) add(kind, std::string(value));
   }
 }
 
@@ -201,4 +195,4 @@ std::string mutate(std::string text, std::mt19937& random) {
   return text;
 }
 
-} // namespace smurf::test
+}  // namespace smurf::test

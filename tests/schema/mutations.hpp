@@ -20,4 +20,4 @@ void enumerate_values(const AddCase& add);
 /// unknown one. Works on bytes, so that layout, quotes and comments stay as they are.
 std::string mutate(std::string text, std::mt19937& random);
 
-} // namespace smurf::test
+}  // namespace smurf::test

@@ -17,7 +17,7 @@ namespace {
 
 /// A change to a sound document, by JSON merge patch: a null removes the key.
 struct Miss {
-  const char* pointer; ///< of the object that is changed
+  const char* pointer;  ///< of the object that is changed
   const char* patch;
 };
 
@@ -40,7 +40,7 @@ void check(const std::string& schema, const Json& sound, std::initializer_list<M
   }
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("the report of diagnostics") {
   const Reading reading(FileKind::annotations, "motors:\n- {name: a, joint: b, p: '1', i: -0x}\n");

@@ -70,7 +70,7 @@ bool is_known_bad(const fs::path& path) {
   return path.parent_path().filename() == "definitions";
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("sound files have sound shapes") {
   std::vector<File> files = corpus();
@@ -83,8 +83,7 @@ TEST_CASE("sound files have sound shapes") {
     CAPTURE(file.path.string());
     const Reading reading(file.kind, file.text);
     std::string findings;
-    for (const Diagnostic* finding : reading.shape_findings())
-      findings += finding->message + "\n";
+    for (const Diagnostic* finding : reading.shape_findings()) findings += finding->message + "\n";
     CHECK(reading.document.has_value());
     CHECK_MESSAGE(findings.empty() != is_known_bad(file.path), findings);
   }
@@ -101,16 +100,14 @@ TEST_CASE("readers and schemas agree on files and their mutations") {
   constexpr int kRounds = 60;
   std::mt19937 random(kSeed);
   std::vector<File> files = files_below(SMURF_FIXTURES);
-  for (File& file : corpus())
-    files.push_back(std::move(file));
+  for (File& file : corpus()) files.push_back(std::move(file));
   CaseFile cases("schema_mutations");
   std::size_t unparsable = 0;
   for (const File& file : files) {
     cases.add(file.kind, file.text);
     for (int round = 0; round < kRounds; ++round) {
       std::string text = file.text;
-      for (auto step = 1 + random() % 3; step > 0; --step)
-        text = mutate(std::move(text), random);
+      for (auto step = 1 + random() % 3; step > 0; --step) text = mutate(std::move(text), random);
       if (!cases.add(file.kind, std::move(text))) ++unparsable;
     }
   }

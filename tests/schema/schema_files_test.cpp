@@ -23,7 +23,7 @@ std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("the schemas are up to date") {
   for (const auto& [name, text] : smurf::test::write_schemas()) {

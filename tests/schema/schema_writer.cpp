@@ -23,13 +23,9 @@ constexpr std::string_view kBase =
     "https://raw.githubusercontent.com/smurf-tools/smurf/main/schemas/";
 constexpr const char* kScalars[] = {"string", "number", "boolean"};
 
-std::string file_name(std::string_view schema) {
-  return std::string(schema) + ".schema.json";
-}
+std::string file_name(std::string_view schema) { return std::string(schema) + ".schema.json"; }
 
-Json reference(std::string_view section) {
-  return {{"$ref", file_name(section)}};
-}
+Json reference(std::string_view section) { return {{"$ref", file_name(section)}}; }
 
 /// 0 rather than 0.0.
 Json to_json(double number) {
@@ -93,34 +89,25 @@ Json rotation() {
 
 std::vector<std::string> type_names(ValueType type) {
   switch (type) {
-  case ValueType::text:
-    return {std::begin(kScalars), std::end(kScalars)};
-  case ValueType::number:
-    return {"number"};
-  case ValueType::integer:
-    return {"integer"};
-  case ValueType::names:
-    return {"string", "number", "boolean", "array"};
+  case ValueType::text: return {std::begin(kScalars), std::end(kScalars)};
+  case ValueType::number: return {"number"};
+  case ValueType::integer: return {"integer"};
+  case ValueType::names: return {"string", "number", "boolean", "array"};
   case ValueType::name_list:
   case ValueType::number_list:
   case ValueType::vector3_list:
-  case ValueType::list:
-    return {"array"};
+  case ValueType::list: return {"array"};
   case ValueType::number_map:
   case ValueType::vector2:
   case ValueType::vector3:
   case ValueType::quaternion:
   case ValueType::orientation:
   case ValueType::color:
-  case ValueType::mapping:
-    return {"object"};
-  case ValueType::position:
-    return {"array", "object"};
-  case ValueType::rotation:
-    return {"number", "array", "object"};
+  case ValueType::mapping: return {"object"};
+  case ValueType::position: return {"array", "object"};
+  case ValueType::rotation: return {"number", "array", "object"};
   case ValueType::boolean:
-  case ValueType::any:
-    return {};
+  case ValueType::any: return {};
   }
   return {};
 }
@@ -129,15 +116,11 @@ std::vector<std::string> type_names(ValueType type) {
 Json value_parts(const KeySpec& spec) {
   switch (spec.type) {
   case ValueType::names:
-  case ValueType::name_list:
-    return {{"items", {{"type", kScalars}}}};
-  case ValueType::number_list:
-    return numbers(0);
+  case ValueType::name_list: return {{"items", {{"type", kScalars}}}};
+  case ValueType::number_list: return numbers(0);
   case ValueType::vector3_list:
-  case ValueType::position:
-    return numbers(3);
-  case ValueType::rotation:
-    return rotation();
+  case ValueType::position: return numbers(3);
+  case ValueType::rotation: return rotation();
   case ValueType::number_map:
     return {{"additionalProperties", {{"type", types({"number"}, true)}}}};
   case ValueType::mapping:
@@ -146,8 +129,7 @@ Json value_parts(const KeySpec& spec) {
   case ValueType::list:
     if (spec.members.size == 0) return Json::object();
     return {{"items", object_of(pointers(spec.members.keys()))}};
-  default:
-    return Json::object();
+  default: return Json::object();
   }
 }
 
@@ -177,8 +159,7 @@ Json schema_of(const KeySpec& spec) {
 
 std::vector<const KeySpec*> pointers(std::span<const KeySpec> keys) {
   std::vector<const KeySpec*> result;
-  for (const KeySpec& key : keys)
-    result.push_back(&key);
+  for (const KeySpec& key : keys) result.push_back(&key);
   return result;
 }
 
@@ -297,7 +278,7 @@ std::string to_text(const Json& json) {
   return text + "\n";
 }
 
-} // namespace
+}  // namespace
 
 std::map<std::string, std::string> write_schemas() {
   std::map<std::string, std::string> files;
@@ -310,4 +291,4 @@ std::map<std::string, std::string> write_schemas() {
   return files;
 }
 
-} // namespace smurf::test
+}  // namespace smurf::test

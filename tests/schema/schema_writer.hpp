@@ -10,4 +10,4 @@ namespace smurf::test {
 /// "motors.schema.json" -> its text.
 std::map<std::string, std::string> write_schemas();
 
-} // namespace smurf::test
+}  // namespace smurf::test

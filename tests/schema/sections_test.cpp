@@ -32,7 +32,7 @@ struct Read {
   }
 };
 
-} // namespace
+}  // namespace
 
 TEST_CASE("messages say what is written and what to write") {
   const Wording in_quotes = first_finding("p: '7'");

@@ -37,4 +37,4 @@ std::optional<std::vector<bool>> validate(const std::string& name,
   return result;
 }
 
-} // namespace smurf::test
+}  // namespace smurf::test

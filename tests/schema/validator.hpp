@@ -19,4 +19,4 @@ struct Instance {
 std::optional<std::vector<bool>> validate(const std::string& name,
                                           const std::vector<Instance>& instances);
 
-} // namespace smurf::test
+}  // namespace smurf::test

@@ -40,7 +40,7 @@ constexpr const char* kCrane = R"(<?xml version="1.0"?>
 </robot>
 )";
 
-} // namespace
+}  // namespace
 
 LoadedScene::LoadedScene() {
   files.add("box.urdf", kBox);
@@ -53,8 +53,7 @@ void LoadedScene::load(const std::string& path) {
   LoadContext context{sources, files, sink, limits, {}};
   scene = load_scene(path, context);
   lint_scene(scene, {}, sink);
-  for (const LinkedModel& model : scene.models)
-    lint_model(model, {}, sink);
+  for (const LinkedModel& model : scene.models) lint_model(model, {}, sink);
   diagnostics = sink.take();
   locate(scene, diagnostics);
   diagnostics = finish(std::move(diagnostics), sources, {});
@@ -67,8 +66,7 @@ void LoadedScene::load_text(const std::string& text) {
 
 std::string LoadedScene::briefs() const {
   std::string all;
-  for (const Diagnostic& diagnostic : diagnostics)
-    all += brief(diagnostic, sources) + "\n";
+  for (const Diagnostic& diagnostic : diagnostics) all += brief(diagnostic, sources) + "\n";
   return all;
 }
 
@@ -84,8 +82,7 @@ Matrix operator*(const Matrix& a, const Matrix& b) {
   Matrix c{};
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {
-      for (std::size_t k = 0; k < 4; ++k)
-        c[4 * i + j] += a[4 * i + k] * b[4 * k + j];
+      for (std::size_t k = 0; k < 4; ++k) c[4 * i + j] += a[4 * i + k] * b[4 * k + j];
     }
   }
   return c;
@@ -134,9 +131,7 @@ Matrix rotation(double w, double x, double y, double z) {
           1};
 }
 
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 Matrix to_matrix4(const Pose& pose) {
   const Quaternion& q = pose.orientation;
@@ -146,9 +141,8 @@ Matrix to_matrix4(const Pose& pose) {
 
 double difference(const Matrix& a, const Matrix& b) {
   double largest = 0;
-  for (std::size_t i = 0; i < 16; ++i)
-    largest = std::max(largest, std::fabs(a[i] - b[i]));
+  for (std::size_t i = 0; i < 16; ++i) largest = std::max(largest, std::fabs(a[i] - b[i]));
   return largest;
 }
 
-} // namespace smurf::test
+}  // namespace smurf::test

@@ -49,4 +49,4 @@ Matrix to_matrix4(const Pose& pose);
 /// The largest difference of two elements.
 double difference(const Matrix& a, const Matrix& b);
 
-} // namespace smurf::test
+}  // namespace smurf::test

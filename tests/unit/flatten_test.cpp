@@ -21,7 +21,7 @@ Json to_json(const LoadedScene& loaded, const FlattenOptions& options) {
       write_flat_json(flatten(loaded.scene, loaded.sources, options), options.links));
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("models are listed once, under unique names") {
   LoadedScene loaded;

@@ -31,8 +31,7 @@ struct Arm {
 
 std::string links(std::initializer_list<const char*> names) {
   std::string all;
-  for (const char* name : names)
-    all += "<link name='" + std::string(name) + "'/>";
+  for (const char* name : names) all += "<link name='" + std::string(name) + "'/>";
   return all;
 }
 
@@ -44,8 +43,7 @@ std::string joint(const std::string& name, const std::string& type, const std::s
 
 void check_pose(const std::optional<Pose>& pose, const Vector3& position, const Vector3& rpy) {
   REQUIRE(pose);
-  for (std::size_t i = 0; i < 3; ++i)
-    CHECK(std::fabs(pose->position[i] - position[i]) < 1e-14);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(std::fabs(pose->position[i] - position[i]) < 1e-14);
   CHECK(angle_between(pose->orientation, from_rpy(rpy)) < 1e-14);
 }
 
@@ -60,7 +58,7 @@ std::string planar_arm() {
          joint("slide", "prismatic", "fore", "tip", "<origin xyz='1 0 0' rpy='0 0 0'/>");
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("kinematics: an arm in the plane") {
   const Arm arm(planar_arm());

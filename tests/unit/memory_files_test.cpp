@@ -31,7 +31,7 @@ class Folder {
 
 using Names = std::vector<std::string>;
 
-} // namespace
+}  // namespace
 
 TEST_CASE("files: in memory") {
   MemoryFiles files;

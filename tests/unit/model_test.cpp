@@ -21,8 +21,7 @@ struct LoadedFiles {
 
   LoadedFiles(std::initializer_list<std::pair<std::string, std::string>> given,
               const std::string& path) {
-    for (const auto& [name, text] : given)
-      files.add(name, text);
+    for (const auto& [name, text] : given) files.add(name, text);
     LoadContext context{sources, files, sink, {}, {}};
     model = load_model(path, context);
   }
@@ -30,23 +29,19 @@ struct LoadedFiles {
   Lines briefs() const { return test::briefs(sink, sources); }
   Lines motors() const {
     Lines names;
-    for (const Motor& motor : model.annotations.motors)
-      names.push_back(motor.name.value_or("?"));
+    for (const Motor& motor : model.annotations.motors) names.push_back(motor.name.value_or("?"));
     return names;
   }
   Lines paths() const {
     Lines paths;
-    for (const ModelFile& file : model.files)
-      paths.push_back(sources.path(file.source));
+    for (const ModelFile& file : model.files) paths.push_back(sources.path(file.source));
     return paths;
   }
 };
 
-std::string motor(const std::string& name) {
-  return "{name: " + name + ", joint: j, type: PID}";
-}
+std::string motor(const std::string& name) { return "{name: " + name + ", joint: j, type: PID}"; }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("model: lists are joined in the order of the files, inline sections first") {
   const LoadedFiles loaded({{"m/r.smurf", "motors: [" + motor("inline") +

@@ -15,24 +15,16 @@ std::string_view word(const yaml::View& view) {
   if (view.document().nodes[static_cast<std::size_t>(view.id())].target != yaml::kNoNode)
     return "alias";
   switch (view.kind()) {
-  case yaml::Kind::null:
-    return "null";
-  case yaml::Kind::sequence:
-    return "list";
-  case yaml::Kind::mapping:
-    return "map";
-  case yaml::Kind::scalar:
-    break;
+  case yaml::Kind::null: return "null";
+  case yaml::Kind::sequence: return "list";
+  case yaml::Kind::mapping: return "map";
+  case yaml::Kind::scalar: break;
   }
   switch (view.style()) {
-  case yaml::Style::plain:
-    return "plain";
-  case yaml::Style::single_quoted:
-    return "single";
-  case yaml::Style::double_quoted:
-    return "double";
-  case yaml::Style::block:
-    break;
+  case yaml::Style::plain: return "plain";
+  case yaml::Style::single_quoted: return "single";
+  case yaml::Style::double_quoted: return "double";
+  case yaml::Style::block: break;
   }
   return "block";
 }
@@ -49,8 +41,7 @@ void add_lines(const SourceMap& sources, const yaml::View& view, Lines& lines) {
   if (shows_text) line.append(" = ").append(visible(view.text()));
   lines.push_back(std::move(line));
   if (node.target != yaml::kNoNode) return;
-  for (const yaml::View child : view)
-    add_lines(sources, child, lines);
+  for (const yaml::View child : view) add_lines(sources, child, lines);
 }
 
 void add_lines(const SourceMap& sources, const xml::View& view, Lines& lines) {
@@ -71,16 +62,14 @@ void add_lines(const SourceMap& sources, const xml::View& view, Lines& lines) {
     if (a->value != sources.text(a->value_span)) line.append(" = ").append(visible(a->value));
     lines.push_back(std::move(line));
   }
-  for (const xml::View child : view)
-    add_lines(sources, child, lines);
+  for (const xml::View child : view) add_lines(sources, child, lines);
 }
 
-} // namespace
+}  // namespace
 
 std::string join(const Lines& lines) {
   std::string all;
-  for (const std::string& line : lines)
-    all += "\n" + line;
+  for (const std::string& line : lines) all += "\n" + line;
   return all;
 }
 
@@ -133,4 +122,4 @@ Lines ParsedXml::lines() const {
   return lines;
 }
 
-} // namespace smurf::test
+}  // namespace smurf::test

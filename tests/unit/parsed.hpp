@@ -46,4 +46,4 @@ struct ParsedXml {
   Lines lines() const;
 };
 
-} // namespace smurf::test
+}  // namespace smurf::test

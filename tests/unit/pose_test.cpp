@@ -20,7 +20,7 @@ double distance(const Vector3& a, const Vector3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("pose: angles to a quaternion and back") {
   MESSAGE("seed " << test::seed());
@@ -99,8 +99,7 @@ TEST_CASE("pose: other degrees") {
     const Vector3 degrees{random.between(-720, 720), random.between(-720, 720),
                           random.between(-720, 720)};
     Vector3 radians = degrees;
-    for (double& angle : radians)
-      angle *= kPi / 180;
+    for (double& angle : radians) angle *= kPi / 180;
     worst = std::max(worst, angle_between(from_rpy_degrees(degrees), from_rpy(radians)));
   }
   CAPTURE(worst);

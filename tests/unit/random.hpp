@@ -28,4 +28,4 @@ class Random {
   std::mt19937_64 engine_{seed()};
 };
 
-} // namespace smurf::test
+}  // namespace smurf::test

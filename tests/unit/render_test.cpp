@@ -66,7 +66,7 @@ constexpr std::string_view kMotors = "motors:\n"
                                      "    joint: elbow_jiont\n"
                                      "    type: PID\n";
 
-} // namespace
+}  // namespace
 
 TEST_CASE("a diagnostic with labels, notes, help and a fix") {
   SourceMap sources;
@@ -138,8 +138,7 @@ TEST_CASE("labels in the same file share the frame; gaps become dots, one line i
 
 TEST_CASE("a gutter as wide as the largest line number shown") {
   std::string text;
-  for (int i = 1; i < 10; ++i)
-    text += "x" + std::to_string(i) + ": 0\n";
+  for (int i = 1; i < 10; ++i) text += "x" + std::to_string(i) + ": 0\n";
   CHECK(show(text + "last: 0\n", "x9") == R"(error[SML3101]: bad
   --> a.yml:9:1
    |
@@ -350,16 +349,14 @@ TEST_CASE("any bytes, any marks, any width: lines of printable text") {
   for (int round = 0; round < 2000; ++round) {
     SourceMap sources;
     std::string text;
-    for (std::uint32_t i = pick(60); i > 0; --i)
-      text += kPieces[pick(std::size(kPieces))];
+    for (std::uint32_t i = pick(60); i > 0; --i) text += kPieces[pick(std::size(kPieces))];
     const SourceId id = sources.add("a.yml", text);
     const auto span = [&] {
       const std::uint32_t begin = pick(static_cast<std::uint32_t>(text.size()) + 2);
       return Span{id, begin, begin + pick(40)};
     };
     Diagnostic diagnostic = diagnose(span(), "bad", "here");
-    for (std::uint32_t i = pick(3); i > 0; --i)
-      diagnostic.labels.push_back({span(), "label"});
+    for (std::uint32_t i = pick(3); i > 0; --i) diagnostic.labels.push_back({span(), "label"});
     const std::string shown = render_full(diagnostic, sources, {false, static_cast<int>(pick(60))});
     CAPTURE(text);
     CHECK(std::none_of(shown.begin(), shown.end(), [](char c) {
@@ -465,8 +462,7 @@ Sources
   smurf.cpp:156
 )");
   std::string why;
-  for (int i = 0; i < 100; ++i)
-    why += "word ";
+  for (int i = 0; i < 100; ++i) why += "word ";
   Rule rule = kRule;
   rule.why = why;
   const std::string page = render_rule(rule, {});
@@ -530,8 +526,7 @@ TEST_CASE("the JSON report keeps the order of the contract and leaves out what i
       nlohmann::ordered_json::parse(render_json(rich, sources, summarize(rich), tool));
   const auto& found = report["diagnostics"][0];
   std::string keys;
-  for (const auto& [key, value] : found.items())
-    keys += key + " ";
+  for (const auto& [key, value] : found.items()) keys += key + " ";
   CHECK(keys == "id name severity message file line column end_line end_column pointer help notes "
                 "labels fix ");
   CHECK(found["labels"].dump() ==

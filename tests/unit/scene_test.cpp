@@ -43,7 +43,7 @@ void check_printed(const LoadedScene& loaded, const std::string& path, const Vec
   CHECK(distance(instance.X_WE->orientation, orientation) < 1e-9);
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("the documented scene has its documented poses") {
   LoadedScene loaded;
@@ -99,8 +99,7 @@ TEST_CASE("one entity of every kind loads without a finding") {
   CHECK(loaded.briefs() == "");
   CHECK(loaded.scene.instances.size() == 5);
   CHECK(loaded.at("Hill").type == "heightmap");
-  for (const Instance& instance : loaded.scene.instances)
-    CHECK(instance.X_WE);
+  for (const Instance& instance : loaded.scene.instances) CHECK(instance.X_WE);
 }
 
 TEST_CASE("a rotation of one, three and four numbers, as list, number or mapping") {
@@ -136,14 +135,13 @@ TEST_CASE("poses do not depend on the order of the entities") {
   do {
     LoadedScene loaded;
     std::string text = "entities:\n";
-    for (const std::size_t i : order)
-      text += "- " + lines[i] + "\n";
+    for (const std::size_t i : order) text += "- " + lines[i] + "\n";
     loaded.load_text(text);
     REQUIRE(loaded.scene.instances.size() == lines.size());
     for (const Instance& instance : loaded.scene.instances) {
       REQUIRE(instance.X_WE);
       const auto [known, is_new] = reference.emplace(instance.path, *instance.X_WE);
-      CHECK(known->second == *instance.X_WE); // to the last bit
+      CHECK(known->second == *instance.X_WE);  // to the last bit
     }
   } while (std::next_permutation(order.begin(), order.end()));
 }
@@ -210,7 +208,7 @@ TEST_CASE("joint pose sets of the entity come before those of the model") {
   CHECK(loaded.at("A").joint_positions == JointPositions{{"boom_joint", 0.25}});
   REQUIRE(loaded.diagnostics.size() == 1);
   CHECK(loaded.diagnostics[0].rule->name == "unknown-pose");
-  CHECK(loaded.diagnostics[0].severity == Severity::info); // Phobos 0.7 writes it always
+  CHECK(loaded.diagnostics[0].severity == Severity::info);  // Phobos 0.7 writes it always
 }
 
 TEST_CASE("one cause, one finding") {
@@ -304,8 +302,7 @@ TEST_CASE("paths are unique whatever the names are") {
 - {name: a/b, file: box.urdf}
 )");
   std::vector<std::string> paths;
-  for (const Instance& instance : loaded.scene.instances)
-    paths.push_back(instance.path);
+  for (const Instance& instance : loaded.scene.instances) paths.push_back(instance.path);
   CHECK(paths == std::vector<std::string>{"a/b", "a/b#2", "a#2/b", "box#1", "box#2", "a/b#3"});
 }
 
@@ -323,7 +320,7 @@ TEST_CASE("long chains and large scenes take linear time") {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   CHECK(loaded.briefs() == "");
   CHECK(std::fabs(loaded.at("n9999").X_WE->position[2] - 999.9) < 1e-8);
-  CHECK(seconds.count() < 20); // a quadratic look-up takes minutes with sanitizers
+  CHECK(seconds.count() < 20);  // a quadratic look-up takes minutes with sanitizers
 }
 
 TEST_CASE("nothing but garbage is refused without a crash") {
@@ -335,7 +332,6 @@ TEST_CASE("nothing but garbage is refused without a crash") {
     LoadedScene loaded;
     CAPTURE(text);
     loaded.load_text(text);
-    for (const Diagnostic& diagnostic : loaded.diagnostics)
-      CHECK(!diagnostic.message.empty());
+    for (const Diagnostic& diagnostic : loaded.diagnostics) CHECK(!diagnostic.message.empty());
   }
 }

@@ -73,8 +73,7 @@ TEST_CASE("source: views stay valid while the map grows") {
   SourceMap sources;
   const SourceId first = sources.add("first", "short");
   const std::string_view text = sources.text(first);
-  for (int i = 0; i < 1000; ++i)
-    sources.add("more", "x");
+  for (int i = 0; i < 1000; ++i) sources.add("more", "x");
   CHECK(text == "short");
   CHECK(text.data() == sources.text(first).data());
   CHECK(sources.size() == 1001);

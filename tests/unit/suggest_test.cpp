@@ -33,7 +33,7 @@ TEST_CASE("suggest: the nearest name") {
   const std::vector<std::string_view> known = {"shoulder", "elbow", "elbow_2", "wrist", "EE"};
   struct Row {
     std::string name;
-    std::string nearest; // empty: none
+    std::string nearest;  // empty: none
   };
   const Row rows[] = {{"elbo", "elbow"}, {"Elbow", "elbow"},       {"elbow_1", "elbow_2"},
                       {"elbow", ""},     {"shuolder", "shoulder"}, {"gripper", ""},

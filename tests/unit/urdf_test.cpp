@@ -31,7 +31,7 @@ ReadUrdf read_in_robot(const std::string& inside) {
   return ReadUrdf("<robot name='r'>" + inside + "</robot>");
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("urdf: a link with everything") {
   const ReadUrdf read = read_in_robot(R"(

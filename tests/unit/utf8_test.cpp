@@ -10,7 +10,7 @@ using namespace smurf;
 TEST_CASE("utf8: validity") {
   struct Row {
     std::string text;
-    int invalid; // -1: none
+    int invalid;  // -1: none
   };
   const Row rows[] = {{"", -1},
                       {"abc", -1},
@@ -18,15 +18,15 @@ TEST_CASE("utf8: validity") {
                       {"\x7F", -1},
                       {"\xC2\x80\xDF\xBF\xE0\xA0\x80\xED\x9F\xBF\xEE\x80\x80\xEF\xBF\xBF", -1},
                       {"\xF0\x90\x80\x80\xF4\x8F\xBF\xBF", -1},
-                      {"a\x80", 1},    // continuation alone
-                      {"ab\xC3", 2},   // cut short
-                      {"\xC3(", 0},    // wrong second byte
-                      {"\xC0\x80", 0}, // overlong
+                      {"a\x80", 1},     // continuation alone
+                      {"ab\xC3", 2},    // cut short
+                      {"\xC3(", 0},     // wrong second byte
+                      {"\xC0\x80", 0},  // overlong
                       {"\xC1\xBF", 0},
                       {"\xE0\x9F\xBF", 0},
                       {"\xF0\x8F\xBF\xBF", 0},
-                      {"\xED\xA0\x80", 0},     // surrogate
-                      {"\xF4\x90\x80\x80", 0}, // beyond U+10FFFF
+                      {"\xED\xA0\x80", 0},      // surrogate
+                      {"\xF4\x90\x80\x80", 0},  // beyond U+10FFFF
                       {"\xF5\x80\x80\x80", 0},
                       {"\xFF", 0},
                       {"\xE2\x82", 0},

@@ -45,12 +45,11 @@ void check(const std::vector<ErrorCase>& cases) {
 
 std::string repeat(std::string_view text, std::size_t times) {
   std::string all;
-  for (std::size_t i = 0; i < times; ++i)
-    all += text;
+  for (std::size_t i = 0; i < times; ++i) all += text;
   return all;
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("xml: spans") {
   check(std::vector<TreeCase>{

@@ -29,12 +29,11 @@ void check(const std::vector<Case>& cases) {
 
 std::string repeat(std::string_view text, std::size_t times) {
   std::string all;
-  for (std::size_t i = 0; i < times; ++i)
-    all += text;
+  for (std::size_t i = 0; i < times; ++i) all += text;
   return all;
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("yaml: duplicate keys are kept and reported at the second") {
   const ParsedYaml parsed("a: 1\nb: 2\na: 3\n\"a\": 4\n");
@@ -129,8 +128,7 @@ TEST_CASE("yaml: depth is limited") {
          {repeat("[", limits.yaml_depth + 1) + repeat("]", limits.yaml_depth + 1),
           {"SML0014 1:101 [[]"}}});
   std::string block;
-  for (std::uint32_t i = 0; i < limits.yaml_depth; ++i)
-    block += repeat(" ", i) + "a:\n";
+  for (std::uint32_t i = 0; i < limits.yaml_depth; ++i) block += repeat(" ", i) + "a:\n";
   check({{block, {}, true},
          {block + repeat(" ", limits.yaml_depth) + "a: 1\n", {"SML0014 101:101 [a]"}}});
 }

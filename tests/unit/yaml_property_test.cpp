@@ -16,8 +16,8 @@ namespace {
 struct Tree {
   yaml::Kind kind = yaml::Kind::null;
   std::string text;
-  yaml::Style style = yaml::Style::plain; ///< as it was written
-  std::vector<std::string> keys;          ///< of a mapping
+  yaml::Style style = yaml::Style::plain;  ///< as it was written
+  std::vector<std::string> keys;           ///< of a mapping
   std::vector<Tree> children;
 };
 
@@ -330,7 +330,7 @@ std::string difference(const ParsedYaml& parsed, yaml::View view, const Tree& tr
   return {};
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("yaml: random trees are read as they were written") {
   MESSAGE("seed " << test::seed());

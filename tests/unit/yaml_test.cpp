@@ -29,7 +29,7 @@ void check(const std::vector<Case>& cases) {
   }
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("yaml: spans of scalars") {
   check({
@@ -309,8 +309,7 @@ TEST_CASE("yaml: values of scalars") {
   const ParsedYaml parsed("[1.5, 0x10, 0o17, -.inf, .nan, true, '1', abc, ~, [1], +7, 1e-400]");
   const auto at = [&](std::size_t i) {
     auto item = parsed.root().begin();
-    while (i-- > 0)
-      ++item;
+    while (i-- > 0) ++item;
     return *item;
   };
   CHECK(at(0).number() == 1.5);

@@ -44,11 +44,9 @@ std::string options_text(std::span<const Option> options, std::string_view group
   return out;
 }
 
-} // namespace
+}  // namespace
 
-std::span<const Option> standard_options() {
-  return kStandardOptions;
-}
+std::span<const Option> standard_options() { return kStandardOptions; }
 
 std::string help_text(const Command& command) {
   std::string usage = "Usage: " + std::string(command.name) + " [OPTION]...";
@@ -57,8 +55,7 @@ std::string help_text(const Command& command) {
   if (!command.details.empty()) out += "\n" + render::wrap(command.details, 0, kColumns);
 
   std::vector<Option> options = command.options;
-  for (const Option& option : standard_options())
-    options.push_back(option);
+  for (const Option& option : standard_options()) options.push_back(option);
   std::vector<std::string_view> groups;
   for (const Option& option : options) {
     if (std::find(groups.begin(), groups.end(), option.group) != groups.end()) continue;
@@ -113,10 +110,8 @@ std::vector<std::string_view> split_items(std::string_view list) {
   while (true) {
     const std::size_t comma = std::min(list.find(','), list.size());
     std::string_view item = list.substr(0, comma);
-    while (item.starts_with(' '))
-      item.remove_prefix(1);
-    while (item.ends_with(' '))
-      item.remove_suffix(1);
+    while (item.starts_with(' ')) item.remove_prefix(1);
+    while (item.ends_with(' ')) item.remove_suffix(1);
     if (!item.empty()) items.push_back(item);
     if (comma == list.size()) return items;
     list.remove_prefix(comma + 1);
@@ -125,8 +120,7 @@ std::vector<std::string_view> split_items(std::string_view list) {
 
 std::string none_of(std::string_view value, std::span<const std::string_view> known) {
   std::string words;
-  for (const std::string_view word : known)
-    words.append(words.empty() ? "" : ", ").append(word);
+  for (const std::string_view word : known) words.append(words.empty() ? "" : ", ").append(word);
   return "'" + std::string(value) + "' is none of " + words + did_you_mean(value, known);
 }
 
@@ -135,4 +129,4 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
   return found ? "; did you mean '" + std::string(*found) + "'?" : std::string();
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -17,22 +17,22 @@ inline constexpr std::string_view kVersion = SMURF_VERSION;
 
 /// What a tool returns, whatever the format of its output.
 using ExitCode = int;
-inline constexpr ExitCode kDone = 0;     ///< nothing at or above the threshold
-inline constexpr ExitCode kFindings = 1; ///< findings at or above it, or a result refused for them
-inline constexpr ExitCode kFailed = 2;   ///< could not do the job
+inline constexpr ExitCode kDone = 0;      ///< nothing at or above the threshold
+inline constexpr ExitCode kFindings = 1;  ///< findings at or above it, or a result refused for them
+inline constexpr ExitCode kFailed = 2;    ///< could not do the job
 
 /// Takes one value as written ("" for a flag, or where a value is left out); returns what is wrong
 /// with it: "'x' is not a number".
 using Setter = std::function<std::optional<std::string>(std::string_view value)>;
 
 struct Option {
-  std::string_view group{};   ///< heading in --help
-  char letter = 0;            ///< 'o' for -o; 0: none
-  std::string_view name{};    ///< "output" for --output
-  std::string_view metavar{}; ///< "FILE"; "": a flag
+  std::string_view group{};    ///< heading in --help
+  char letter = 0;             ///< 'o' for -o; 0: none
+  std::string_view name{};     ///< "output" for --output
+  std::string_view metavar{};  ///< "FILE"; "": a flag
   bool may_omit_value = false;
   std::string_view help{};
-  std::vector<std::string_view> values{}; ///< the only ones allowed; empty: any
+  std::vector<std::string_view> values{};  ///< the only ones allowed; empty: any
   Setter set{};
 };
 
@@ -42,10 +42,10 @@ struct Example {
 };
 
 struct Command {
-  std::string_view name{};     ///< "smurf-lint"
-  std::string_view summary{};  ///< one sentence
-  std::string_view operands{}; ///< "[PATH]..."; "": none are taken
-  std::string_view details{};  ///< what the operands are and the like
+  std::string_view name{};      ///< "smurf-lint"
+  std::string_view summary{};   ///< one sentence
+  std::string_view operands{};  ///< "[PATH]..."; "": none are taken
+  std::string_view details{};   ///< what the operands are and the like
   std::vector<Option> options{};
   Setter set_operand{};
   std::vector<Example> examples{};
@@ -89,4 +89,4 @@ std::string none_of(std::string_view value, std::span<const std::string_view> kn
 /// "; did you mean 'x'?" for the nearest of `known`, or "".
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

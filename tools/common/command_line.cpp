@@ -15,12 +15,10 @@ constexpr std::string_view kNoValue = "true";
 class CommandLine {
  public:
   explicit CommandLine(const Command& command) : command_(command), options_(command.options) {
-    for (const Option& option : standard_options())
-      options_.push_back(option);
+    for (const Option& option : standard_options()) options_.push_back(option);
     app_.set_help_flag();
     app_.allow_extras();
-    for (const Option& option : options_)
-      cli_options_.push_back(add(option));
+    for (const Option& option : options_) cli_options_.push_back(add(option));
   }
 
   /// What is wrong, if anything.
@@ -106,8 +104,7 @@ class CommandLine {
   std::string unknown(const std::string& argument) const {
     const std::string name = argument.substr(0, argument.find('='));
     std::vector<std::string> names;
-    for (const Option& option : options_)
-      names.push_back("--" + std::string(option.name));
+    for (const Option& option : options_) names.push_back("--" + std::string(option.name));
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string hint = did_you_mean(name, known);
     return "unknown option '" + name + "'" + (hint.empty() ? " (see --help)" : hint);
@@ -119,7 +116,7 @@ class CommandLine {
   std::vector<CLI::Option*> cli_options_;
 };
 
-} // namespace
+}  // namespace
 
 std::optional<ExitCode> parse_command_line(const Command& command, int argc,
                                            const char* const* argv) {
@@ -139,4 +136,4 @@ std::optional<ExitCode> parse_command_line(const Command& command, int argc,
   return write_output(command.name, "", text) ? kDone : kFailed;
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -64,8 +64,7 @@ ExitCode Conversion::report(const LinkedModel& model) {
 
 ExitCode Conversion::report(const LinkedScene& scene) {
   lint_scene(scene, {}, sink_);
-  for (const LinkedModel& model : scene.models)
-    lint_model(model, {}, sink_);
+  for (const LinkedModel& model : scene.models) lint_model(model, {}, sink_);
   std::vector<Diagnostic> diagnostics = sink_.take();
   locate(scene, diagnostics);
   return write_reports(std::move(diagnostics), scene.models.size(), scene.scenes.size());
@@ -106,4 +105,4 @@ ExitCode Conversion::refuse(std::string_view reason) const {
   return kFindings;
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

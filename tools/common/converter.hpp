@@ -67,4 +67,4 @@ class Conversion {
   std::string path_;
 };
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

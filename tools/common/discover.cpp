@@ -29,8 +29,7 @@ class Search {
   Found run(const std::string& folder) {
     walk(folder);
     // Links come last, so that a file is known by its own path if that is inside the folder.
-    for (std::size_t i = 0; i < links_.size(); ++i)
-      follow(std::string(links_[i]));
+    for (std::size_t i = 0; i < links_.size(); ++i) follow(std::string(links_[i]));
     std::sort(found_.files.begin(), found_.files.end());
     std::sort(found_.unreadable.begin(), found_.unreadable.end());
     return std::move(found_);
@@ -125,11 +124,9 @@ bool lists(const std::string& model, const std::string& wanted, const FileReader
   return only.was_asked_for(wanted);
 }
 
-} // namespace
+}  // namespace
 
-Found find_inputs(const std::string& folder) {
-  return Search().run(folder);
-}
+Found find_inputs(const std::string& folder) { return Search().run(folder); }
 
 std::vector<std::string> models_listing(const std::string& path, const FileReader& files) {
   const std::string folder = path::normalize(path::parent(path));
@@ -149,4 +146,4 @@ std::vector<std::string> models_listing(const std::string& path, const FileReade
   return models;
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -10,8 +10,8 @@
 namespace smurf::tools {
 
 struct Found {
-  std::vector<std::string> files;      ///< sorted
-  std::vector<std::string> unreadable; ///< "'robots/old': Permission denied", sorted
+  std::vector<std::string> files;       ///< sorted
+  std::vector<std::string> unreadable;  ///< "'robots/old': Permission denied", sorted
 };
 
 /// The .smurf, .smurfs, .smurfa and .urdf files in a folder and the folders below it. Hidden ones
@@ -22,4 +22,4 @@ Found find_inputs(const std::string& folder);
 /// folders in both; sorted.
 std::vector<std::string> models_listing(const std::string& path, const FileReader& files);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

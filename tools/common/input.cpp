@@ -36,7 +36,7 @@ bool is_xml(std::string_view text) {
   return first != std::string_view::npos && text[first] == '<';
 }
 
-} // namespace
+}  // namespace
 
 InputKind kind_of(std::string_view path) {
   const std::string extension = path::to_lower(path::extension(path));
@@ -82,4 +82,4 @@ std::string identity(const std::string& path) {
   return error ? path::normalize(path) : canonical.string();
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -27,4 +27,4 @@ std::optional<std::string> why_unreadable(const std::string& path, const FileRea
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -26,7 +26,7 @@ int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(descriptor, text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && errno == EAGAIN) { // someone made the shared terminal or pipe non-blocking
+    if (count < 0 && errno == EAGAIN) {  // someone made the shared terminal or pipe non-blocking
       pollfd ready{descriptor, POLLOUT, 0};
       ::poll(&ready, 1, -1);
       continue;
@@ -101,7 +101,7 @@ bool wants_color(int descriptor) {
   return ::isatty(descriptor) == 1;
 }
 
-} // namespace
+}  // namespace
 
 void prepare_streams() {
   std::signal(SIGPIPE, SIG_IGN);
@@ -116,9 +116,7 @@ void complain(std::string_view tool, std::string_view message) {
   write_error(std::string(tool) + ": " + render::escape(message) + "\n");
 }
 
-void write_error(std::string_view text) {
-  write_all(2, text);
-}
+void write_error(std::string_view text) { write_all(2, text); }
 
 bool write_output(std::string_view tool, const std::string& path, std::string_view text) {
   const bool is_standard = path.empty() || path == "-";
@@ -142,4 +140,4 @@ TextStyle style_for(Stream stream, ColorChoice choice) {
   return style;
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

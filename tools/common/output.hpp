@@ -33,4 +33,4 @@ enum class Stream : int { output = 1, error = 2 };
 /// says yes, then TERM=dumb says no, then it takes a terminal.
 TextStyle style_for(Stream stream, ColorChoice choice);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -40,11 +40,9 @@ constexpr ReportFormat kFormats[] = {
     {"json", "for programs", json},
 };
 
-} // namespace
+}  // namespace
 
-std::span<const ReportFormat> report_formats() {
-  return kFormats;
-}
+std::span<const ReportFormat> report_formats() { return kFormats; }
 
 const ReportFormat* find_report_format(std::string_view name) {
   const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
@@ -70,8 +68,7 @@ Setter append_report(std::vector<ReportRequest>& requests) {
     const ReportFormat* format = find_report_format(name);
     if (format == nullptr) {
       std::vector<std::string_view> known;
-      for (const ReportFormat& one : kFormats)
-        known.push_back(one.name);
+      for (const ReportFormat& one : kFormats) known.push_back(one.name);
       return none_of(name, known);
     }
     ReportRequest request{format, {}};
@@ -97,4 +94,4 @@ ExitCode judge(const Summary& summary, const Threshold& threshold) {
   return too_many ? kFindings : kDone;
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

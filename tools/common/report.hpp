@@ -16,12 +16,12 @@ namespace smurf::tools {
 
 /// All that a report may speak of. Owns nothing.
 struct Results {
-  std::span<const Diagnostic> diagnostics; ///< finished: sorted, without repetitions
+  std::span<const Diagnostic> diagnostics;  ///< finished: sorted, without repetitions
   const SourceMap& sources;
   Summary summary;
   std::string_view tool;
-  bool quiet = false;       ///< no summary
-  bool counts_only = false; ///< for people: how often each rule, instead of every finding
+  bool quiet = false;        ///< no summary
+  bool counts_only = false;  ///< for people: how often each rule, instead of every finding
 };
 
 struct ReportFormat {
@@ -35,7 +35,7 @@ const ReportFormat* find_report_format(std::string_view name);
 
 struct ReportRequest {
   const ReportFormat* format = nullptr;
-  std::string file; ///< "": where the tool's reports go; "-": standard output
+  std::string file;  ///< "": where the tool's reports go; "-": standard output
 };
 
 /// "FORMAT" or "FORMAT=FILE", appended.
@@ -45,11 +45,11 @@ std::string_view report_option_help();
 
 /// `--fail-on` and what goes with it.
 struct Threshold {
-  std::optional<Severity> fail_on = Severity::error; ///< none: never
+  std::optional<Severity> fail_on = Severity::error;  ///< none: never
   std::optional<int> max_warnings;
   bool exit_zero = false;
 };
 /// kDone or kFindings.
 ExitCode judge(const Summary& summary, const Threshold& threshold);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -15,7 +15,7 @@ Setter set_package(std::map<std::string, std::string>& packages) {
   };
 }
 
-} // namespace
+}  // namespace
 
 Option color_option(ColorChoice& color) {
   return {.group = "General",
@@ -88,4 +88,4 @@ Option jobs_option(std::optional<int>& jobs) {
           .set = set_number(jobs, 1)};
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

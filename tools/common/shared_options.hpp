@@ -23,4 +23,4 @@ Option stdin_filename_option(std::string& path);
 Option package_option(std::map<std::string, std::string>& packages);
 Option jobs_option(std::optional<int>& jobs);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -27,8 +27,7 @@ class Checker {
       lint_model(model, options_.selection, sink);
       note_files(model);
     }
-    for (const SceneFile& file : scene.scenes)
-      scenes_.insert(identity(file.path));
+    for (const SceneFile& file : scene.scenes) scenes_.insert(identity(file.path));
     collect(sink, scene);
   }
 
@@ -85,10 +84,10 @@ class Checker {
   const FileReader& files_;
   Checked& checked_;
   std::vector<Diagnostic> diagnostics_;
-  std::set<std::string> models_, scenes_, read_; ///< by identity
+  std::set<std::string> models_, scenes_, read_;  ///< by identity
 };
 
-} // namespace
+}  // namespace
 
 Checked check(const LintOptions& options) {
   const DiskFiles disk;
@@ -98,14 +97,11 @@ Checked check(const LintOptions& options) {
   Checked checked;
   checked.has_failed = plan.has_failed;
   Checker checker(options, files, checked);
-  for (const std::string& path : plan.scenes)
-    checker.check_scene(path);
-  for (const std::string& path : plan.models)
-    checker.check_model(path);
-  for (const std::string& path : plan.strays)
-    checker.check_model(path);
+  for (const std::string& path : plan.scenes) checker.check_scene(path);
+  for (const std::string& path : plan.models) checker.check_model(path);
+  for (const std::string& path : plan.strays) checker.check_model(path);
   checker.finish_all();
   return checked;
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

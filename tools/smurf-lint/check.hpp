@@ -11,11 +11,11 @@ namespace smurf::tools {
 
 struct Checked {
   SourceMap sources;
-  std::vector<Diagnostic> diagnostics; ///< sorted, without repetitions
+  std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
-  bool has_failed = false; ///< something could not be read; it was said on standard error
+  bool has_failed = false;  ///< something could not be read; it was said on standard error
 };
 
 Checked check(const LintOptions& options);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -51,7 +51,7 @@ ExitCode write_reports(const LintOptions& options, const Checked& checked) {
   return code;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv) {
   prepare_streams();

@@ -113,7 +113,7 @@ std::vector<Option> verdict_options(LintOptions& options) {
   };
 }
 
-} // namespace
+}  // namespace
 
 Command lint_command(LintOptions& options) {
   Command command;
@@ -166,11 +166,9 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
 
 std::string no_such_rule(std::string_view id_or_name) {
   std::vector<std::string_view> known;
-  for (const Rule* rule : all_rules())
-    known.push_back(rule->id);
-  for (const Rule* rule : all_rules())
-    known.push_back(rule->name);
+  for (const Rule* rule : all_rules()) known.push_back(rule->id);
+  for (const Rule* rule : all_rules()) known.push_back(rule->name);
   return "there is no rule '" + std::string(id_or_name) + "'" + did_you_mean(id_or_name, known);
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -23,14 +23,14 @@ struct LintOptions {
   Threshold threshold;
 
   std::vector<ReportRequest> reports;
-  std::string output; ///< for reports without a file of their own
+  std::string output;  ///< for reports without a file of their own
   bool statistics = false;
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;
   std::optional<int> jobs;
 
-  std::string explain;    ///< a rule: show its page and do nothing else
-  std::string list_rules; ///< "text" or "json": list the rules and do nothing else
+  std::string explain;     ///< a rule: show its page and do nothing else
+  std::string list_rules;  ///< "text" or "json": list the rules and do nothing else
 };
 
 /// The table refers to `options`.
@@ -42,4 +42,4 @@ std::optional<std::string> find_conflict(const LintOptions& options);
 /// Is there such a rule, and if not, which is meant: "there is no rule 'x'; did you mean 'y'?"
 std::string no_such_rule(std::string_view id_or_name);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -54,22 +54,15 @@ class Planner {
 
   void add_folder(const std::string& folder) {
     const Found found = find_inputs(folder);
-    for (const std::string& problem : found.unreadable)
-      fail("cannot read " + problem);
+    for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
     if (found.files.empty() && found.unreadable.empty()) {
       fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'");
     }
     for (const std::string& file : found.files) {
       switch (kind_of(file)) {
-      case InputKind::scene:
-        add(plan_.scenes, file);
-        break;
-      case InputKind::urdf:
-        add(plan_.strays, file);
-        break;
-      default:
-        add(plan_.models, file);
-        break;
+      case InputKind::scene: add(plan_.scenes, file); break;
+      case InputKind::urdf: add(plan_.strays, file); break;
+      default: add(plan_.models, file); break;
       }
     }
   }
@@ -84,18 +77,11 @@ class Planner {
 
   void add_file(const std::string& path) {
     switch (kind_of(path)) {
-    case InputKind::scene:
-      add(plan_.scenes, path);
-      return;
-    case InputKind::model:
-      add(plan_.models, path);
-      return;
+    case InputKind::scene: add(plan_.scenes, path); return;
+    case InputKind::model: add(plan_.models, path); return;
     case InputKind::urdf:
-    case InputKind::annotation:
-      add_part(path);
-      return;
-    case InputKind::other:
-      break;
+    case InputKind::annotation: add_part(path); return;
+    case InputKind::other: break;
     }
     const bool is_xacro = path::to_lower(path::extension(path)) == ".xacro";
     fail("cannot check '" + path + "': " +
@@ -105,8 +91,7 @@ class Planner {
 
   void add_part(const std::string& path) {
     const std::vector<std::string> models = models_listing(path, files_);
-    for (const std::string& model : models)
-      add(plan_.models, model);
+    for (const std::string& model : models) add(plan_.models, model);
     if (models.empty()) add(plan_.strays, path);
   }
 
@@ -116,10 +101,10 @@ class Planner {
   std::set<std::string> planned_;
 };
 
-} // namespace
+}  // namespace
 
 Plan make_plan(const LintOptions& options, MemoryFiles& files) {
   return Planner(options, files).run();
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

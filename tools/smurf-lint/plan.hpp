@@ -13,11 +13,11 @@ namespace smurf::tools {
 struct Plan {
   std::vector<std::string> scenes;
   std::vector<std::string> models;
-  std::vector<std::string> strays; ///< .urdf and .yml files: alone, unless a model reads them
-  bool has_failed = false;         ///< something could not be read; it was said
+  std::vector<std::string> strays;  ///< .urdf and .yml files: alone, unless a model reads them
+  bool has_failed = false;          ///< something could not be read; it was said
 };
 
 /// Standard input, if it is read, goes to `files`.
 Plan make_plan(const LintOptions& options, MemoryFiles& files);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -24,8 +24,9 @@ struct Options {
 Command make_command(Options& options) {
   Command command;
   command.name = kTool;
-  command.summary = "Exports the plain URDF of a SMURF model: its own URDF, byte for byte, with mesh "
-                    "paths that resolve from where it is written.";
+  command.summary =
+      "Exports the plain URDF of a SMURF model: its own URDF, byte for byte, with mesh "
+      "paths that resolve from where it is written.";
   command.operands = "MODEL";
   command.details =
       "MODEL is a .smurf or .urdf file. A model with errors is refused. The result is read again "

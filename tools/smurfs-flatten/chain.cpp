@@ -23,8 +23,7 @@ std::string join(const Vector3& vector) {
 std::string describe(const Pose& pose) {
   std::string text = "xyz " + join(pose.position);
   Vector3 degrees = to_rpy(pose.orientation);
-  for (double& angle : degrees)
-    angle *= 180 / std::numbers::pi;
+  for (double& angle : degrees) angle *= 180 / std::numbers::pi;
   return text + "  rpy " + join(degrees) + " deg";
 }
 
@@ -34,7 +33,7 @@ std::string place(const SourceMap& sources, Span span) {
          std::to_string(at.column);
 }
 
-} // namespace
+}  // namespace
 
 std::string describe_chain(const LinkedScene& scene, const SourceMap& sources,
                            InstanceIndex instance) {
@@ -59,4 +58,4 @@ std::string describe_chain(const LinkedScene& scene, const SourceMap& sources,
   return text;
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

@@ -12,4 +12,4 @@ namespace smurf::tools {
 std::string describe_chain(const LinkedScene& scene, const SourceMap& sources,
                            InstanceIndex instance);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

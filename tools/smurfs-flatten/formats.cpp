@@ -11,11 +11,9 @@ constexpr SceneFormat kFormats[] = {
     {"json", "instances in the world frame, for programs", write_flat_json, nullptr},
 };
 
-} // namespace
+}  // namespace
 
-std::span<const SceneFormat> scene_formats() {
-  return kFormats;
-}
+std::span<const SceneFormat> scene_formats() { return kFormats; }
 
 const SceneFormat* find_scene_format(std::string_view name) {
   for (const SceneFormat& format : kFormats) {
@@ -24,4 +22,4 @@ const SceneFormat* find_scene_format(std::string_view name) {
   return nullptr;
 }
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

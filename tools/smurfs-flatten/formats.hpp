@@ -23,4 +23,4 @@ std::span<const SceneFormat> scene_formats();
 /// Null when there is none of that name.
 const SceneFormat* find_scene_format(std::string_view name);
 
-} // namespace smurf::tools
+}  // namespace smurf::tools

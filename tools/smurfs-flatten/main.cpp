@@ -26,8 +26,7 @@ struct Options {
 
 std::vector<std::string_view> format_names() {
   std::vector<std::string_view> names;
-  for (const SceneFormat& format : scene_formats())
-    names.push_back(format.name);
+  for (const SceneFormat& format : scene_formats()) names.push_back(format.name);
   return names;
 }
 
@@ -94,8 +93,7 @@ int explain_instance(const LinkedScene& scene, const SourceMap& sources, const O
   const auto instance = find_instance(scene, options.explained);
   if (!instance) {
     std::vector<std::string_view> known;
-    for (const Instance& each : scene.instances)
-      known.push_back(each.path);
+    for (const Instance& each : scene.instances) known.push_back(each.path);
     complain(kTool, "the scene has no instance '" + options.explained + "'" +
                         did_you_mean(options.explained, known));
     return kFailed;
@@ -108,12 +106,11 @@ int explain_instance(const LinkedScene& scene, const SourceMap& sources, const O
 bool accept_losses(const SceneFormat& format, const FlatScene& flat, const Options& options) {
   if (format.losses == nullptr) return true;
   const std::vector<std::string> losses = format.losses(flat);
-  for (const std::string& loss : losses)
-    complain(kTool, loss);
+  for (const std::string& loss : losses) complain(kTool, loss);
   return losses.empty() || !options.strict;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv) {
   prepare_streams();

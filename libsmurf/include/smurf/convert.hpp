@@ -17,8 +17,8 @@ struct UrdfExport {
   std::string current_folder = "/";
 };
 
-/// The model's own URDF, byte for byte but for relative mesh and texture paths that would not resolve
-/// from the output folder. Precondition: model.robot is set.
+/// The model's own URDF, byte for byte but for relative mesh and texture paths that would not
+/// resolve from the output folder. Precondition: model.robot is set.
 std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
                         const UrdfExport& options);
 

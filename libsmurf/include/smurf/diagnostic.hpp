@@ -49,7 +49,8 @@ struct Edit {
 
 enum class Applicability : std::uint8_t { safe, unsafe };
 
-/// A remedy as byte edits. Safe fixes never change what the model means to any reader that loads it.
+/// A remedy as byte edits. Safe fixes never change what the model means to any reader that loads
+/// it.
 struct Fix {
   Applicability applicability = Applicability::unsafe;
   std::vector<Edit> edits;

@@ -29,54 +29,54 @@ struct ValueMember {
 };
 
 struct FlatModel {
-  std::string id;   ///< unique; the file's stem where that is
-  std::string type; ///< "smurf" or "urdf"
+  std::string id;    ///< unique; the file's stem where that is
+  std::string type;  ///< "smurf" or "urdf"
   std::string file;
-  std::string urdf; ///< the same as `file` for a URDF; empty when there is none
+  std::string urdf;  ///< the same as `file` for a URDF; empty when there is none
   ModelIndex source{};
 };
 
 struct FlatAttachment {
   Attachment::Kind kind = Attachment::Kind::none;
-  std::string instance; ///< its path; kind link
-  std::string link;     ///< kind link
+  std::string instance;  ///< its path; kind link
+  std::string link;      ///< kind link
 };
 
 struct FlatInstance {
-  std::string name; ///< as written
-  std::string path; ///< unique: "outer/inner"
+  std::string name;  ///< as written
+  std::string path;  ///< unique: "outer/inner"
   std::string type;
-  std::optional<std::size_t> model; ///< in FlatScene::models
-  std::string file;                 ///< of an entity without model; may be empty
-  std::string source_file;          ///< where the entity is written
+  std::optional<std::size_t> model;  ///< in FlatScene::models
+  std::string file;                  ///< of an entity without model; may be empty
+  std::string source_file;           ///< where the entity is written
   std::uint32_t source_line = 1;
-  std::optional<Pose> X_WE; ///< of the root link frame; absent when the scene has errors
+  std::optional<Pose> X_WE;  ///< of the root link frame; absent when the scene has errors
   FlatAttachment anchor;
-  FlatAttachment parent; ///< kind none: the world
+  FlatAttachment parent;  ///< kind none: the world
   /// Of the joints that the named joint pose set gives, in the model's order; rad or m.
   std::vector<std::pair<std::string, double>> joint_positions;
-  Value::Object properties; ///< every key that has no meaning of its own here
+  Value::Object properties;  ///< every key that has no meaning of its own here
   /// X_WL of every link, in the model's order, when asked for.
   std::vector<std::pair<std::string, Pose>> links;
 };
 
 struct FlatPhysics {
-  std::optional<Vector3> gravity;  ///< m/s^2
-  std::optional<double> step_size; ///< s
+  std::optional<Vector3> gravity;   ///< m/s^2
+  std::optional<double> step_size;  ///< s
   std::optional<double> cfm, erp;
 };
 
 struct FlatScene {
-  std::string scene; ///< the file
+  std::string scene;  ///< the file
   FlatPhysics physics;
   Value::Object environment;
-  Value::List lights; ///< in the world frame
+  Value::List lights;  ///< in the world frame
   std::vector<FlatModel> models;
-  std::vector<FlatInstance> instances; ///< depth-first, in file order
+  std::vector<FlatInstance> instances;  ///< depth-first, in file order
 };
 
 struct FlattenOptions {
-  bool links = false; ///< fill FlatInstance::links
+  bool links = false;  ///< fill FlatInstance::links
   /// Folder that all files of the result are relative to.
   std::string output_folder = ".";
   /// Absolute path that relative paths start from.
@@ -89,10 +89,10 @@ FlatScene flatten(const LinkedScene& scene, const SourceMap& sources,
 
 /// One transform on the way from the world to an instance.
 struct TransformStep {
-  std::string what; ///< "joint `j1` at 0.5 rad"
-  Span span;        ///< where it is written; may be empty
-  Pose X_step;      ///< relative to the step before
-  Pose X_W;         ///< all steps so far
+  std::string what;  ///< "joint `j1` at 0.5 rad"
+  Span span;         ///< where it is written; may be empty
+  Pose X_step;       ///< relative to the step before
+  Pose X_W;          ///< all steps so far
 };
 
 /// The chain of transforms of an instance, from the world on; empty when the instance has no pose.
@@ -101,4 +101,4 @@ std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex insta
 /// An instance by its path, else the first by its name.
 std::optional<InstanceIndex> find_instance(const LinkedScene& scene, std::string_view name);
 
-} // namespace smurf
+}  // namespace smurf

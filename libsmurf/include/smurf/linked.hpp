@@ -30,8 +30,8 @@ std::size_t to_size(Index index) {
   return static_cast<std::size_t>(index);
 }
 
-/// Which joint leads to which link. Only meaningful parts are filled: a joint whose ends are unknown
-/// has none, a link with two parents keeps the first.
+/// Which joint leads to which link. Only meaningful parts are filled: a joint whose ends are
+/// unknown has none, a link with two parents keeps the first.
 struct KinematicTree {
   std::vector<std::optional<LinkIndex>> joint_parent, joint_child;  ///< by joint
   std::vector<std::optional<JointIndex>> parent_joint;              ///< by link
@@ -57,8 +57,8 @@ class NameTable {
 /// URDF's folder) and of MARS (relative to the .smurf's folder).
 struct MeshReference {
   Span span;
-  std::string filename;     ///< as written
-  std::string path;         ///< resolved; empty when it cannot be (unknown package)
+  std::string filename;  ///< as written
+  std::string path;      ///< resolved; empty when it cannot be (unknown package)
   bool exists = false;
   bool is_texture = false;
 };
@@ -74,8 +74,8 @@ struct ModelFile {
 /// Views inside (names, XML, YAML) point into the SourceMap and into the vectors here, so the model
 /// is moved, not copied.
 struct LinkedModel {
-  std::string path;         ///< as given: a .smurf, a .urdf or an annotation file
-  bool has_main = false;    ///< false for a URDF or annotation file on its own
+  std::string path;       ///< as given: a .smurf, a .urdf or an annotation file
+  bool has_main = false;  ///< false for a URDF or annotation file on its own
   Model main;
   std::vector<ModelFile> files;  ///< in the order they were read
   Annotations annotations;       ///< of all files, merged
@@ -144,10 +144,10 @@ struct SceneFile {
 /// One use of a scene file: the scene that was loaded, or an include.
 struct SceneUse {
   SceneIndex scene{};
-  std::string path;                ///< "outer/inner"; empty for the loaded scene
-  std::optional<UseIndex> outer;   ///< none for the loaded scene
+  std::string path;                  ///< "outer/inner"; empty for the loaded scene
+  std::optional<UseIndex> outer;     ///< none for the loaded scene
   std::size_t including_entity = 0;  ///< in the scene of `outer`
-  Placement placement;             ///< what its entities without own parent inherit
+  Placement placement;               ///< what its entities without own parent inherit
 };
 
 /// An entity after nested scenes are expanded.
@@ -165,7 +165,8 @@ struct Instance {
   std::optional<Pose> X_WE;
 };
 
-/// A loaded scene. A .smurf or .urdf counts as a scene of one entity; its scene file has no document.
+/// A loaded scene. A .smurf or .urdf counts as a scene of one entity; its scene file has no
+/// document.
 struct LinkedScene {
   std::string path;
   std::vector<SceneFile> scenes;    ///< the loaded one first

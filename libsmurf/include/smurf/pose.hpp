@@ -30,14 +30,16 @@ Pose inverse(const Pose& X_AB);
 Vector3 rotate(const Quaternion& rotation, const Vector3& vector);
 Quaternion multiply(const Quaternion& a, const Quaternion& b);
 double norm(const Quaternion& q);
-/// Unit length, and the first non-zero component of (w, x, y, z) positive. Precondition: norm(q) > 0.
+/// Unit length, and the first non-zero component of (w, x, y, z) positive. Precondition: norm(q) >
+/// 0.
 Quaternion normalized(const Quaternion& q);
 /// Angle of the rotation between two unit quaternions, radians in [0, pi].
 double angle_between(const Quaternion& a, const Quaternion& b);
 
 /// Fixed-axis x, then y, then z (URDF rpy): R = Rz(yaw) Ry(pitch) Rx(roll); radians.
 Quaternion from_rpy(const Vector3& rpy);
-/// The same in degrees; exact at multiples of 90 degrees (SMURF scenes; MARS mathUtils.cpp:133-152).
+/// The same in degrees; exact at multiples of 90 degrees (SMURF scenes; MARS
+/// mathUtils.cpp:133-152).
 Quaternion from_rpy_degrees(const Vector3& degrees);
 /// Accurate to 1e-15 rad everywhere, gimbal lock included (yaw is 0 there).
 Vector3 to_rpy(const Quaternion& q);

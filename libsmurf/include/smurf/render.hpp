@@ -27,7 +27,7 @@ Summary summarize(std::span<const Diagnostic> diagnostics);
 
 struct TextStyle {
   bool color = false;
-  int width = 0; ///< columns of the terminal; 0: only lines above 2000 columns are cut
+  int width = 0;  ///< columns of the terminal; 0: only lines above 2000 columns are cut
 };
 
 /// Who made a report.
@@ -57,4 +57,4 @@ std::string render_rule_list(std::span<const Rule* const> rules, const TextStyle
 /// A JSON array of all that the rules say about themselves.
 std::string render_rule_list_json(std::span<const Rule* const> rules);
 
-} // namespace smurf
+}  // namespace smurf

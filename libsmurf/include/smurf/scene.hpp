@@ -21,16 +21,16 @@ enum class EntityList : std::uint8_t { smurfs, entities, smurfa };
 /// How a rotation is written.
 enum class RotationForm : std::uint8_t {
   absent,
-  yaw,        ///< a number or a list of one: degrees about z
-  euler,      ///< list of three: degrees about fixed x, then y, then z
-  quaternion, ///< list of four, or a mapping: w, x, y, z
-  invalid     ///< reported; no rotation
+  yaw,         ///< a number or a list of one: degrees about z
+  euler,       ///< list of three: degrees about fixed x, then y, then z
+  quaternion,  ///< list of four, or a mapping: w, x, y, z
+  invalid      ///< reported; no rotation
 };
 
 struct Rotation {
   RotationForm form = RotationForm::absent;
   Span span;
-  std::array<double, 4> values{}; ///< yaw: 1, euler: 3, quaternion: w, x, y, z; not normalised
+  std::array<double, 4> values{};  ///< yaw: 1, euler: 3, quaternion: w, x, y, z; not normalised
   bool is_mapping = false;
 };
 /// As a unit quaternion; the identity when absent or invalid.
@@ -40,16 +40,16 @@ Quaternion to_quaternion(const Rotation& rotation);
 struct Entity {
   EntityList list = EntityList::entities;
   Span span;
-  Span head; ///< its first key, for findings about the whole
+  Span head;  ///< its first key, for findings about the whole
   yaml::NodeId node = yaml::kNoNode;
   Field<std::string> name, file, type, parent, anchor, pose;
   Field<std::string> uri;
-  Field<Vector3> position; ///< metres, in the frame of the parent
+  Field<Vector3> position;  ///< metres, in the frame of the parent
   bool position_is_mapping = false;
   Rotation rotation;
   Field<bool> root;
-  std::vector<JointPoseSet> poses;  ///< of this entity alone; MARS merges them before the model's
-  std::vector<CustomSection> extra; ///< every key without a member above
+  std::vector<JointPoseSet> poses;   ///< of this entity alone; MARS merges them before the model's
+  std::vector<CustomSection> extra;  ///< every key without a member above
 };
 
 /// Where a finding about the whole entity points: its name, else its first key.
@@ -58,17 +58,17 @@ Span place_of(const Entity& entity);
 struct Physics {
   Span span;
   yaml::NodeId node = yaml::kNoNode;
-  Field<Vector3> gravity;  ///< m/s^2
-  Field<double> step_size; ///< `ode.stepsize`, milliseconds in MARS
+  Field<Vector3> gravity;   ///< m/s^2
+  Field<double> step_size;  ///< `ode.stepsize`, milliseconds in MARS
   Field<double> cfm, erp;
 };
 
 struct Scene {
-  std::vector<Entity> entities; ///< in MARS's order: `smurfs`, `entities`, `smurfa`
+  std::vector<Entity> entities;  ///< in MARS's order: `smurfs`, `entities`, `smurfa`
   std::optional<Physics> physics;
   yaml::NodeId environment = yaml::kNoNode;
-  std::vector<Light> lights; ///< in the world frame
+  std::vector<Light> lights;  ///< in the world frame
   std::vector<CustomSection> extra;
 };
 
-} // namespace smurf
+}  // namespace smurf

@@ -11,4 +11,4 @@ namespace smurf {
 /// Flat JSON as schemas/flat-scene.schema.json describes it. `links` writes the link poses too.
 std::string write_flat_json(const FlatScene& scene, bool links);
 
-} // namespace smurf
+}  // namespace smurf

@@ -41,7 +41,8 @@ struct Comment {
 
 class View;
 
-/// The first document of a YAML file. Moved, never copied: texts point into it and into the SourceMap.
+/// The first document of a YAML file. Moved, never copied: texts point into it and into the
+/// SourceMap.
 struct Document {
   Document() = default;
   Document(Document&&) = default;

@@ -51,4 +51,4 @@ constinit const Rule sml4004_missing_key{
     .remedy = "Add the key.",
     .sources = "configmaps (run); MARS smurf.cpp:264; Phobos representation.py:2399."};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

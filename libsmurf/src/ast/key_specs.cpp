@@ -25,20 +25,14 @@ std::span<const std::string_view> components_of(ValueType type) {
   static constexpr std::string_view kOrientation[] = {"w", "x", "y", "z", "roll", "pitch", "yaw"};
   static constexpr std::string_view kRgba[] = {"r", "g", "b", "a"};
   switch (type) {
-  case ValueType::vector2:
-    return std::span(kXyz).first(2);
+  case ValueType::vector2: return std::span(kXyz).first(2);
   case ValueType::vector3:
-  case ValueType::position:
-    return kXyz;
+  case ValueType::position: return kXyz;
   case ValueType::quaternion:
-  case ValueType::rotation:
-    return std::span(kOrientation).first(4);
-  case ValueType::orientation:
-    return kOrientation;
-  case ValueType::color:
-    return kRgba;
-  default:
-    return {};
+  case ValueType::rotation: return std::span(kOrientation).first(4);
+  case ValueType::orientation: return kOrientation;
+  case ValueType::color: return kRgba;
+  default: return {};
   }
 }
 
@@ -72,8 +66,7 @@ void report_missing(std::span<const KeySpec* const> missing, yaml::View mapping,
                     std::string_view what, DiagnosticSink& sink) {
   if (missing.empty()) return;
   std::vector<std::string_view> names;
-  for (const yaml::View key : mapping)
-    names.push_back(key.key());
+  for (const yaml::View key : mapping) names.push_back(key.key());
   for (const KeySpec* spec : missing) {
     const std::string name = "`" + std::string(spec->name) + "`";
     const auto near = nearest(spec->name, names);
@@ -92,58 +85,36 @@ void report_missing(std::span<const KeySpec* const> missing, yaml::View mapping,
 
 std::string_view describe(ValueType type) {
   switch (type) {
-  case ValueType::text:
-    return "a text";
-  case ValueType::number:
-    return "a number";
-  case ValueType::integer:
-    return "a whole number";
-  case ValueType::boolean:
-    return "true or false";
-  case ValueType::names:
-    return "a name or a list of names";
-  case ValueType::name_list:
-    return "a list of names";
-  case ValueType::number_list:
-    return "a list of numbers";
-  case ValueType::number_map:
-    return "a mapping from names to numbers";
-  case ValueType::vector2:
-    return "a mapping with `x`, `y`";
-  case ValueType::vector3:
-    return "a mapping with `x`, `y`, `z`";
-  case ValueType::vector3_list:
-    return "a list of three numbers";
-  case ValueType::quaternion:
-    return "a mapping with `w`, `x`, `y`, `z`";
+  case ValueType::text: return "a text";
+  case ValueType::number: return "a number";
+  case ValueType::integer: return "a whole number";
+  case ValueType::boolean: return "true or false";
+  case ValueType::names: return "a name or a list of names";
+  case ValueType::name_list: return "a list of names";
+  case ValueType::number_list: return "a list of numbers";
+  case ValueType::number_map: return "a mapping from names to numbers";
+  case ValueType::vector2: return "a mapping with `x`, `y`";
+  case ValueType::vector3: return "a mapping with `x`, `y`, `z`";
+  case ValueType::vector3_list: return "a list of three numbers";
+  case ValueType::quaternion: return "a mapping with `w`, `x`, `y`, `z`";
   case ValueType::orientation:
     return "a mapping with `w`, `x`, `y`, `z` or with `roll`, `pitch`, `yaw`";
-  case ValueType::color:
-    return "a mapping with `r`, `g`, `b`, `a`";
-  case ValueType::position:
-    return "a list of three numbers";
-  case ValueType::rotation:
-    return "one, three or four numbers";
-  case ValueType::mapping:
-    return "a mapping";
-  case ValueType::list:
-    return "a list";
-  case ValueType::any:
-    return "anything";
+  case ValueType::color: return "a mapping with `r`, `g`, `b`, `a`";
+  case ValueType::position: return "a list of three numbers";
+  case ValueType::rotation: return "one, three or four numbers";
+  case ValueType::mapping: return "a mapping";
+  case ValueType::list: return "a list";
+  case ValueType::any: return "anything";
   }
   return "";
 }
 
 std::string describe(yaml::View value) {
   switch (value.kind()) {
-  case yaml::Kind::null:
-    return "nothing";
-  case yaml::Kind::sequence:
-    return "a list";
-  case yaml::Kind::mapping:
-    return "a mapping";
-  case yaml::Kind::scalar:
-    break;
+  case yaml::Kind::null: return "nothing";
+  case yaml::Kind::sequence: return "a list";
+  case yaml::Kind::mapping: return "a mapping";
+  case yaml::Kind::scalar: break;
   }
   constexpr std::size_t kLongest = 40;
   std::string text(value.text().substr(0, kLongest));
@@ -154,4 +125,4 @@ std::string describe(yaml::View value) {
   return (value.type() == yaml::ScalarType::text ? "the text `" : "`") + text + "`";
 }
 
-} // namespace smurf
+}  // namespace smurf

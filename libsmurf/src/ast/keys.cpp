@@ -11,9 +11,7 @@
 namespace smurf {
 namespace {
 
-std::string name_of(const KeySpec& spec) {
-  return "`" + std::string(spec.name) + "`";
-}
+std::string name_of(const KeySpec& spec) { return "`" + std::string(spec.name) + "`"; }
 
 /// A help with an edit that replaces the value; not safe, because some reader understood the value
 /// as it is.
@@ -255,49 +253,33 @@ void check_list(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   }
 }
 
-} // namespace
+}  // namespace
 
 void read_value(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
   // configmaps and PyYAML both treat a null as a key that says nothing.
   if (value.is_null()) return;
   switch (spec.type) {
-  case ValueType::text:
-    return read_text(spec, value, target, sink);
-  case ValueType::number:
-    return read_number(spec, value, target, sink);
-  case ValueType::integer:
-    return read_integer(spec, value, target, sink);
-  case ValueType::boolean:
-    return read_boolean(spec, value, target, sink);
+  case ValueType::text: return read_text(spec, value, target, sink);
+  case ValueType::number: return read_number(spec, value, target, sink);
+  case ValueType::integer: return read_integer(spec, value, target, sink);
+  case ValueType::boolean: return read_boolean(spec, value, target, sink);
   case ValueType::names:
-  case ValueType::name_list:
-    return read_names(spec, value, target, sink);
-  case ValueType::number_list:
-    return read_number_list(spec, value, 0, target, sink);
-  case ValueType::number_map:
-    return check_number_map(spec, value, sink);
-  case ValueType::vector3_list:
-    return read_number_list(spec, value, 3, target, sink);
-  case ValueType::vector3:
-    return read_vector3(spec, value, target, sink);
-  case ValueType::color:
-    return read_color(spec, value, target, sink);
+  case ValueType::name_list: return read_names(spec, value, target, sink);
+  case ValueType::number_list: return read_number_list(spec, value, 0, target, sink);
+  case ValueType::number_map: return check_number_map(spec, value, sink);
+  case ValueType::vector3_list: return read_number_list(spec, value, 3, target, sink);
+  case ValueType::vector3: return read_vector3(spec, value, target, sink);
+  case ValueType::color: return read_color(spec, value, target, sink);
   case ValueType::position:
     if (value.is_mapping()) return read_vector3(spec, value, target, sink);
     return read_number_list(spec, value, 3, target, sink);
-  case ValueType::rotation:
-    return; // its forms are told apart by the scene reader
+  case ValueType::rotation: return;  // its forms are told apart by the scene reader
   case ValueType::vector2:
   case ValueType::quaternion:
-  case ValueType::orientation:
-    read_components(spec, value, {}, sink);
-    return;
-  case ValueType::mapping:
-    return check_mapping(spec, value, sink);
-  case ValueType::list:
-    return check_list(spec, value, sink);
-  case ValueType::any:
-    return;
+  case ValueType::orientation: read_components(spec, value, {}, sink); return;
+  case ValueType::mapping: return check_mapping(spec, value, sink);
+  case ValueType::list: return check_list(spec, value, sink);
+  case ValueType::any: return;
   }
 }
 
@@ -312,4 +294,4 @@ void check_keys(std::span<const KeySpec> keys, yaml::View mapping, std::string_v
   report_missing(missing, mapping, what, sink);
 }
 
-} // namespace smurf
+}  // namespace smurf

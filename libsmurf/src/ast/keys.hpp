@@ -19,24 +19,24 @@ namespace smurf {
 
 /// How a value is written. Quoted text is text; a null says nothing, as if the key were absent.
 enum class ValueType : std::uint8_t {
-  text,         ///< any scalar
-  number,       ///< finite plain number
-  integer,      ///< plain whole number; without bounds of its own it fits in 32 bits, as in MARS
-  boolean,      ///< true or false; 1 or 0
-  names,        ///< text or list of texts
-  name_list,    ///< list of texts
-  number_list,  ///< list of numbers
-  number_map,   ///< mapping from any names to numbers
-  vector2,      ///< mapping x, y
-  vector3,      ///< mapping x, y, z
-  vector3_list, ///< list of three numbers
-  quaternion,   ///< mapping w, x, y, z
-  orientation,  ///< mapping w, x, y, z or roll, pitch, yaw
-  color,        ///< mapping r, g, b, a; each 0 to 1
-  position,     ///< list of three numbers, or mapping x, y, z
-  rotation,     ///< number, list of one, three or four numbers, or mapping w, x, y, z
-  mapping,      ///< of the keys in `members`, or of any
-  list,         ///< of mappings with the keys in `members`, or of anything
+  text,          ///< any scalar
+  number,        ///< finite plain number
+  integer,       ///< plain whole number; without bounds of its own it fits in 32 bits, as in MARS
+  boolean,       ///< true or false; 1 or 0
+  names,         ///< text or list of texts
+  name_list,     ///< list of texts
+  number_list,   ///< list of numbers
+  number_map,    ///< mapping from any names to numbers
+  vector2,       ///< mapping x, y
+  vector3,       ///< mapping x, y, z
+  vector3_list,  ///< list of three numbers
+  quaternion,    ///< mapping w, x, y, z
+  orientation,   ///< mapping w, x, y, z or roll, pitch, yaw
+  color,         ///< mapping r, g, b, a; each 0 to 1
+  position,      ///< list of three numbers, or mapping x, y, z
+  rotation,      ///< number, list of one, three or four numbers, or mapping w, x, y, z
+  mapping,       ///< of the keys in `members`, or of any
+  list,          ///< of mappings with the keys in `members`, or of anything
   any
 };
 
@@ -57,19 +57,18 @@ struct KeyTable {
 struct KeySpec {
   std::string_view name;
   ValueType type = ValueType::any;
-  std::string_view doc = {};      ///< one sentence
-  std::string_view unit = {};     ///< "rad/s"; may be empty
-  std::string_view fallback = {}; ///< what MARS takes when it is absent, as JSON text; may be empty
+  std::string_view doc = {};   ///< one sentence
+  std::string_view unit = {};  ///< "rad/s"; may be empty
+  std::string_view fallback =
+      {};  ///< what MARS takes when it is absent, as JSON text; may be empty
   bool required = false;
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
-  std::span<const std::string_view> choices = {}; ///< of a text; empty: any
-  KeyTable members = {};                          ///< of a mapping, or of the mappings in a list
+  std::span<const std::string_view> choices = {};  ///< of a text; empty: any
+  KeyTable members = {};                           ///< of a mapping, or of the mappings in a list
 };
 
-inline std::span<const KeySpec> KeyTable::keys() const {
-  return {first, size};
-}
+inline std::span<const KeySpec> KeyTable::keys() const { return {first, size}; }
 
 /// Bounds of a number, both inclusive; infinite where there are none.
 struct Bounds {
@@ -137,8 +136,7 @@ void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, 
   std::vector<bool> given(keys.size(), false);
   for (const yaml::View value : mapping) {
     std::size_t i = 0;
-    while (i < keys.size() && keys[i].spec.name != value.key())
-      ++i;
+    while (i < keys.size() && keys[i].spec.name != value.key()) ++i;
     if (i == keys.size()) {
       const KeySpec* spec = find_key(more, value.key());
       if (spec != nullptr && is_first(mapping, value)) read_value(*spec, value, {}, sink);
@@ -184,18 +182,16 @@ void read_entry(std::span<const Key<T>> keys, yaml::View mapping, T& out, std::s
 template <class T>
 std::vector<const KeySpec*> specs_of(std::span<const Key<T>> keys, MoreKeys more = {}) {
   std::vector<const KeySpec*> specs;
-  for (const Key<T>& key : keys)
-    specs.push_back(&key.spec);
+  for (const Key<T>& key : keys) specs.push_back(&key.spec);
   const std::size_t own = specs.size();
   for (const std::span<const KeySpec> table : more) {
     for (const KeySpec& spec : table) {
       bool is_known = find_key(more, spec.name) != &spec;
-      for (std::size_t i = 0; i < own; ++i)
-        is_known = is_known || specs[i]->name == spec.name;
+      for (std::size_t i = 0; i < own; ++i) is_known = is_known || specs[i]->name == spec.name;
       if (!is_known) specs.push_back(&spec);
     }
   }
   return specs;
 }
 
-} // namespace smurf
+}  // namespace smurf

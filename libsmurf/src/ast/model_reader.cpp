@@ -57,11 +57,9 @@ bool is_mapping(const yaml::Document& document, std::string_view what, Diagnosti
   return false;
 }
 
-} // namespace
+}  // namespace
 
-std::span<const Key<Model>> main_keys() {
-  return kMainKeys;
-}
+std::span<const Key<Model>> main_keys() { return kMainKeys; }
 
 std::optional<Model> read_model(const yaml::Document& document, DiagnosticSink& sink) {
   if (!is_mapping(document, "main file", sink)) return std::nullopt;
@@ -82,7 +80,7 @@ std::optional<Annotations> read_annotations(const yaml::Document& document, Diag
   return annotations;
 }
 
-} // namespace smurf
+}  // namespace smurf
 
 namespace smurf::rules {
 
@@ -97,4 +95,4 @@ constinit const Rule sml2011_root_not_mapping{
         "out of the list that names it.",
     .sources = "configmaps ConfigMap.cpp (run); smurf_parser SMURFParser.cpp:53-77 (run)."};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

@@ -21,4 +21,4 @@ std::span<const Key<Model>> main_keys();
 /// Reads an annotation file (.yml). None when the root is not a mapping.
 std::optional<Annotations> read_annotations(const yaml::Document& document, DiagnosticSink& sink);
 
-} // namespace smurf
+}  // namespace smurf

@@ -199,28 +199,14 @@ constexpr Key<Physics> kOdeKeys[] = {
     {row(kOde, "erp"), &Physics::erp},
 };
 
-} // namespace
+}  // namespace
 
-std::span<const KeySpec> scene_keys() {
-  return kScene;
-}
-std::span<const KeySpec> all_entity_keys() {
-  return kEntity;
-}
-std::span<const KeySpec> environment_keys() {
-  return kEnvironment;
-}
-std::span<const KeySpec> all_physics_keys() {
-  return kPhysics;
-}
-std::span<const Key<Entity>> entity_keys() {
-  return kEntityKeys;
-}
-std::span<const Key<Physics>> physics_keys() {
-  return kPhysicsKeys;
-}
-std::span<const Key<Physics>> ode_keys() {
-  return kOdeKeys;
-}
+std::span<const KeySpec> scene_keys() { return kScene; }
+std::span<const KeySpec> all_entity_keys() { return kEntity; }
+std::span<const KeySpec> environment_keys() { return kEnvironment; }
+std::span<const KeySpec> all_physics_keys() { return kPhysics; }
+std::span<const Key<Entity>> entity_keys() { return kEntityKeys; }
+std::span<const Key<Physics>> physics_keys() { return kPhysicsKeys; }
+std::span<const Key<Physics>> ode_keys() { return kOdeKeys; }
 
-} // namespace smurf
+}  // namespace smurf

@@ -24,4 +24,4 @@ std::span<const Key<Entity>> entity_keys();
 std::span<const Key<Physics>> physics_keys();
 std::span<const Key<Physics>> ode_keys();
 
-} // namespace smurf
+}  // namespace smurf

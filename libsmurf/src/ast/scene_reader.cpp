@@ -59,8 +59,7 @@ class RotationReader {
     }
     bool is_sound = true;
     std::size_t index = 0;
-    for (const yaml::View item : list)
-      is_sound = read_number(item, index++) && is_sound;
+    for (const yaml::View item : list) is_sound = read_number(item, index++) && is_sound;
     if (!is_sound) return;
     rotation_.form = size == 1   ? RotationForm::yaw
                      : size == 3 ? RotationForm::euler
@@ -195,7 +194,7 @@ bool is_taken(std::string_view key) {
   return false;
 }
 
-} // namespace
+}  // namespace
 
 std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& sink) {
   const yaml::View root = document.view();
@@ -229,22 +228,16 @@ std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& 
   return scene;
 }
 
-Span place_of(const Entity& entity) {
-  return entity.name.written ? entity.name.span : entity.head;
-}
+Span place_of(const Entity& entity) { return entity.name.written ? entity.name.span : entity.head; }
 
 Quaternion to_quaternion(const Rotation& rotation) {
   const auto& [a, b, c, d] = rotation.values;
   switch (rotation.form) {
-  case RotationForm::yaw:
-    return from_rpy_degrees({0, 0, a});
-  case RotationForm::euler:
-    return from_rpy_degrees({a, b, c});
-  case RotationForm::quaternion:
-    return normalized({a, b, c, d});
+  case RotationForm::yaw: return from_rpy_degrees({0, 0, a});
+  case RotationForm::euler: return from_rpy_degrees({a, b, c});
+  case RotationForm::quaternion: return normalized({a, b, c, d});
   case RotationForm::absent:
-  case RotationForm::invalid:
-    break;
+  case RotationForm::invalid: break;
   }
   return {};
 }
@@ -283,5 +276,5 @@ constinit const Rule sml5003_zero_quaternion{
     .remedy = "Write a unit quaternion; no rotation is [1, 0, 0, 0].",
     .sources = "ODE 0.16.2 dxNormalize4 (run); MARS SimEntity.cpp:416-434."};
 
-} // namespace rules
-} // namespace smurf
+}  // namespace rules
+}  // namespace smurf

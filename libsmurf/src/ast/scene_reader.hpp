@@ -12,4 +12,4 @@ namespace smurf {
 /// Reads a scene or assembly. None when the root is not a mapping.
 std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& sink);
 
-} // namespace smurf
+}  // namespace smurf

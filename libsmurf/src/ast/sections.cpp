@@ -48,11 +48,9 @@ void read_section(const SectionSpec& section, yaml::View value, Annotations& out
   report_shape(section, value, expected, sink);
 }
 
-} // namespace
+}  // namespace
 
-std::span<const SectionSpec* const> all_sections() {
-  return kSections;
-}
+std::span<const SectionSpec* const> all_sections() { return kSections; }
 
 const SectionSpec* find_section(std::string_view name) {
   for (const SectionSpec* section : kSections) {
@@ -66,8 +64,7 @@ const SectionSpec* find_section(std::string_view name) {
 
 std::vector<std::string_view> section_names() {
   std::vector<std::string_view> names;
-  for (const SectionSpec* section : kSections)
-    names.push_back(section->name);
+  for (const SectionSpec* section : kSections) names.push_back(section->name);
   for (const SectionSpec* section : kSections) {
     names.insert(names.end(), section->aliases.begin(), section->aliases.end());
   }
@@ -87,4 +84,4 @@ void read_sections(yaml::View root, bool (*is_taken)(std::string_view key), Anno
   }
 }
 
-} // namespace smurf
+}  // namespace smurf

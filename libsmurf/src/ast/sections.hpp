@@ -14,16 +14,16 @@ namespace smurf {
 
 /// What the value of a section is.
 enum class SectionForm : std::uint8_t {
-  list,            ///< a list of entries
-  list_or_mapping, ///< a list of entries, or one entry
-  named            ///< a mapping from names to entries
+  list,             ///< a list of entries
+  list_or_mapping,  ///< a list of entries, or one entry
+  named             ///< a mapping from names to entries
 };
 
 struct SectionSpec {
-  std::string_view name;                          ///< canonical: "motors"
-  std::span<const std::string_view> aliases = {}; ///< other names of the same section: "motor"
-  std::string_view entry;                         ///< what one entry is: "motor"
-  std::string_view doc;                           ///< one sentence, for the schema
+  std::string_view name;                           ///< canonical: "motors"
+  std::span<const std::string_view> aliases = {};  ///< other names of the same section: "motor"
+  std::string_view entry;                          ///< what one entry is: "motor"
+  std::string_view doc;                            ///< one sentence, for the schema
   SectionForm form = SectionForm::list;
   std::vector<const KeySpec*> (*keys)() = nullptr;
   /// Reads one entry (a mapping) and appends it.
@@ -57,5 +57,5 @@ void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view ent
 /// replace them one by one.
 std::span<const KeySpec> node_keys();
 
-} // namespace sections
-} // namespace smurf
+}  // namespace sections
+}  // namespace smurf

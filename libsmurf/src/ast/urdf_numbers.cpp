@@ -63,7 +63,7 @@ class NumberReader {
   Token whole() const { return {0, static_cast<std::uint32_t>(text_.size())}; }
 
   bool has_residue() {
-    if (is_xacro(text_)) return true; // the reader of the file reports it
+    if (is_xacro(text_)) return true;  // the reader of the file reports it
     if (text_.find('%') != std::string_view::npos) {
       report_percent(place(whole()), text_, sink_);
       return true;
@@ -75,13 +75,16 @@ class NumberReader {
     const std::vector<Token> tokens = split(text_);
     const auto commas = std::count(text_.begin(), text_.end(), ',');
     const bool all_joined = tokens.size() == 1 && commas >= 2;
-    const bool trailing = tokens.size() > 1 && std::any_of(tokens.begin(), tokens.end(),
-                                                           [&](Token t) { return text_[t.end - 1] == ','; });
+    const bool trailing =
+        tokens.size() > 1 &&
+        std::any_of(tokens.begin(), tokens.end(), [&](Token t) { return text_[t.end - 1] == ','; });
     if (!all_joined && !trailing) return false;
     std::string fixed;
     for (const char c : text_) {
-      if (c != ',') fixed += c;
-      else if (all_joined) fixed += ' ';
+      if (c != ',')
+        fixed += c;
+      else if (all_joined)
+        fixed += ' ';
     }
     Diagnostic& diagnostic =
         sink_.report(rules::sml1806_comma_separator, place(whole()),
@@ -129,8 +132,7 @@ class NumberReader {
   /// The first character beyond ASCII, as "U+2212".
   static std::string code_point(std::string_view text) {
     std::size_t at = 0;
-    while (static_cast<unsigned char>(text[at]) < 0x80)
-      ++at;
+    while (static_cast<unsigned char>(text[at]) < 0x80) ++at;
     const auto first = static_cast<unsigned char>(text[at]);
     const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
     std::uint32_t value = first & (0xFFU >> (size + 1));
@@ -173,9 +175,10 @@ class NumberReader {
 
   static bool is_out_of_range(std::string_view text) {
     return !text.empty() &&
-           std::all_of(text.begin(), text.end(), [](char c) {
-             return is_digit(c) || c == '.' || c == 'e' || c == '-' || c == '+';
-           }) &&
+           std::all_of(text.begin(), text.end(),
+                       [](char c) {
+                         return is_digit(c) || c == '.' || c == 'e' || c == '-' || c == '+';
+                       }) &&
            text.find('e') != std::string_view::npos && text.find('.') == text.rfind('.');
   }
 
@@ -203,16 +206,15 @@ class NumberReader {
       fixed += text_.substr(token.begin, token.end - token.begin);
     }
     if (count == 1) {
-      if (tokens.back().end == text_.size()) return; // readers skip blanks in front
+      if (tokens.back().end == text_.size()) return;  // readers skip blanks in front
       Diagnostic& diagnostic = sink_.report(rules::sml1802_trailing_space, place(whole()),
                                             "a blank follows the number `" + fixed + "`");
       diagnostic.help = "delete the blank";
       diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span, fixed}}});
     } else if (std::any_of(text_.begin(), text_.end(), is_line_or_tab)) {
-      Diagnostic& diagnostic =
-          sink_.report(rules::sml1808_vector_tab_newline, place(whole()),
-                       "a tab or line break between the numbers of `" +
-                           std::string(attribute_.name) + "`");
+      Diagnostic& diagnostic = sink_.report(rules::sml1808_vector_tab_newline, place(whole()),
+                                            "a tab or line break between the numbers of `" +
+                                                std::string(attribute_.name) + "`");
       diagnostic.help = "separate them by single spaces";
       diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span, fixed}}});
     }
@@ -257,8 +259,9 @@ constinit const Rule sml1012_percent_in_value{
     .name = "percent-in-value",
     .severity = Severity::error,
     .summary = "A number, colour or material name holds `%`.",
-    .why = "urdfdom up to 5.0 passes this text to printf as the format: `%s` crashes check_urdf and "
-           "every program that links it, `%p` prints addresses of its memory.",
+    .why =
+        "urdfdom up to 5.0 passes this text to printf as the format: `%s` crashes check_urdf and "
+        "every program that links it, `%p` prints addresses of its memory.",
     .remedy = "Remove the `%`.",
     .sources = "urdfdom 3.0.1 link.cpp:93-334, executed (segmentation fault); fixed in 5.1.0 "
                "(urdfdom pull requests 243, 244)."};
@@ -268,8 +271,9 @@ constinit const Rule sml1801_not_a_number{
     .name = "not-a-number",
     .severity = Severity::error,
     .summary = "An attribute that takes numbers holds something else.",
-    .why = "urdfdom refuses the file or silently drops the rest of the link; urdf-loader reads NaN, "
-           "Drake and Bullet the number at the front, if any.",
+    .why =
+        "urdfdom refuses the file or silently drops the rest of the link; urdf-loader reads NaN, "
+        "Drake and Bullet the number at the front, if any.",
     .remedy = "Write a decimal number.",
     .sources = "urdfdom 3.0.1, Bullet and urdf-loader 0.13, executed; 35 of 941 public files."};
 
@@ -309,8 +313,9 @@ constinit const Rule sml1805_decimal_comma{
     .name = "decimal-comma",
     .severity = Severity::error,
     .summary = "A number is written with a decimal comma.",
-    .why = "Drake, Bullet, urdf-loader and Isaac silently read `1,5` as 1; urdfdom and MuJoCo refuse "
-           "it.",
+    .why =
+        "Drake, Bullet, urdf-loader and Isaac silently read `1,5` as 1; urdfdom and MuJoCo refuse "
+        "it.",
     .remedy = "Write a point.",
     .sources = "urdfdom 3.0.1, MuJoCo 3.14, Bullet and urdf-loader 0.13, executed."};
 

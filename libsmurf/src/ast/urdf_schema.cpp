@@ -11,11 +11,29 @@ namespace {
 
 constexpr AttributeSpec kRobotAttributes[] = {{"name"}, {"version"}};
 constexpr ChildSpec kRobotChildren[] = {{"link"}, {"joint"}, {"material"}};
-constexpr std::string_view kRobotExtensions[] = {
-    "transmission", "gazebo", "sensor", "ros2_control", "mujoco", "frame", "loop_joint",
-    "loop", "deformable", "reduced_deformable", "controller", "group", "disable_collisions",
-    "group_state", "end_effector", "virtual_joint", "passive_joint", "origin", "static", "export",
-    "plugin", "author", "submodel"};
+constexpr std::string_view kRobotExtensions[] = {"transmission",
+                                                 "gazebo",
+                                                 "sensor",
+                                                 "ros2_control",
+                                                 "mujoco",
+                                                 "frame",
+                                                 "loop_joint",
+                                                 "loop",
+                                                 "deformable",
+                                                 "reduced_deformable",
+                                                 "controller",
+                                                 "group",
+                                                 "disable_collisions",
+                                                 "group_state",
+                                                 "end_effector",
+                                                 "virtual_joint",
+                                                 "passive_joint",
+                                                 "origin",
+                                                 "static",
+                                                 "export",
+                                                 "plugin",
+                                                 "author",
+                                                 "submodel"};
 
 constexpr AttributeSpec kLinkAttributes[] = {{"name", true}, {"type"}};
 constexpr ChildSpec kLinkChildren[] = {{"inertial", true}, {"visual"}, {"collision"}};
@@ -37,7 +55,8 @@ constexpr ChildSpec kCollisionChildren[] = {{"origin", true}, {"geometry", true}
 constexpr std::string_view kCollisionExtensions[] = {
     "group", "mask", "concave", "verbose", "material", "contact_coefficients", "max_contacts"};
 
-constexpr ChildSpec kGeometryChildren[] = {{"box"}, {"sphere"}, {"cylinder"}, {"capsule"}, {"mesh"}};
+constexpr ChildSpec kGeometryChildren[] = {
+    {"box"}, {"sphere"}, {"cylinder"}, {"capsule"}, {"mesh"}};
 constexpr std::string_view kGeometryExtensions[] = {"plane", "cdf", "ellipsoid", "verbose"};
 constexpr AttributeSpec kBoxAttributes[] = {{"size", true}};
 constexpr AttributeSpec kSphereAttributes[] = {{"radius", true}};
@@ -51,23 +70,24 @@ constexpr AttributeSpec kColorAttributes[] = {{"rgba", true}};
 constexpr AttributeSpec kTextureAttributes[] = {{"filename"}};
 
 constexpr AttributeSpec kJointAttributes[] = {{"name", true}, {"type"}};
-constexpr ChildSpec kJointChildren[] = {{"origin", true},      {"parent", true},
-                                        {"child", true},       {"axis", true},
-                                        {"limit", true},       {"dynamics", true},
-                                        {"mimic", true},       {"safety_controller", true},
-                                        {"calibration", true}};
-constexpr std::string_view kJointExtensions[] = {"dont_collapse", "joint_properties", "hardwareInterface",
-                                                 "gearbox", "sensor", "motor", "actuator"};
+constexpr ChildSpec kJointChildren[] = {
+    {"origin", true},     {"parent", true},   {"child", true}, {"axis", true},
+    {"limit", true},      {"dynamics", true}, {"mimic", true}, {"safety_controller", true},
+    {"calibration", true}};
+constexpr std::string_view kJointExtensions[] = {
+    "dont_collapse", "joint_properties", "hardwareInterface", "gearbox", "sensor",
+    "motor",         "actuator"};
 constexpr AttributeSpec kLinkReference[] = {{"link"}};
 constexpr AttributeSpec kAxisAttributes[] = {{"xyz", true}};
-constexpr AttributeSpec kLimitAttributes[] = {{"lower"}, {"upper"}, {"effort"}, {"velocity"},
-                                              {"acceleration"}, {"deceleration"}, {"jerk"}};
+constexpr AttributeSpec kLimitAttributes[] = {
+    {"lower"}, {"upper"}, {"effort"}, {"velocity"}, {"acceleration"}, {"deceleration"}, {"jerk"}};
 constexpr AttributeSpec kDynamicsAttributes[] = {{"damping"}, {"friction"}};
 constexpr std::string_view kDynamicsExtensions[] = {"spring_stiffness", "spring_reference"};
 constexpr AttributeSpec kMimicAttributes[] = {{"joint", true}, {"multiplier"}, {"offset"}};
 constexpr AttributeSpec kSafetyAttributes[] = {
     {"soft_lower_limit"}, {"soft_upper_limit"}, {"k_position"}, {"k_velocity", true}};
-constexpr AttributeSpec kCalibrationAttributes[] = {{"rising"}, {"falling"}, {"reference_position"}};
+constexpr AttributeSpec kCalibrationAttributes[] = {
+    {"rising"}, {"falling"}, {"reference_position"}};
 
 constexpr ElementSpec kElements[] = {
     {"robot", kRobotAttributes, kRobotChildren, kRobotExtensions},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The element table applied to a document: what is unknown, misspelt, misplaced, repeated or absent.
+// The element table applied to a document: what is unknown, misspelt, misplaced, repeated or
+// absent.
 #include <algorithm>
 #include <cctype>
 
@@ -45,8 +46,8 @@ class ShapeChecker {
     for (const AttributeSpec& known : spec.attributes) {
       if (element.attribute(known.name) == nullptr) absent.push_back(known.name);
     }
-    for (const auto* attribute = element.attributes_begin();
-         attribute != element.attributes_end(); ++attribute) {
+    for (const auto* attribute = element.attributes_begin(); attribute != element.attributes_end();
+         ++attribute) {
       const std::string_view name = attribute->name;
       const bool is_known = std::any_of(spec.attributes.begin(), spec.attributes.end(),
                                         [&](const AttributeSpec& a) { return a.name == name; });
@@ -60,8 +61,7 @@ class ShapeChecker {
     for (const AttributeSpec& attribute : spec.attributes) {
       if (!attribute.required || !holds(absent, attribute.name)) continue;
       sink_.report(rules::sml1113_required_attribute_missing, element.name_span(),
-                   "the element " + quoted(element.name()) + " has no " +
-                       quoted(attribute.name));
+                   "the element " + quoted(element.name()) + " has no " + quoted(attribute.name));
     }
   }
 
@@ -164,9 +164,9 @@ class ShapeChecker {
           first = child;
           continue;
         }
-        Diagnostic& diagnostic = sink_.report(
-            rules::sml1109_duplicate_singleton, child.name_span(),
-            "a second " + quoted(child.name()) + " in one " + quoted(element.name()));
+        Diagnostic& diagnostic =
+            sink_.report(rules::sml1109_duplicate_singleton, child.name_span(),
+                         "a second " + quoted(child.name()) + " in one " + quoted(element.name()));
         diagnostic.labels.push_back({first.name_span(), "the first one"});
         diagnostic.help = "keep one of them; which one is read depends on the reader";
       }
@@ -219,7 +219,8 @@ constinit const Rule sml1107_unknown_attribute{
     .name = "unknown-attribute",
     .severity = Severity::warning,
     .summary = "An element has an attribute that URDF does not define.",
-    .why = "Readers ignore it silently: `<axis xzy=\"0 0 1\"/>` leaves urdfdom with the axis 0 0 0.",
+    .why =
+        "Readers ignore it silently: `<axis xzy=\"0 0 1\"/>` leaves urdfdom with the axis 0 0 0.",
     .remedy = "Correct the name; foreign attributes need a prefix.",
     .sources = "urdfdom 3.0.1, executed; 186 of 797 public files."};
 
@@ -237,8 +238,9 @@ constinit const Rule sml1109_duplicate_singleton{
     .name = "duplicate-singleton",
     .severity = Severity::error,
     .summary = "An element that may stand once stands twice.",
-    .why = "urdfdom, Drake and Bullet take the first, urdf-loader the last origin, MuJoCo refuses the "
-           "file.",
+    .why =
+        "urdfdom, Drake and Bullet take the first, urdf-loader the last origin, MuJoCo refuses the "
+        "file.",
     .remedy = "Keep one of them.",
     .sources = "urdfdom 3.0.1, MuJoCo 3.14 and urdf-loader 0.13, executed."};
 
@@ -247,8 +249,9 @@ constinit const Rule sml1113_required_attribute_missing{
     .name = "required-attribute-missing",
     .severity = Severity::error,
     .summary = "An element lacks an attribute that readers need.",
-    .why = "urdfdom refuses the file, or keeps the link without its visuals and collisions and says "
-           "nothing; other readers invent a value.",
+    .why =
+        "urdfdom refuses the file, or keeps the link without its visuals and collisions and says "
+        "nothing; other readers invent a value.",
     .remedy = "Add the attribute.",
     .sources = "urdfdom 3.0.1 link.cpp:415-486, executed."};
 

@@ -9,9 +9,8 @@ namespace smurf {
 std::string apply_edits(std::string_view text, std::span<const Edit> edits) {
   std::vector<const Edit*> sorted;
   for (const Edit& edit : edits) sorted.push_back(&edit);
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Edit* a, const Edit* b) {
-    return a->span.begin < b->span.begin;
-  });
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Edit* a, const Edit* b) { return a->span.begin < b->span.begin; });
   std::string result;
   std::size_t at = 0;
   for (const Edit* edit : sorted) {
@@ -28,11 +27,11 @@ std::string escape_xml(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&apos;"; break;
-      default: escaped += c;
+    case '&': escaped += "&amp;"; break;
+    case '<': escaped += "&lt;"; break;
+    case '"': escaped += "&quot;"; break;
+    case '\'': escaped += "&apos;"; break;
+    default: escaped += c;
     }
   }
   return escaped;
@@ -45,8 +44,8 @@ std::string yaml_like(std::string_view original, std::string_view text) {
     return quoted + "'";
   }
   const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           c == '_' || c == '-' || c == '/' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '/' || c == '.';
   };
   const bool starts_like_a_word = !text.empty() && is_plain(text.front()) && text.front() != '-';
   if (!original.starts_with('"') && starts_like_a_word &&

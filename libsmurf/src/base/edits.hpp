@@ -10,8 +10,8 @@
 
 namespace smurf {
 
-/// Applies edits of one source to its text. Edits are applied in the order of their places; one that
-/// overlaps an earlier one is left out.
+/// Applies edits of one source to its text. Edits are applied in the order of their places; one
+/// that overlaps an earlier one is left out.
 std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 
 /// Text as it stands inside an XML attribute of either quote.

@@ -47,7 +47,8 @@ FileContent DiskFiles::read(const std::string& path, std::uint64_t max_bytes) co
   if (S_ISDIR(status.st_mode)) return {ReadStatus::not_a_file, {}, "is a folder"};
   if (!S_ISREG(status.st_mode)) return {ReadStatus::not_a_file, {}, "is not a regular file"};
   const auto size = static_cast<std::uint64_t>(status.st_size);
-  if (size > max_bytes) return {ReadStatus::too_large, {}, "has " + std::to_string(size) + " bytes"};
+  if (size > max_bytes)
+    return {ReadStatus::too_large, {}, "has " + std::to_string(size) + " bytes"};
 
   FileContent content{ReadStatus::ok, {}, {}};
   content.text.resize(size);

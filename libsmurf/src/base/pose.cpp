@@ -30,19 +30,18 @@ SinCos sin_cos_degrees(double degrees) {
   // Half of a quarter turn: libm's sine and cosine of pi/4 differ in the last bit.
   if (std::fabs(rest) == 45) c = std::numbers::sqrt2 / 2, s = std::copysign(c, rest);
   switch ((static_cast<int>(quarter) + 4) % 4) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+  case 0: return {s, c};
+  case 1: return {c, -s};
+  case 2: return {-s, -c};
+  default: return {-c, s};
   }
 }
 
 /// q = qz * qy * qx from the sines and cosines of the half angles.
 Quaternion from_half_angles(const SinCos& x, const SinCos& y, const SinCos& z) {
-  return {z.cos * y.cos * x.cos + z.sin * y.sin * x.sin,
-          z.cos * y.cos * x.sin - z.sin * y.sin * x.cos,
-          z.cos * y.sin * x.cos + z.sin * y.cos * x.sin,
-          z.sin * y.cos * x.cos - z.cos * y.sin * x.sin};
+  return {
+      z.cos * y.cos * x.cos + z.sin * y.sin * x.sin, z.cos * y.cos * x.sin - z.sin * y.sin * x.cos,
+      z.cos * y.sin * x.cos + z.sin * y.cos * x.sin, z.sin * y.cos * x.cos - z.cos * y.sin * x.sin};
 }
 
 }  // namespace

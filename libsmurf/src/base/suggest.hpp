@@ -8,8 +8,8 @@
 
 namespace smurf {
 
-/// Edits (insert, delete, replace, swap of neighbours) from one name to the other; names that differ
-/// only in case are one edit apart. Gives up above `limit` and returns limit + 1.
+/// Edits (insert, delete, replace, swap of neighbours) from one name to the other; names that
+/// differ only in case are one edit apart. Gives up above `limit` and returns limit + 1.
 int edit_distance(std::string_view a, std::string_view b, int limit);
 
 /// The known name close enough to be a slip of the pen: at most a third of the length in edits, or

@@ -11,9 +11,9 @@ namespace smurf {
 
 /// About the centre of mass, expressed in one frame F.
 struct MassProperties {
-  double mass = 0;                                            ///< kg
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();           ///< p_FC, m
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();          ///< kg m^2
+  double mass = 0;                                    ///< kg
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();   ///< p_FC, m
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< kg m^2
 };
 
 /// Of one link in its link frame; absent values are zero.

@@ -9,9 +9,7 @@
 namespace smurf {
 namespace {
 
-std::string quoted(std::string_view name) {
-  return "`" + std::string(name) + "`";
-}
+std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
 
 class Explainer {
  public:
@@ -106,7 +104,7 @@ class Explainer {
   std::vector<TransformStep> steps_;
 };
 
-} // namespace
+}  // namespace
 
 std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex index) {
   const Instance& instance = scene.instance(index);
@@ -114,4 +112,4 @@ std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex index
   return Explainer(scene).run(instance);
 }
 
-} // namespace smurf
+}  // namespace smurf

@@ -20,8 +20,7 @@ class Flattener {
 
   FlatScene run() {
     flat_.scene = relative(scene_.path);
-    for (std::size_t i = 0; i < scene_.models.size(); ++i)
-      add_model(i);
+    for (std::size_t i = 0; i < scene_.models.size(); ++i) add_model(i);
     set_world();
     flat_.instances.reserve(scene_.instances.size());
     for (const Instance& instance : scene_.instances) {
@@ -152,7 +151,7 @@ class Flattener {
   LinkFrames frames_;
 };
 
-} // namespace
+}  // namespace
 
 FlatScene flatten(const LinkedScene& scene, const SourceMap& sources,
                   const FlattenOptions& options) {
@@ -169,4 +168,4 @@ std::optional<InstanceIndex> find_instance(const LinkedScene& scene, std::string
   return by_name;
 }
 
-} // namespace smurf
+}  // namespace smurf

@@ -9,8 +9,7 @@ namespace {
 
 Value scalar_value(yaml::View node) {
   switch (node.type()) {
-  case yaml::ScalarType::null:
-    return {};
+  case yaml::ScalarType::null: return {};
   case yaml::ScalarType::boolean:
     if (const auto boolean = node.boolean()) return {*boolean};
     break;
@@ -19,28 +18,22 @@ Value scalar_value(yaml::View node) {
     if (const auto integer = node.integer()) return {*integer};
     if (const auto number = node.number(); number && std::isfinite(*number)) return {*number};
     break;
-  case yaml::ScalarType::text:
-    break;
+  case yaml::ScalarType::text: break;
   }
   return {std::string(node.text())};
 }
 
-} // namespace
+}  // namespace
 
 Value to_value(yaml::View node) {
   switch (node.kind()) {
-  case yaml::Kind::null:
-    return {};
-  case yaml::Kind::scalar:
-    return scalar_value(node);
-  case yaml::Kind::mapping:
-    return {to_object(node)};
-  case yaml::Kind::sequence:
-    break;
+  case yaml::Kind::null: return {};
+  case yaml::Kind::scalar: return scalar_value(node);
+  case yaml::Kind::mapping: return {to_object(node)};
+  case yaml::Kind::sequence: break;
   }
   Value::List list;
-  for (const yaml::View item : node)
-    list.push_back(to_value(item));
+  for (const yaml::View item : node) list.push_back(to_value(item));
   return {std::move(list)};
 }
 
@@ -54,4 +47,4 @@ Value::Object to_object(yaml::View mapping) {
   return object;
 }
 
-} // namespace smurf
+}  // namespace smurf

@@ -11,4 +11,4 @@ namespace smurf {
 Value to_value(yaml::View node);
 Value::Object to_object(yaml::View mapping);
 
-} // namespace smurf
+}  // namespace smurf

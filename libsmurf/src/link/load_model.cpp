@@ -94,8 +94,7 @@ class ModelLoader {
   void listed_files(const std::string& main_path) {
     const std::string_view folder = path::parent(main_path);
     const NameList none;
-    for (const Spanned<std::string>& entry :
-         model_.main.files ? *model_.main.files : none) {
+    for (const Spanned<std::string>& entry : model_.main.files ? *model_.main.files : none) {
       const std::string path = path::join(folder, entry.value);
       const std::string extension = path::to_lower(path::extension(entry.value));
       if (extension == ".urdf") {

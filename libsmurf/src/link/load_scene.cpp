@@ -40,7 +40,7 @@ void load_single_model(const std::string& path, LoadContext& context, LinkedScen
   scene.models.push_back(std::move(model));
 }
 
-} // namespace
+}  // namespace
 
 LinkedScene load_scene(const std::string& path, LoadContext& context) {
   LinkedScene scene;
@@ -59,4 +59,4 @@ LinkedScene load_scene(const std::string& path, LoadContext& context) {
   return scene;
 }
 
-} // namespace smurf
+}  // namespace smurf

@@ -32,8 +32,8 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
     if (const std::size_t at = written.rfind(name); at != std::string_view::npos) {
       const auto begin = static_cast<std::uint32_t>(reference.begin + at);
       const auto end = static_cast<std::uint32_t>(begin + name.size());
-      diagnostic.fixes.push_back({Applicability::unsafe,
-                                  {{{reference.source, begin, end}, *similar}}});
+      diagnostic.fixes.push_back(
+          {Applicability::unsafe, {{{reference.source, begin, end}, *similar}}});
     }
   }
   return std::nullopt;
@@ -66,7 +66,8 @@ constinit const Rule sml0002_file_too_large{
     .name = "file-too-large",
     .severity = Severity::error,
     .summary = "A file is larger than the limit.",
-    .why = "A text file of this size is not a robot model; reading it whole could exhaust the memory.",
+    .why =
+        "A text file of this size is not a robot model; reading it whole could exhaust the memory.",
     .remedy = "Name another file.",
     .sources = "Limit of these tools."};
 

@@ -9,8 +9,8 @@
 
 namespace smurf {
 
-/// Reads a file into the source map. When it cannot be read, reports `rule` at `reference` (the text
-/// that names the file; empty for a path of the command line) and returns none.
+/// Reads a file into the source map. When it cannot be read, reports `rule` at `reference` (the
+/// text that names the file; empty for a path of the command line) and returns none.
 std::optional<SourceId> read_source(const std::string& path, Span reference, const Rule& rule,
                                     LoadContext& context);
 

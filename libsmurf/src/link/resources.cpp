@@ -34,8 +34,9 @@ class Resolver {
     return path::join(folder_, filename);
   }
 
-  /// NAME/REST: the folder given for the package; else the nearest folder upward that is called NAME
-  /// or that holds REST itself (Phobos takes the parent of the urdf/ folder, whatever its name).
+  /// NAME/REST: the folder given for the package; else the nearest folder upward that is called
+  /// NAME or that holds REST itself (Phobos takes the parent of the urdf/ folder, whatever its
+  /// name).
   std::string find_in_package(const std::string& uri) {
     const std::size_t slash = uri.find('/');
     if (slash == std::string::npos || slash == 0) return {};
@@ -69,8 +70,7 @@ class Resolver {
 
 }  // namespace
 
-std::vector<MeshReference> resolve_resources(const LinkedModel& model,
-                                             const LoadContext& context) {
+std::vector<MeshReference> resolve_resources(const LinkedModel& model, const LoadContext& context) {
   Resolver resolver(path::parent(model.urdf_path), context);
   std::vector<MeshReference> references;
   const auto add_shape = [&](const urdf::Geometry& geometry) {

@@ -215,8 +215,7 @@ class SceneExpander {
 
   bool is_too_deep(UseIndex outer, const Entity& entity) {
     std::uint32_t depth = 0;
-    for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer)
-      ++depth;
+    for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer) ++depth;
     if (depth <= context_.limits.include_depth) return false;
     context_.sink.report(rules::sml5021_nested_too_deep, file_of(entity).span,
                          "scenes are nested more than " +
@@ -228,7 +227,7 @@ class SceneExpander {
   bool check_kind(const Entity& entity, const std::string& type, const std::string& path) {
     const EntityKind kind = kind_of(type);
     const bool is_old_scene = type == "scn" || type == "scene" || type == "yml";
-    if (entity.file.written && !entity.file && !entity.uri) return false; // reported by the reader
+    if (entity.file.written && !entity.file && !entity.uri) return false;  // reported by the reader
     if (entity.type.written && !entity.type) return false;
     if (type.empty() || (path.empty() && (kind != EntityKind::other || is_old_scene))) {
       Diagnostic& diagnostic =
@@ -292,7 +291,7 @@ class SceneExpander {
   bool is_full_ = false;
 };
 
-} // namespace
+}  // namespace
 
 std::string entity_type(const Entity& entity) {
   if (entity.type && !entity.type->empty()) return *entity.type;
@@ -313,4 +312,4 @@ bool expand_scene(const std::string& path, LoadContext& context, LinkedScene& sc
   return SceneExpander(context, scene, names).run(path);
 }
 
-} // namespace smurf
+}  // namespace smurf

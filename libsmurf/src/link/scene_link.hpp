@@ -16,9 +16,9 @@ namespace smurf {
 
 /// What an entity's type makes of it.
 enum class EntityKind : std::uint8_t {
-  model, ///< smurf, particle, urdf
-  scene, ///< smurfs, smurfa: included in place
-  other  ///< old scenes, primitives, types of plug-ins: carried along
+  model,  ///< smurf, particle, urdf
+  scene,  ///< smurfs, smurfa: included in place
+  other   ///< old scenes, primitives, types of plug-ins: carried along
 };
 /// Type as written, else the extension of the file without the dot.
 std::string entity_type(const Entity& entity);
@@ -52,4 +52,4 @@ class LinkFrames {
   std::vector<std::optional<Pose>> none_;
 };
 
-} // namespace smurf
+}  // namespace smurf

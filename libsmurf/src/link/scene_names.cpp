@@ -39,4 +39,4 @@ std::optional<std::string_view> SceneNames::suggest(std::string_view name) {
   return nearest(name, names_);
 }
 
-} // namespace smurf
+}  // namespace smurf

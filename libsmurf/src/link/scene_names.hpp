@@ -32,12 +32,12 @@ class SceneNames {
   std::optional<std::string_view> suggest(std::string_view name);
 
  private:
-  std::vector<std::unordered_map<std::string_view, EntityIndex>> scopes_; ///< by use
+  std::vector<std::unordered_map<std::string_view, EntityIndex>> scopes_;  ///< by use
   std::unordered_map<std::string_view, EntityIndex> anywhere_;
-  std::vector<std::string_view> names_; ///< unique, in order
+  std::vector<std::string_view> names_;  ///< unique, in order
   bool is_complete_ = true;
   /// Bounds the work for scenes in which everything is misspelt.
   std::size_t comparisons_left_ = 5'000'000;
 };
 
-} // namespace smurf
+}  // namespace smurf

@@ -50,8 +50,7 @@ class WorldPoses {
       : sink_(context.sink), scene_(scene), states_(scene.instances.size(), State::open) {}
 
   void run() {
-    for (std::size_t i = 0; i < scene_.instances.size(); ++i)
-      resolve(i);
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) resolve(i);
   }
 
  private:
@@ -127,7 +126,7 @@ class WorldPoses {
   std::vector<State> states_;
 };
 
-} // namespace
+}  // namespace
 
 const std::vector<std::optional<Pose>>& LinkFrames::of(const LinkedScene& scene,
                                                        const Instance& instance) {
@@ -170,4 +169,4 @@ void compose_world_poses(LoadContext& context, LinkedScene& scene) {
   WorldPoses(context, scene).run();
 }
 
-} // namespace smurf
+}  // namespace smurf

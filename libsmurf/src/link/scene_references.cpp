@@ -9,9 +9,7 @@
 namespace smurf {
 namespace {
 
-std::string quoted(std::string_view name) {
-  return "`" + std::string(name) + "`";
-}
+std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
 
 /// What the name is instead of a link, and the index of the link that it belongs to.
 std::optional<std::pair<std::string_view, std::uint32_t>> other_kind(const LinkedModel& model,
@@ -261,10 +259,10 @@ class ReferenceResolver {
   LinkedScene& scene_;
 };
 
-} // namespace
+}  // namespace
 
 void resolve_references(LoadContext& context, SceneNames& names, LinkedScene& scene) {
   ReferenceResolver(context, names, scene).run();
 }
 
-} // namespace smurf
+}  // namespace smurf

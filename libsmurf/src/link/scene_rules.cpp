@@ -150,4 +150,4 @@ constinit const Rule sml5107_anchor_to_itself{
     .remedy = "Anchor the entity to the world or to another entity.",
     .sources = "MARS SimEntity.cpp:444-501."};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

@@ -27,7 +27,7 @@ std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& ine
 }
 
 bool is_positive_definite(const std::array<double, 3>& moments) {
-  constexpr double kSmallest = 1e-9; // relative to the trace; rounding stays below
+  constexpr double kSmallest = 1e-9;  // relative to the trace; rounding stays below
   const double scale = std::fabs(moments[0]) + std::fabs(moments[1]) + std::fabs(moments[2]);
   return moments[0] > kSmallest * scale;
 }

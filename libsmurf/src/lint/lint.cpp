@@ -16,9 +16,9 @@ bool matches_any(const Rule& rule, const std::vector<std::string>& patterns) {
 /// Diagnostics as people read them: by file, then place, then rule.
 auto order_key(const Diagnostic& diagnostic, const SourceMap& sources) {
   return std::tuple<const std::string&, std::uint32_t, std::uint32_t, std::string_view,
-                    const std::string&>(sources.path(diagnostic.span.source),
-                                        diagnostic.span.begin, diagnostic.span.end,
-                                        diagnostic.rule->id, diagnostic.message);
+                    const std::string&>(sources.path(diagnostic.span.source), diagnostic.span.begin,
+                                        diagnostic.span.end, diagnostic.rule->id,
+                                        diagnostic.message);
 }
 
 }  // namespace
@@ -51,8 +51,7 @@ void lint_scene(const LinkedScene& scene, const RuleSelection& selection, Diagno
 
 std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
                                const RuleSelection& selection) {
-  std::erase_if(diagnostics,
-                [&](const Diagnostic& d) { return !selection.is_enabled(*d.rule); });
+  std::erase_if(diagnostics, [&](const Diagnostic& d) { return !selection.is_enabled(*d.rule); });
   for (Diagnostic& diagnostic : diagnostics) {
     for (const auto& [pattern, severity] : selection.severities) {
       if (matches(*diagnostic.rule, pattern)) diagnostic.severity = severity;

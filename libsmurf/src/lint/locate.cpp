@@ -13,11 +13,10 @@ std::string pointer_in(const xml::Document& document, Span span) {
   if (id == xml::kNoElement) return {};
   std::string path = xml::xpath(document, id);
   const xml::View element(document, id);
-  const auto* attribute =
-      std::find_if(element.attributes_begin(), element.attributes_end(),
-                   [&](const xml::Attribute& a) {
-                     return a.span.begin <= span.begin && span.end <= a.span.end;
-                   });
+  const auto* attribute = std::find_if(
+      element.attributes_begin(), element.attributes_end(), [&](const xml::Attribute& a) {
+        return a.span.begin <= span.begin && span.end <= a.span.end;
+      });
   if (attribute != element.attributes_end()) path += "/@" + std::string(attribute->name);
   return path;
 }

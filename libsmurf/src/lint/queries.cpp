@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/numbers.hpp"
 #include "base/suggest.hpp"
 
 namespace smurf {
@@ -41,26 +42,26 @@ std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"
 
 std::string_view to_string(NameKind kind) {
   switch (kind) {
-    case NameKind::link: return "link";
-    case NameKind::joint: return "joint";
-    case NameKind::visual: return "visual";
-    case NameKind::collision: return "collision";
-    case NameKind::material: return "material";
-    case NameKind::motor: return "motor";
-    case NameKind::sensor: return "sensor";
+  case NameKind::link: return "link";
+  case NameKind::joint: return "joint";
+  case NameKind::visual: return "visual";
+  case NameKind::collision: return "collision";
+  case NameKind::material: return "material";
+  case NameKind::motor: return "motor";
+  case NameKind::sensor: return "sensor";
   }
   return "";
 }
 
 const NameTable& names(const LinkedModel& model, NameKind kind) {
   switch (kind) {
-    case NameKind::link: return model.link_names;
-    case NameKind::joint: return model.joint_names;
-    case NameKind::visual: return model.visual_names;
-    case NameKind::collision: return model.collision_names;
-    case NameKind::material: return model.material_names;
-    case NameKind::motor: return model.motor_names;
-    case NameKind::sensor: break;
+  case NameKind::link: return model.link_names;
+  case NameKind::joint: return model.joint_names;
+  case NameKind::visual: return model.visual_names;
+  case NameKind::collision: return model.collision_names;
+  case NameKind::material: return model.material_names;
+  case NameKind::motor: return model.motor_names;
+  case NameKind::sensor: break;
   }
   return model.sensor_names;
 }
@@ -69,13 +70,13 @@ Span definition(const LinkedModel& model, NameKind kind, std::string_view name) 
   const auto index = names(model, kind).find(name);
   if (!index) return {};
   switch (kind) {
-    case NameKind::link: return model.robot->links[*index].name.span;
-    case NameKind::joint: return model.robot->joints[*index].name.span;
-    case NameKind::visual:
-    case NameKind::collision: return visual_or_collision(model, kind, name, *index);
-    case NameKind::material: return {};
-    case NameKind::motor: return model.annotations.motors[*index].name.span;
-    case NameKind::sensor: break;
+  case NameKind::link: return model.robot->links[*index].name.span;
+  case NameKind::joint: return model.robot->joints[*index].name.span;
+  case NameKind::visual:
+  case NameKind::collision: return visual_or_collision(model, kind, name, *index);
+  case NameKind::material: return {};
+  case NameKind::motor: return model.annotations.motors[*index].name.span;
+  case NameKind::sensor: break;
   }
   return model.annotations.sensors[*index].name.span;
 }
@@ -90,8 +91,8 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
   if (!can_judge(model, kind) || names(model, kind).contains(name)) return nullptr;
   const std::string kind_name(to_string(kind));
   Diagnostic& diagnostic =
-      findings.report(place, std::string(subject) + " names the " + kind_name + " " +
-                                 quoted(name) + ", which the model does not have");
+      findings.report(place, std::string(subject) + " names the " + kind_name + " " + quoted(name) +
+                                 ", which the model does not have");
   for (const NameKind other : kKinds) {
     // A motor is often named like its joint, so that is no hint for who needs a joint.
     const bool is_annotation = other == NameKind::motor || other == NameKind::sensor;
@@ -185,6 +186,17 @@ bool creates_collision(const LinkedModel& model, const CollisionAnnotation& entr
 bool is_section_name(std::string_view key) {
   const std::vector<std::string_view> names = section_names();
   return std::find(names.begin(), names.end(), key) != names.end();
+}
+
+std::vector<double> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  std::size_t at = 0;
+  while ((at = text.find_first_not_of(" \t\r\n", at)) != std::string_view::npos) {
+    const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
+    if (const auto number = parse_number(text.substr(at, end - at))) numbers.push_back(*number);
+    at = end;
+  }
+  return numbers;
 }
 
 std::string title(const urdf::Link& link) {

@@ -48,11 +48,15 @@ void for_each_material(const LinkedModel& model,
                        const std::function<void(const urdf::Material&)>& visit);
 
 /// What the names in `id` of a sensor are, by the words in its type: "JointPosition" joints,
-/// "NodeContact" collisions, "Motor..." motors, other "Node..." links; none when MARS takes no `id`.
+/// "NodeContact" collisions, "Motor..." motors, other "Node..." links; none when MARS takes no
+/// `id`.
 std::optional<NameKind> sensor_target(std::string_view type);
 /// Phobos 2 makes collisions that the URDF does not have from entries with a geometry.
 bool creates_collision(const LinkedModel& model, const CollisionAnnotation& entry);
 bool is_section_name(std::string_view key);
+/// The numbers of a text that are numbers, in order; what is wrong with the others is reported
+/// where the URDF is read.
+std::vector<double> numbers_in(std::string_view text);
 
 /// "link `a`" at its name; "link" at its element when it has none.
 std::string title(const urdf::Link& link);

@@ -9,8 +9,7 @@ void for_each_entity(const LinkedScene& scene,
                      const std::function<void(const SceneFile&, const Entity&)>& visit) {
   for (const SceneFile& file : scene.scenes) {
     if (!file.document) continue;
-    for (const Entity& entity : file.scene.entities)
-      visit(file, entity);
+    for (const Entity& entity : file.scene.entities) visit(file, entity);
   }
 }
 
@@ -29,4 +28,4 @@ std::string title(const Entity& entity) {
   return is_named ? "entity " + quoted(*entity.name) : "this entity";
 }
 
-} // namespace smurf
+}  // namespace smurf

@@ -13,9 +13,9 @@ namespace smurf {
 struct Use {
   const LinkedScene& scene;
   const Entity& entity;
-  const SceneUse& around; ///< the use of the scene it is written in
+  const SceneUse& around;  ///< the use of the scene it is written in
   const Placement& placement;
-  const Instance* instance = nullptr; ///< null for an include
+  const Instance* instance = nullptr;  ///< null for an include
 
   /// True inside an included scene.
   bool is_nested() const { return around.outer.has_value(); }
@@ -40,4 +40,4 @@ void for_each_use(const LinkedScene& scene, const std::function<void(const Use&)
 /// "entity `Eve`", or "this entity".
 std::string title(const Entity& entity);
 
-} // namespace smurf
+}  // namespace smurf

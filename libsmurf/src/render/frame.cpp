@@ -9,14 +9,14 @@
 namespace smurf::render {
 namespace {
 
-constexpr std::uint32_t kLongBracket = 6; ///< lines of a mark that are all shown
-constexpr std::uint32_t kBracketHead = 4; ///< of a longer one
+constexpr std::uint32_t kLongBracket = 6;  ///< lines of a mark that are all shown
+constexpr std::uint32_t kBracketHead = 4;  ///< of a longer one
 constexpr std::uint32_t kBracketTail = 2;
 /// Without a terminal, lines are cut only for the sake of files that are one line: with a finding
 /// in each of its n elements, such a file would be printed n times.
 constexpr int kUncutColumns = 2000;
 
-} // namespace
+}  // namespace
 
 Frame::Frame(const SourceMap& sources, const TextStyle& style, Mark main, std::vector<Mark> others,
              std::uint32_t context_lines)
@@ -59,8 +59,7 @@ void Frame::choose_lines(std::uint32_t context_lines) {
     const bool is_phantom = below == last_line && sources_.line_span(source, below).empty();
     if (below <= last_line && !is_phantom) shown_.push_back(below);
   }
-  for (const Mark& mark : others_)
-    shown_.push_back(lines_of(mark.span).first);
+  for (const Mark& mark : others_) shown_.push_back(lines_of(mark.span).first);
 
   std::sort(shown_.begin(), shown_.end());
   shown_.erase(std::unique(shown_.begin(), shown_.end()), shown_.end());
@@ -105,16 +104,14 @@ std::string Frame::source_rows(std::uint32_t number) const {
     const std::uint32_t begin = on_first_line(main_.span).begin;
     ranges.push_back({begin, begin});
   }
-  for (const Mark* mark : marks)
-    ranges.push_back(on_first_line(mark->span));
+  for (const Mark* mark : marks) ranges.push_back(on_first_line(mark->span));
   if (has_bracket_ && number == main_lines_.last) ranges.push_back(last_of_bracket());
   const SourceLine line(sources_.text(span), span.begin, room(), ranges);
 
   const bool opens_beside =
       number == main_lines_.first && line.is_first_text(on_first_line(main_.span).begin);
   std::string out = row(std::to_string(number), bracket(number, opens_beside) + line.text());
-  for (const Mark* mark : marks)
-    out += mark_row(line, *mark);
+  for (const Mark* mark : marks) out += mark_row(line, *mark);
   if (has_bracket_ && number == main_lines_.first && !opens_beside) out += opening_row(line);
   if (has_bracket_ && number == main_lines_.last) out += closing_row(line);
   return out;
@@ -180,4 +177,4 @@ std::string Frame::row(std::string_view number, std::string_view text) const {
   return out + "\n";
 }
 
-} // namespace smurf::render
+}  // namespace smurf::render

@@ -60,10 +60,10 @@ class Frame {
   Painter paint_;
   Mark main_;
   Lines main_lines_;
-  bool has_bracket_ = false; ///< the main mark spans lines
+  bool has_bracket_ = false;  ///< the main mark spans lines
   std::vector<Mark> others_;
-  std::vector<std::uint32_t> shown_; ///< ascending
+  std::vector<std::uint32_t> shown_;  ///< ascending
   std::size_t gutter_ = 1;
 };
 
-} // namespace smurf::render
+}  // namespace smurf::render

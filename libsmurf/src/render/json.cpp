@@ -16,9 +16,7 @@ std::string dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Json text(std::string_view view) {
-  return std::string(view);
-}
+Json text(std::string_view view) { return std::string(view); }
 
 void add_place(Json& json, Span span, const SourceMap& sources) {
   const bool is_known = static_cast<std::size_t>(span.source) < sources.size();
@@ -68,7 +66,7 @@ Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
   return json;
 }
 
-} // namespace
+}  // namespace
 
 std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                         const Summary& summary, const ToolName& tool) {
@@ -80,8 +78,7 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                        {"files", summary.files},  {"models", summary.models},
                        {"scenes", summary.scenes}};
   Json list = Json::array();
-  for (const Diagnostic& diagnostic : diagnostics)
-    list.push_back(to_json(diagnostic, sources));
+  for (const Diagnostic& diagnostic : diagnostics) list.push_back(to_json(diagnostic, sources));
   report["diagnostics"] = std::move(list);
   return dump(report);
 }
@@ -100,4 +97,4 @@ std::string render_rule_list_json(std::span<const Rule* const> rules) {
   return dump(list);
 }
 
-} // namespace smurf
+}  // namespace smurf

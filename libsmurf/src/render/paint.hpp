@@ -13,12 +13,9 @@ enum class Ink { none, error, warning, info, frame, strong };
 
 inline Ink ink_of(Severity severity) {
   switch (severity) {
-  case Severity::info:
-    return Ink::info;
-  case Severity::warning:
-    return Ink::warning;
-  case Severity::error:
-    return Ink::error;
+  case Severity::info: return Ink::info;
+  case Severity::warning: return Ink::warning;
+  case Severity::error: return Ink::error;
   }
   return Ink::none;
 }
@@ -35,18 +32,12 @@ class Painter {
  private:
   static std::string_view code(Ink ink) {
     switch (ink) {
-    case Ink::error:
-      return "\x1b[1;31m";
-    case Ink::warning:
-      return "\x1b[1;33m";
-    case Ink::info:
-      return "\x1b[1;34m";
-    case Ink::frame:
-      return "\x1b[34m";
-    case Ink::strong:
-      return "\x1b[1m";
-    case Ink::none:
-      break;
+    case Ink::error: return "\x1b[1;31m";
+    case Ink::warning: return "\x1b[1;33m";
+    case Ink::info: return "\x1b[1;34m";
+    case Ink::frame: return "\x1b[34m";
+    case Ink::strong: return "\x1b[1m";
+    case Ink::none: break;
     }
     return "";
   }
@@ -54,4 +45,4 @@ class Painter {
   bool color_;
 };
 
-} // namespace smurf::render
+}  // namespace smurf::render

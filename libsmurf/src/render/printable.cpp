@@ -11,9 +11,7 @@ namespace {
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 constexpr char32_t kByteOrderMark = 0xFEFF;
 
-bool is_control(char32_t c) {
-  return c < 0x20 || (c >= 0x7F && c < 0xA0);
-}
+bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
 
 /// Line and paragraph separators, and marks that reorder what follows them on the screen.
 bool is_layout(char32_t c) {
@@ -21,23 +19,14 @@ bool is_layout(char32_t c) {
          (c >= 0x2066 && c <= 0x2069);
 }
 
-bool is_unsafe(char32_t c) {
-  return is_control(c) || is_layout(c);
-}
+bool is_unsafe(char32_t c) { return is_control(c) || is_layout(c); }
 
 void append_escape(std::string& out, char32_t c) {
   switch (c) {
-  case '\n':
-    out += "\\n";
-    return;
-  case '\r':
-    out += "\\r";
-    return;
-  case '\t':
-    out += "\\t";
-    return;
-  default:
-    break;
+  case '\n': out += "\\n"; return;
+  case '\r': out += "\\r"; return;
+  case '\t': out += "\\t"; return;
+  default: break;
   }
   constexpr std::string_view kDigits = "0123456789abcdef";
   out += "\\u";
@@ -46,7 +35,7 @@ void append_escape(std::string& out, char32_t c) {
   }
 }
 
-} // namespace
+}  // namespace
 
 std::vector<Glyph> to_glyphs(std::string_view line, std::uint32_t offset) {
   std::vector<Glyph> glyphs;
@@ -102,4 +91,4 @@ std::size_t width_of(std::string_view text) {
   return width;
 }
 
-} // namespace smurf::render
+}  // namespace smurf::render

@@ -11,10 +11,10 @@ namespace smurf::render {
 
 /// One character of a source line as it is shown.
 struct Glyph {
-  std::string_view text;    ///< into the source, or U+FFFD; empty for a byte order mark
-  std::uint32_t offset = 0; ///< of the character in the source
-  std::uint32_t size = 1;   ///< bytes in the source
-  int width = 1;            ///< columns; meaningless for a tab
+  std::string_view text;     ///< into the source, or U+FFFD; empty for a byte order mark
+  std::uint32_t offset = 0;  ///< of the character in the source
+  std::uint32_t size = 1;    ///< bytes in the source
+  int width = 1;             ///< columns; meaningless for a tab
   bool is_tab = false;
 };
 
@@ -28,4 +28,4 @@ std::string escape(std::string_view text);
 /// Columns of text that went through escape().
 std::size_t width_of(std::string_view text);
 
-} // namespace smurf::render
+}  // namespace smurf::render

@@ -15,7 +15,7 @@ using render::wrap;
 
 constexpr std::size_t kPageColumns = 80;
 
-} // namespace
+}  // namespace
 
 std::string render_rule(const Rule& rule, const TextStyle& style) {
   const Painter paint(style.color);
@@ -46,4 +46,4 @@ std::string render_rule_list(std::span<const Rule* const> rules, const TextStyle
   return out;
 }
 
-} // namespace smurf
+}  // namespace smurf

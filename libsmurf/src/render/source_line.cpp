@@ -8,17 +8,13 @@ namespace {
 
 constexpr std::string_view kEllipsis = "...";
 constexpr int kFewestColumns = 20;
-constexpr int kTabColumns = 8; ///< a tab is counted at its widest when a line is cut
+constexpr int kTabColumns = 8;  ///< a tab is counted at its widest when a line is cut
 
-constexpr std::size_t kBytesPerColumn = 4; ///< what a character takes at most, bar combining marks
+constexpr std::size_t kBytesPerColumn = 4;  ///< what a character takes at most, bar combining marks
 
-int columns_of(const Glyph& glyph) {
-  return glyph.is_tab ? kTabColumns : glyph.width;
-}
+int columns_of(const Glyph& glyph) { return glyph.is_tab ? kTabColumns : glyph.width; }
 
-bool is_continuation(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-}
+bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 /// The part of a very long line that can be shown around a place: a file of one line is not decoded
 /// whole for each of its findings.
@@ -26,14 +22,12 @@ ByteRange part_around(std::string_view line, std::size_t place, int room) {
   const std::size_t reach = kBytesPerColumn * static_cast<std::size_t>(room);
   std::size_t begin = place - std::min(place, reach);
   std::size_t end = std::min(line.size(), place + reach);
-  while (begin > 0 && is_continuation(line[begin]))
-    --begin;
-  while (end < line.size() && is_continuation(line[end]))
-    ++end;
+  while (begin > 0 && is_continuation(line[begin])) --begin;
+  while (end < line.size() && is_continuation(line[end])) ++end;
   return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
 }
 
-} // namespace
+}  // namespace
 
 SourceLine::SourceLine(std::string_view line, std::uint32_t offset, int columns,
                        std::span<const ByteRange> marks)
@@ -52,8 +46,7 @@ SourceLine::SourceLine(std::string_view line, std::uint32_t offset, int columns,
 
 int SourceLine::columns_between(std::size_t first, std::size_t last) const {
   int columns = 0;
-  for (std::size_t i = first; i < last; ++i)
-    columns += columns_of(glyphs_[i]);
+  for (std::size_t i = first; i < last; ++i) columns += columns_of(glyphs_[i]);
   return columns;
 }
 
@@ -101,8 +94,7 @@ void SourceLine::cut(int room, std::span<const ByteRange> marks) {
 
 std::string SourceLine::text() const {
   std::string out(is_cut_left() ? kEllipsis : "");
-  for (std::size_t i = first_; i < last_; ++i)
-    out += glyphs_[i].text;
+  for (std::size_t i = first_; i < last_; ++i) out += glyphs_[i].text;
   if (is_cut_right()) return out.append(kEllipsis);
   out.erase(out.find_last_not_of(" \t") + 1);
   return out;
@@ -145,4 +137,4 @@ bool SourceLine::is_first_text(std::uint32_t offset) const {
   return before.find_first_not_of(" \t") == std::string_view::npos;
 }
 
-} // namespace smurf::render
+}  // namespace smurf::render

@@ -45,10 +45,10 @@ class SourceLine {
 
   std::string_view line_;
   std::uint32_t offset_ = 0;
-  std::vector<Glyph> glyphs_; ///< of the line, or of the part around the first mark
-  std::size_t first_ = 0;     ///< the glyphs shown: [first_, last_)
+  std::vector<Glyph> glyphs_;  ///< of the line, or of the part around the first mark
+  std::size_t first_ = 0;      ///< the glyphs shown: [first_, last_)
   std::size_t last_ = 0;
   ByteRange shown_;
 };
 
-} // namespace smurf::render
+}  // namespace smurf::render

@@ -73,8 +73,7 @@ std::string remarks(const Diagnostic& diagnostic, const SourceMap& sources, std:
            ": " + escape(text) + "\n";
   };
   std::string out;
-  for (const std::string& note : diagnostic.notes)
-    out += remark("note", note);
+  for (const std::string& note : diagnostic.notes) out += remark("note", note);
   std::string help = diagnostic.help;
   if (!diagnostic.fixes.empty()) {
     const Fix& fix = diagnostic.fixes.front();
@@ -133,21 +132,15 @@ std::string enumerate(const std::vector<std::string>& parts) {
   return out;
 }
 
-} // namespace
+}  // namespace
 
 Summary summarize(std::span<const Diagnostic> diagnostics) {
   Summary summary;
   for (const Diagnostic& diagnostic : diagnostics) {
     switch (diagnostic.severity) {
-    case Severity::error:
-      ++summary.errors;
-      break;
-    case Severity::warning:
-      ++summary.warnings;
-      break;
-    case Severity::info:
-      ++summary.infos;
-      break;
+    case Severity::error: ++summary.errors; break;
+    case Severity::warning: ++summary.warnings; break;
+    case Severity::info: ++summary.infos; break;
     }
   }
   return summary;
@@ -225,4 +218,4 @@ std::string render_statistics(std::span<const Diagnostic> diagnostics, const Tex
   return out;
 }
 
-} // namespace smurf
+}  // namespace smurf

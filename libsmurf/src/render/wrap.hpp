@@ -12,4 +12,4 @@ namespace smurf::render {
 /// word has a line of its own. A line end in the text is kept. Ends with a line end.
 std::string wrap(std::string_view text, std::size_t indent, std::size_t columns);
 
-} // namespace smurf::render
+}  // namespace smurf::render

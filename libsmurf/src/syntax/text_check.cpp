@@ -16,8 +16,9 @@ constinit const Rule sml0003_invalid_utf8{
     .name = "invalid-utf8",
     .severity = Severity::error,
     .summary = "A file holds bytes that are not valid UTF-8.",
-    .why = "PyYAML (Phobos) and every strict XML reader refuse the file; yaml-cpp (MARS) and tinyxml2 "
-           "pass the bytes on, so names with such bytes differ from reader to reader.",
+    .why =
+        "PyYAML (Phobos) and every strict XML reader refuse the file; yaml-cpp (MARS) and tinyxml2 "
+        "pass the bytes on, so names with such bytes differ from reader to reader.",
     .remedy = "Save the file as UTF-8.",
     .sources = "YAML 1.2 section 5.2; XML 1.0 section 2.2; yaml-cpp 0.7 and PyYAML 6.0, executed."};
 
@@ -59,7 +60,7 @@ std::string hex(char c) {
   return {kDigits[byte / 16], kDigits[byte % 16]};
 }
 
-} // namespace
+}  // namespace
 
 std::uint32_t byte_order_mark_size(std::string_view text) {
   return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;

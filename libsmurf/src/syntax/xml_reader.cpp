@@ -114,7 +114,8 @@ std::optional<xml::Document> parse_xml(const SourceMap& sources, SourceId id, co
                                        DiagnosticSink& sink) {
   const std::string_view text = sources.text(id);
   constexpr std::string_view kLfsPointer = "version https://git-lfs";
-  if (text.starts_with(kLfsPointer) || text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+  if (text.starts_with(kLfsPointer) ||
+      text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     Diagnostic& diagnostic =
         sink.report(rules::sml1010_lfs_pointer, {id, 0, 0},
                     text.starts_with(kLfsPointer) ? "the file is a Git LFS pointer, not XML"

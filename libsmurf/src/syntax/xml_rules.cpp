@@ -21,8 +21,9 @@ constinit const Rule sml1002_xml_undeclared_prefix{
     .name = "xml-undeclared-prefix",
     .severity = Severity::error,
     .summary = "An element or attribute uses a namespace prefix that is not declared.",
-    .why = "urdfdom and tinyxml2 do not look; expat, lxml and every browser (urdf-loader) refuse the "
-           "whole file.",
+    .why =
+        "urdfdom and tinyxml2 do not look; expat, lxml and every browser (urdf-loader) refuse the "
+        "whole file.",
     .remedy = "Declare the prefix on the robot element with xmlns:prefix, or remove the element.",
     .sources = "urdf-loader 0.13 and urdfdom 3.0.1, executed."};
 

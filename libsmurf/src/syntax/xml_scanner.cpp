@@ -244,8 +244,8 @@ class Scanner {
       const std::uint32_t before = at_;
       skip_space();
       if (at_ >= size()) {
-        malformed(element.name_span, "the start tag of " + quoted(element.name_span) +
-                                         " is never closed by `>`");
+        malformed(element.name_span,
+                  "the start tag of " + quoted(element.name_span) + " is never closed by `>`");
         return false;
       }
       if (text_[at_] == '>') {
@@ -269,8 +269,8 @@ class Scanner {
     ScannedAttribute attribute;
     attribute.name_span = scan_name();
     if (attribute.name_span.empty()) {
-      malformed(span(at_, at_ + 1), "this character cannot stand in the start tag of " +
-                                        quoted(element.name_span));
+      malformed(span(at_, at_ + 1),
+                "this character cannot stand in the start tag of " + quoted(element.name_span));
       return false;
     }
     skip_space();
@@ -350,9 +350,10 @@ class Scanner {
     const auto declared = declared_.find(prefix);
     if (declared != declared_.end() && declared->second > 0) return;
     if (!reported_.insert(prefix).second) return;
-    sink_.report(rules::sml1002_xml_undeclared_prefix,
-                 span(name.begin, name.begin + static_cast<std::uint32_t>(colon)),
-                 "the prefix `" + std::string(prefix) + "` is not declared")
+    sink_
+        .report(rules::sml1002_xml_undeclared_prefix,
+                span(name.begin, name.begin + static_cast<std::uint32_t>(colon)),
+                "the prefix `" + std::string(prefix) + "` is not declared")
         .help = "declare it: `<robot xmlns:" + std::string(prefix) + "=\"...\">`";
   }
 
@@ -382,8 +383,9 @@ class Scanner {
         is_closed ? text_.substr(begin + 1, semicolon - begin - 1) : std::string_view{};
     ++at_;
     if (!is_closed || name.empty() || (name.front() == '#' && !is_number(name.substr(1)))) {
-      sink_.report(rules::sml1003_xml_bare_ampersand, span(begin, begin + 1),
-                   "`&` begins no character reference")
+      sink_
+          .report(rules::sml1003_xml_bare_ampersand, span(begin, begin + 1),
+                  "`&` begins no character reference")
           .fixes.push_back({Applicability::safe, {{span(begin, begin + 1), "&amp;"}}});
       return;
     }
@@ -429,9 +431,8 @@ class Scanner {
   void finish() {
     if (!open_.empty()) {
       const ScannedElement& element = index_.elements[open_.back().element];
-      Diagnostic& diagnostic =
-          malformed(span(size(), size()),
-                    "the file ends inside the element " + quoted(element.name_span));
+      Diagnostic& diagnostic = malformed(span(size(), size()), "the file ends inside the element " +
+                                                                   quoted(element.name_span));
       diagnostic.labels.push_back({element.name_span, "opened here and never closed"});
     } else if (index_.elements.empty()) {
       malformed(span(0, 0), "the file holds no XML element");
@@ -446,7 +447,7 @@ class Scanner {
   std::uint32_t at_ = 0;
   bool is_prolog_ = true;  ///< nothing but processing instructions so far
   std::vector<OpenElement> open_;
-  std::vector<std::string_view> prefixes_;  ///< declared by the open elements
+  std::vector<std::string_view> prefixes_;                        ///< declared by the open elements
   std::unordered_map<std::string_view, std::uint32_t> declared_;  ///< how often in prefixes_
   std::unordered_set<std::string_view> reported_;
 };

@@ -54,7 +54,7 @@ void report_in_brackets(std::uint32_t at, Span bracket, std::string_view text,
       .labels.push_back({bracket, "opened here"});
 }
 
-} // namespace
+}  // namespace
 
 void report_parser_error(std::string_view words, int place, Span bracket, const SourceMap& sources,
                          DiagnosticSink& sink) {
@@ -85,4 +85,4 @@ void report_parser_error(std::string_view words, int place, Span bracket, const 
   sink.report(rules::sml0010_yaml_syntax, {id, at, end}, message);
 }
 
-} // namespace smurf
+}  // namespace smurf

@@ -13,4 +13,4 @@ namespace smurf {
 void report_parser_error(std::string_view words, int place, Span bracket, const SourceMap& sources,
                          DiagnosticSink& sink);
 
-} // namespace smurf
+}  // namespace smurf

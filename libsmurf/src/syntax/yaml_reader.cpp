@@ -40,7 +40,9 @@ struct StopParsing {};
 class TreeBuilder final : public YAML::EventHandler {
  public:
   TreeBuilder(const SourceMap& sources, SourceId id, const Limits& limits, DiagnosticSink& sink)
-      : text_(sources.text(id)), mark_shift_(byte_order_mark_size(text_)), limits_(limits),
+      : text_(sources.text(id)),
+        mark_shift_(byte_order_mark_size(text_)),
+        limits_(limits),
         sink_(sink) {
     document_.source = id;
   }
@@ -77,8 +79,8 @@ class TreeBuilder final : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const std::uint32_t begin = offset(mark);
     std::uint32_t end = begin + 1;
-    while (end < text_.size() && std::string_view(" \t\r\n,[]{}").find(text_[end]) ==
-                                     std::string_view::npos) {
+    while (end < text_.size() &&
+           std::string_view(" \t\r\n,[]{}").find(text_[end]) == std::string_view::npos) {
       ++end;
     }
     Node node;
@@ -118,9 +120,9 @@ class TreeBuilder final : public YAML::EventHandler {
                    "this quote is never closed");
     }
     const std::string_view bytes = text_.substr(extent.begin, extent.end - extent.begin);
-    const std::string_view inner =
-        extent.style == yaml::Style::plain || bytes.size() < 2 ? bytes
-                                                               : bytes.substr(1, bytes.size() - 2);
+    const std::string_view inner = extent.style == yaml::Style::plain || bytes.size() < 2
+                                       ? bytes
+                                       : bytes.substr(1, bytes.size() - 2);
     node.text = inner == value ? inner : std::string_view(document_.decoded.emplace_back(value));
     append(node, anchor, 1);
   }
@@ -145,9 +147,9 @@ class TreeBuilder final : public YAML::EventHandler {
     NodeId last_child = kNoNode;
     std::uint32_t end = 0;  ///< of the last key or value so far
     YAML::anchor_t anchor = 0;
-    bool flow = false;      ///< in brackets
-    bool has_key = false;   ///< a mapping that waits for the value of `key`
-    bool is_key = false;    ///< this collection itself stands where a key should
+    bool flow = false;     ///< in brackets
+    bool has_key = false;  ///< a mapping that waits for the value of `key`
+    bool is_key = false;   ///< this collection itself stands where a key should
     std::string_view key;
     Span key_span;
   };
@@ -215,7 +217,8 @@ class TreeBuilder final : public YAML::EventHandler {
     // A pair inside a flow list, [a: 1], is a mapping without brackets of its own.
     if (node.span.begin == at(frame.node).span.begin) frame.flow = false;
     const bool is_null = node.kind == Kind::null && node.target == kNoNode;
-    frame.key = is_null ? text_.substr(node.span.begin, node.span.end - node.span.begin) : node.text;
+    frame.key =
+        is_null ? text_.substr(node.span.begin, node.span.end - node.span.begin) : node.text;
     frame.key_span = node.span;
     frame.end = std::max(frame.end, node.span.end);
     return true;
@@ -334,8 +337,7 @@ class TreeBuilder final : public YAML::EventHandler {
                        "duplicate key `" + std::string(entries[i].key) + "` in one mapping");
       diagnostic.caret = "repeated here";
       diagnostic.labels.push_back({at(entries[first].id).key_span, "first set here"});
-      diagnostic.notes.push_back(
-          "MARS takes the first value, Phobos (PyYAML) the last");
+      diagnostic.notes.push_back("MARS takes the first value, Phobos (PyYAML) the last");
       diagnostic.help = "delete one of the two";
     }
   }
@@ -393,9 +395,9 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
     second.has_content = true;
   }
   if (!second.has_content) return;
-  const std::uint32_t at = std::min(
-      static_cast<std::uint32_t>(std::max(second.start.pos, 0)) + byte_order_mark_size(text),
-      static_cast<std::uint32_t>(text.size()));
+  const std::uint32_t at = std::min(static_cast<std::uint32_t>(std::max(second.start.pos, 0)) +
+                                        byte_order_mark_size(text),
+                                    static_cast<std::uint32_t>(text.size()));
   // yaml-cpp ends a document where nothing fits any more; only marks may do that.
   const std::string_view between = text.substr(first_end, std::max(at, first_end) - first_end);
   const bool has_mark = text.substr(at).starts_with("---") || text.substr(at).starts_with('%') ||

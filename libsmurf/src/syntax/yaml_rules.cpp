@@ -13,27 +13,28 @@ constinit const Rule sml0010_yaml_syntax{
            "logs the error and goes on without the annotations.",
     .remedy = "Correct the line; indentation (spaces only), an unclosed bracket or quote and an "
               "unquoted `: ` inside a value are the usual causes.",
-    .sources = "smurf_parser SMURFParser.cpp:43-77 (run); Phobos io/smurfrobot.py:197; yaml-cpp 0.7 "
-               "and PyYAML 6.0, executed."};
+    .sources =
+        "smurf_parser SMURFParser.cpp:43-77 (run); Phobos io/smurfrobot.py:197; yaml-cpp 0.7 "
+        "and PyYAML 6.0, executed."};
 
 constinit const Rule sml0011_duplicate_key{
     .id = "SML0011",
     .name = "duplicate-key",
     .severity = Severity::error,
     .summary = "A mapping holds the same key twice.",
-    .why = "MARS takes the first value (configmaps inserts only new keys), Phobos the last (PyYAML): "
-           "the same file is two different robots.",
+    .why =
+        "MARS takes the first value (configmaps inserts only new keys), Phobos the last (PyYAML): "
+        "the same file is two different robots.",
     .remedy = "Delete one of the two, or rename it.",
     .sources = "configmaps ConfigMap.cpp:53 (run); PyYAML 6.0, executed."};
 
-constinit const Rule sml0012_complex_key{
-    .id = "SML0012",
-    .name = "complex-key",
-    .severity = Severity::error,
-    .summary = "A list or a mapping is used as a key.",
-    .why = "configmaps (MARS) throws an exception on it.",
-    .remedy = "Use a plain text key.",
-    .sources = "configmaps ConfigMap.cpp, executed."};
+constinit const Rule sml0012_complex_key{.id = "SML0012",
+                                         .name = "complex-key",
+                                         .severity = Severity::error,
+                                         .summary = "A list or a mapping is used as a key.",
+                                         .why = "configmaps (MARS) throws an exception on it.",
+                                         .remedy = "Use a plain text key.",
+                                         .sources = "configmaps ConfigMap.cpp, executed."};
 
 constinit const Rule sml0013_several_documents{
     .id = "SML0013",
@@ -50,8 +51,9 @@ constinit const Rule sml0014_nesting_too_deep{
     .name = "nesting-too-deep",
     .severity = Severity::error,
     .summary = "Lists, mappings or elements are nested deeper than the limit.",
-    .why = "yaml-cpp gives up at 250 to 500 levels, tinyxml2 at 99, and urdfdom 3.0.1 overflows its "
-           "stack at 50,000; no robot needs it.",
+    .why =
+        "yaml-cpp gives up at 250 to 500 levels, tinyxml2 at 99, and urdfdom 3.0.1 overflows its "
+        "stack at 50,000; no robot needs it.",
     .remedy = "Flatten the file.",
     .sources = "yaml-cpp 0.7, tinyxml2 9.0 and urdfdom 3.0.1, executed."};
 
@@ -60,8 +62,9 @@ constinit const Rule sml0015_alias_expansion{
     .name = "alias-expansion",
     .severity = Severity::error,
     .summary = "Aliases multiply a small file into an enormous value.",
-    .why = "Readers that copy aliases (configmaps does) run out of memory; this is how a few hundred "
-           "bytes stop a server.",
+    .why =
+        "Readers that copy aliases (configmaps does) run out of memory; this is how a few hundred "
+        "bytes stop a server.",
     .remedy = "Write the values out, or use fewer aliases of aliases.",
     .sources = "yaml-cpp 0.7, executed: nine levels of nine aliases are 490 million nodes."};
 

@@ -89,21 +89,21 @@ ScalarExtent scalar_extent(std::string_view text, std::uint32_t at, std::string_
     return extent;
   }
   switch (text[extent.begin]) {
-    case '"':
-    case '\'': {
-      extent.style =
-          text[extent.begin] == '"' ? yaml::Style::double_quoted : yaml::Style::single_quoted;
-      const std::optional<std::uint32_t> end = quoted_end(text, extent.begin);
-      extent.closed = end.has_value();
-      extent.end = end.value_or(size_of(text));
-      break;
-    }
-    case '|':
-    case '>':
-      extent.style = yaml::Style::block;
-      extent.end = block_end(text, extent.begin, value);
-      break;
-    default: extent.end = plain_end(text, extent.begin, value); break;
+  case '"':
+  case '\'': {
+    extent.style =
+        text[extent.begin] == '"' ? yaml::Style::double_quoted : yaml::Style::single_quoted;
+    const std::optional<std::uint32_t> end = quoted_end(text, extent.begin);
+    extent.closed = end.has_value();
+    extent.end = end.value_or(size_of(text));
+    break;
+  }
+  case '|':
+  case '>':
+    extent.style = yaml::Style::block;
+    extent.end = block_end(text, extent.begin, value);
+    break;
+  default: extent.end = plain_end(text, extent.begin, value); break;
   }
   return extent;
 }

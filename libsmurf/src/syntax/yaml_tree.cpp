@@ -57,17 +57,17 @@ std::optional<double> View::number() const {
   const Node& own = value();
   if (own.kind != Kind::scalar) return std::nullopt;
   switch (classify(own.text, own.style)) {
-    case ScalarType::integer:
-      if (const auto radix = parse_radix(own.text)) return static_cast<double>(*radix);
-      return parse_number(own.text);
-    case ScalarType::number:
-      if (const auto number = parse_number(own.text)) return number;
-      if (own.text.back() == 'n' || own.text.back() == 'N') {
-        return std::numeric_limits<double>::quiet_NaN();
-      }
-      return own.text.front() == '-' ? -std::numeric_limits<double>::infinity()
-                                     : std::numeric_limits<double>::infinity();
-    default: return std::nullopt;
+  case ScalarType::integer:
+    if (const auto radix = parse_radix(own.text)) return static_cast<double>(*radix);
+    return parse_number(own.text);
+  case ScalarType::number:
+    if (const auto number = parse_number(own.text)) return number;
+    if (own.text.back() == 'n' || own.text.back() == 'N') {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    return own.text.front() == '-' ? -std::numeric_limits<double>::infinity()
+                                   : std::numeric_limits<double>::infinity();
+  default: return std::nullopt;
   }
 }
 
@@ -114,9 +114,12 @@ std::string pointer(const Document& document, NodeId id) {
     if (parent.kind == Kind::mapping) {
       std::string step;
       for (const char c : node.key) {
-        if (c == '~') step += "~0";
-        else if (c == '/') step += "~1";
-        else step += c;
+        if (c == '~')
+          step += "~0";
+        else if (c == '/')
+          step += "~1";
+        else
+          step += c;
       }
       steps.push_back(std::move(step));
     } else {

@@ -48,30 +48,18 @@ class JsonWriter {
 
   void text(std::string_view value) {
     out_ += '"';
-    for (const char c : value)
-      character(c);
+    for (const char c : value) character(c);
     out_ += '"';
   }
 
   void character(char c) {
     switch (c) {
-    case '"':
-      out_ += "\\\"";
-      return;
-    case '\\':
-      out_ += "\\\\";
-      return;
-    case '\n':
-      out_ += "\\n";
-      return;
-    case '\r':
-      out_ += "\\r";
-      return;
-    case '\t':
-      out_ += "\\t";
-      return;
-    default:
-      break;
+    case '"': out_ += "\\\""; return;
+    case '\\': out_ += "\\\\"; return;
+    case '\n': out_ += "\\n"; return;
+    case '\r': out_ += "\\r"; return;
+    case '\t': out_ += "\\t"; return;
+    default: break;
     }
     const auto byte = static_cast<unsigned char>(c);
     if (byte >= 0x20 && byte != 0x7f) {
@@ -190,12 +178,9 @@ class JsonWriter {
 
   void attachment(const FlatAttachment& attachment, std::string_view none) {
     switch (attachment.kind) {
-    case Attachment::Kind::none:
-      return text(none);
-    case Attachment::Kind::world:
-      return text("world");
-    case Attachment::Kind::link:
-      break;
+    case Attachment::Kind::none: return text(none);
+    case Attachment::Kind::world: return text("world");
+    case Attachment::Kind::link: break;
     }
     out_ += "{\"instance\": ";
     text(attachment.instance);
@@ -260,10 +245,10 @@ class JsonWriter {
   std::string out_;
 };
 
-} // namespace
+}  // namespace
 
 std::string write_flat_json(const FlatScene& scene, bool links) {
   return JsonWriter(links).run(scene);
 }
 
-} // namespace smurf
+}  // namespace smurf

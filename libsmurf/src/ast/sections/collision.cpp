@@ -40,7 +40,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constexpr std::string_view kAliases[] = {"collisions"};
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec collision{.name = "collision",
                                       .aliases = kAliases,
@@ -49,4 +49,4 @@ constinit const SectionSpec collision{.name = "collision",
                                       .keys = keys,
                                       .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

@@ -32,9 +32,7 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "nodeid", .type = number_list, .doc = "Nodes by number."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<Controller>(kKeys, {kMoreKeys});
-}
+std::vector<const KeySpec*> keys() { return specs_of<Controller>(kKeys, {kMoreKeys}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Controller>(kKeys, {kMoreKeys}, "controller", entry, section, out.controllers, sink);
@@ -42,7 +40,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constexpr std::string_view kAliases[] = {"controller"};
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec controllers{
     .name = "controllers",
@@ -52,4 +50,4 @@ constinit const SectionSpec controllers{
     .keys = keys,
     .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

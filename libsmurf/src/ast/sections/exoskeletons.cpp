@@ -32,15 +32,13 @@ constexpr KeySpec kMoreKeys[] = {
      .fallback = "false"},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<Exoskeleton>(kKeys, {kMoreKeys});
-}
+std::vector<const KeySpec*> keys() { return specs_of<Exoskeleton>(kKeys, {kMoreKeys}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Exoskeleton>(kKeys, {kMoreKeys}, "exoskeleton", entry, section, out.exoskeletons, sink);
 }
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec exoskeletons{
     .name = "exoskeletons",
@@ -49,4 +47,4 @@ constinit const SectionSpec exoskeletons{
     .keys = keys,
     .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

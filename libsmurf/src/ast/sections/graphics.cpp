@@ -42,15 +42,13 @@ constexpr Key<Graphics> kKeys[] = {
      &Graphics::fog_color},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<Graphics>(kKeys, {});
-}
+std::vector<const KeySpec*> keys() { return specs_of<Graphics>(kKeys, {}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Graphics>(kKeys, {}, "graphics entry", entry, section, out.graphics, sink);
 }
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec graphics{.name = "graphics",
                                      .entry = "graphics entry",
@@ -59,4 +57,4 @@ constinit const SectionSpec graphics{.name = "graphics",
                                      .keys = keys,
                                      .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

@@ -30,15 +30,13 @@ constexpr Key<Interface> kKeys[] = {
      &Interface::rotation},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<Interface>(kKeys, {});
-}
+std::vector<const KeySpec*> keys() { return specs_of<Interface>(kKeys, {}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Interface>(kKeys, {}, "interface", entry, section, out.interfaces, sink);
 }
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec interfaces{.name = "interfaces",
                                        .entry = "interface",
@@ -46,4 +44,4 @@ constinit const SectionSpec interfaces{.name = "interfaces",
                                        .keys = keys,
                                        .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

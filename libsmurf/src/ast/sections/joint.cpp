@@ -191,9 +191,7 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "screw_thread_pitch", .type = number, .doc = "Pitch of a screw joint."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<JointAnnotation>(kKeys, {kMoreKeys});
-}
+std::vector<const KeySpec*> keys() { return specs_of<JointAnnotation>(kKeys, {kMoreKeys}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<JointAnnotation>(kKeys, {kMoreKeys}, "joint", entry, section, out.joints, sink);
@@ -201,7 +199,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constexpr std::string_view kAliases[] = {"joints"};
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec joint{.name = "joint",
                                   .aliases = kAliases,
@@ -210,4 +208,4 @@ constinit const SectionSpec joint{.name = "joint",
                                   .keys = keys,
                                   .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

@@ -63,9 +63,7 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "index", .type = integer, .doc = "Number of the light; MARS sets it."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<Light>(kKeys, {kMoreKeys});
-}
+std::vector<const KeySpec*> keys() { return specs_of<Light>(kKeys, {kMoreKeys}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Light>(kKeys, {kMoreKeys}, "light", entry, section, out.lights, sink);
@@ -73,7 +71,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constexpr std::string_view kAliases[] = {"light"};
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec lights{
     .name = "lights",
@@ -83,4 +81,4 @@ constinit const SectionSpec lights{
     .keys = keys,
     .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

@@ -41,7 +41,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constexpr std::string_view kAliases[] = {"links"};
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec link{.name = "link",
                                  .aliases = kAliases,
@@ -50,4 +50,4 @@ constinit const SectionSpec link{.name = "link",
                                  .keys = keys,
                                  .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

@@ -84,9 +84,7 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "printShader", .type = any, .doc = "Renderer of MARS: write the shader to a file."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<MaterialAnnotation>(kKeys, {kMoreKeys});
-}
+std::vector<const KeySpec*> keys() { return specs_of<MaterialAnnotation>(kKeys, {kMoreKeys}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<MaterialAnnotation>(kKeys, {kMoreKeys}, "material", entry, section, out.materials,
@@ -95,7 +93,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constexpr std::string_view kAliases[] = {"material"};
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec materials{.name = "materials",
                                       .aliases = kAliases,
@@ -104,4 +102,4 @@ constinit const SectionSpec materials{.name = "materials",
                                       .keys = keys,
                                       .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

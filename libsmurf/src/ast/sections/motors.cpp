@@ -170,9 +170,7 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "maxVelI", .type = number, .doc = "MARS 2: limit of the velocity's integral part."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<Motor>(kKeys, {kMoreKeys});
-}
+std::vector<const KeySpec*> keys() { return specs_of<Motor>(kKeys, {kMoreKeys}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Motor>(kKeys, {kMoreKeys}, "motor", entry, section, out.motors, sink);
@@ -180,7 +178,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constexpr std::string_view kAliases[] = {"motor"};
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec motors{.name = "motors",
                                    .aliases = kAliases,
@@ -189,4 +187,4 @@ constinit const SectionSpec motors{.name = "motors",
                                    .keys = keys,
                                    .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

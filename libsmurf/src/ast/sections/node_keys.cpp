@@ -237,10 +237,8 @@ constexpr KeySpec kNodeKeys[] = {
     {.name = "index", .type = integer, .doc = "Number of the node; MARS sets it."},
 };
 
-} // namespace
+}  // namespace
 
-std::span<const KeySpec> node_keys() {
-  return kNodeKeys;
-}
+std::span<const KeySpec> node_keys() { return kNodeKeys; }
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

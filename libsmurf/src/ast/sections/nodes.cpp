@@ -21,15 +21,13 @@ constexpr Key<NodeAnnotation> kKeys[] = {
      &NodeAnnotation::material_name},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<NodeAnnotation>(kKeys, {node_keys()});
-}
+std::vector<const KeySpec*> keys() { return specs_of<NodeAnnotation>(kKeys, {node_keys()}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<NodeAnnotation>(kKeys, {node_keys()}, "node", entry, section, out.nodes, sink);
 }
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec nodes{.name = "nodes",
                                   .entry = "node",
@@ -37,4 +35,4 @@ constinit const SectionSpec nodes{.name = "nodes",
                                   .keys = keys,
                                   .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

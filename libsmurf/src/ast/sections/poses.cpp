@@ -31,16 +31,14 @@ void read_joints(yaml::View joints, JointPoseSet& pose) {
   }
 }
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<JointPoseSet>(kKeys, {});
-}
+std::vector<const KeySpec*> keys() { return specs_of<JointPoseSet>(kKeys, {}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<JointPoseSet>(kKeys, {}, "joint pose set", entry, section, out.poses, sink);
   read_joints(entry.find("joints"), out.poses.back());
 }
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec poses{.name = "poses",
                                   .entry = "joint pose set",
@@ -48,4 +46,4 @@ constinit const SectionSpec poses{.name = "poses",
                                   .keys = keys,
                                   .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

@@ -241,9 +241,7 @@ constexpr KeySpec kRayKeys[] = {
     {.name = "taskInstanceName", .type = text, .doc = "Rock task of the sensor (rock-cpp/smurf)."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<Sensor>(kKeys, {kCameraKeys, kRayKeys});
-}
+std::vector<const KeySpec*> keys() { return specs_of<Sensor>(kKeys, {kCameraKeys, kRayKeys}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Sensor>(kKeys, {kCameraKeys, kRayKeys}, "sensor", entry, section, out.sensors, sink);
@@ -251,7 +249,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constexpr std::string_view kAliases[] = {"sensor"};
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec sensors{.name = "sensors",
                                     .aliases = kAliases,
@@ -260,4 +258,4 @@ constinit const SectionSpec sensors{.name = "sensors",
                                     .keys = keys,
                                     .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

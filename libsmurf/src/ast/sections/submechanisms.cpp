@@ -65,16 +65,14 @@ constexpr KeySpec kMoreKeys[] = {
      .fallback = "false"},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<Submechanism>(kKeys, {kMoreKeys});
-}
+std::vector<const KeySpec*> keys() { return specs_of<Submechanism>(kKeys, {kMoreKeys}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Submechanism>(kKeys, {kMoreKeys}, "submechanism", entry, section, out.submechanisms,
                           sink);
 }
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec submechanisms{.name = "submechanisms",
                                           .entry = "submechanism",
@@ -82,4 +80,4 @@ constinit const SectionSpec submechanisms{.name = "submechanisms",
                                           .keys = keys,
                                           .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

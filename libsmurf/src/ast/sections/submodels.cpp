@@ -14,16 +14,14 @@ constexpr Key<Submodel> kKeys[] = {
     {{.name = "stop", .type = names, .doc = "Links at which the submodel ends."}, &Submodel::stop},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<Submodel>(kKeys, {});
-}
+std::vector<const KeySpec*> keys() { return specs_of<Submodel>(kKeys, {}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Submodel>(kKeys, {}, "submodel", entry, section, out.submodels, sink);
   out.submodels.back().name = {std::string(entry.key()), entry.key_span(), true};
 }
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec submodels{
     .name = "submodels",
@@ -33,4 +31,4 @@ constinit const SectionSpec submodels{
     .keys = keys,
     .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

@@ -33,7 +33,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constexpr std::string_view kAliases[] = {"visual"};
 
-} // namespace
+}  // namespace
 
 constinit const SectionSpec visuals{.name = "visuals",
                                     .aliases = kAliases,
@@ -42,4 +42,4 @@ constinit const SectionSpec visuals{.name = "visuals",
                                     .keys = keys,
                                     .read = read};
 
-} // namespace smurf::sections
+}  // namespace smurf::sections

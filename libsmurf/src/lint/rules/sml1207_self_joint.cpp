@@ -7,10 +7,10 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.parent || !joint.child || *joint.parent != *joint.child) return;
-    if (!model.link_names.contains(*joint.child)) return; // reported where it is unknown
-    Diagnostic& diagnostic = findings.report(
-        joint.child.span,
-        title(joint) + " connects the link " + quoted(*joint.child) + " to itself");
+    if (!model.link_names.contains(*joint.child)) return;  // reported where it is unknown
+    Diagnostic& diagnostic =
+        findings.report(joint.child.span,
+                        title(joint) + " connects the link " + quoted(*joint.child) + " to itself");
     diagnostic.labels.push_back({joint.parent.span, "the same link as parent"});
   });
 }

@@ -17,8 +17,8 @@ void check(const LinkedModel& model, Findings& findings) {
       at = to_size(*model.tree.joint_parent[to_size(*model.tree.parent_joint[at])]);
     }
     const urdf::Joint& joint = model.joint(*model.tree.parent_joint[i]);
-    findings.report(joint.child.span, title(model.robot->links[i]) +
-                                          " is part of a ring that no root link reaches");
+    findings.report(joint.child.span,
+                    title(model.robot->links[i]) + " is part of a ring that no root link reaches");
     std::vector<std::size_t> queue{i};
     while (!queue.empty()) {
       const std::size_t link = queue.back();

@@ -11,8 +11,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!all[i].name || all[i].name->empty()) continue;
     const auto first = model.link_names.find(*all[i].name);
     if (*first == i) continue;
-    Diagnostic& diagnostic = findings.report(
-        all[i].name.span, "a second link is named " + quoted(*all[i].name));
+    Diagnostic& diagnostic =
+        findings.report(all[i].name.span, "a second link is named " + quoted(*all[i].name));
     diagnostic.labels.push_back({all[*first].name.span, "the first one"});
   }
 }

@@ -6,8 +6,8 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
-    const bool needs_limit = joint.type == urdf::JointType::revolute ||
-                             joint.type == urdf::JointType::prismatic;
+    const bool needs_limit =
+        joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
     if (!needs_limit || joint.limit || has_slip(model, joint.element, "limit")) return;
     findings
         .report(name_place(model, joint),

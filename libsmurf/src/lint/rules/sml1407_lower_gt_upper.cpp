@@ -10,24 +10,16 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.limit || !joint.has_one_axis()) return;
     const Field<double>& lower = joint.limit->lower;
     const Field<double>& upper = joint.limit->upper;
-    const bool is_readable = (lower || !lower.written) && (upper || !upper.written);
-    if (!is_readable) return;
-    const double low = lower.value_or(0);
-    const double high = upper.value_or(0);
-    if (low <= high) return;
-    Diagnostic& diagnostic =
-        findings.report(lower ? lower.span : upper.span,
-                        "the lower limit " + format_number(low) + " of " + title(joint) +
-                            " is above its upper limit " + format_number(high));
-    if (!lower || !upper) {
-      diagnostic.notes.push_back("urdfdom reads the absent limit as 0");
-      return;
-    }
+    // With one of them absent readers disagree about more than the order; SML1406 says so.
+    if (!lower || !upper || *lower <= *upper) return;
+    Diagnostic& diagnostic = findings.report(
+        lower.span, "the lower limit " + format_number(*lower) + " of " + title(joint) +
+                        " is above its upper limit " + format_number(*upper));
     diagnostic.labels.push_back({upper.span, "the upper limit"});
     diagnostic.help = "swap the two values";
-    const std::string low_text = format_number(low);
-    diagnostic.fixes.push_back({Applicability::unsafe,
-                                {{lower.span, format_number(high)}, {upper.span, low_text}}});
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe,
+         {{lower.span, format_number(*upper)}, {upper.span, format_number(*lower)}}});
   });
 }
 

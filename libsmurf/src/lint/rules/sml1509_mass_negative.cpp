@@ -8,9 +8,8 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial || !link.inertial->mass || *link.inertial->mass >= 0) return;
-    findings.report(link.inertial->mass.span,
-                    "the mass of " + title(link) + " is " +
-                        format_number(*link.inertial->mass) + " kg");
+    findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is " +
+                                                  format_number(*link.inertial->mass) + " kg");
   });
 }
 

@@ -16,9 +16,9 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto& [low, middle, high] = *moments;
     if (high == 0 && low == 0) return;  // all zero is another defect
     if (is_positive_definite(*moments)) return;
-    Diagnostic& diagnostic = findings.report(
-        inertia_place(model, *link.inertial),
-        "the inertia of " + title(link) + " is not that of any body");
+    Diagnostic& diagnostic =
+        findings.report(inertia_place(model, *link.inertial),
+                        "the inertia of " + title(link) + " is not that of any body");
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4);
     diagnostic.notes.push_back("the principal moments of a body are positive");

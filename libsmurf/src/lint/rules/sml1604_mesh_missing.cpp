@@ -49,7 +49,7 @@ void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& f
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::set<std::string_view> found; // packages and folders of which something is there
+  std::set<std::string_view> found;  // packages and folders of which something is there
   for (const MeshReference& mesh : model.meshes) {
     if (!mesh.exists) continue;
     found.insert(package_of(mesh.filename));
@@ -75,8 +75,7 @@ void check(const LinkedModel& model, Findings& findings) {
       lost_folders[folder].push_back(&mesh);
     }
   }
-  for (const auto& [package, uses] : lost_packages)
-    report_package(uses, package, findings);
+  for (const auto& [package, uses] : lost_packages) report_package(uses, package, findings);
   for (const auto& [folder, uses] : lost_folders) {
     report_file(*uses.front(), uses.size() - 1, findings);
   }

@@ -10,9 +10,9 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!material.rgba) return;
     for (const double component : *material.rgba) {
       if (component >= 0 && component <= 1) continue;
-      Diagnostic& diagnostic = findings.report(
-          material.rgba.span, "the colour component " + format_number(component) +
-                                  " is not between 0 and 1");
+      Diagnostic& diagnostic =
+          findings.report(material.rgba.span, "the colour component " + format_number(component) +
+                                                  " is not between 0 and 1");
       if (component > 1) diagnostic.help = "divide 0-255 values by 255";
       return;
     }

@@ -9,9 +9,8 @@ void check(const LinkedModel& model, Findings& findings) {
   const ModelFile& main = model.files.front();
   if (!main.document || !main.document->view() || !main.document->view().is_mapping()) return;
   if (model.main.files.written && !model.main.files) return;  // its shape is wrong, reported
-  const Span place = model.main.files.written
-                         ? main.document->view().find("files").key_span()
-                         : Span{main.source, 0, 0};
+  const Span place = model.main.files.written ? main.document->view().find("files").key_span()
+                                              : Span{main.source, 0, 0};
   findings.report(place, model.main.files.written ? "`files` lists no URDF"
                                                   : "the main file has no `files`");
 }

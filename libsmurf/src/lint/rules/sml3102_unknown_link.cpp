@@ -24,8 +24,8 @@ void check(const LinkedModel& model, Findings& findings) {
   }
   for (const NodeAnnotation& entry : model.annotations.nodes) {
     if (!entry.parent) continue;
-    check_reference(model, NameKind::link, *entry.parent, entry.parent.span,
-                    subject("node", entry), findings);
+    check_reference(model, NameKind::link, *entry.parent, entry.parent.span, subject("node", entry),
+                    findings);
   }
 }
 

@@ -7,8 +7,8 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for (const MaterialAnnotation& entry : model.annotations.materials) {
     if (!entry.name) continue;
-    check_reference(model, NameKind::material, *entry.name, entry.name.span,
-                    "this material entry", findings);
+    check_reference(model, NameKind::material, *entry.name, entry.name.span, "this material entry",
+                    findings);
   }
   for (const VisualAnnotation& entry : model.annotations.visuals) {
     if (!entry.material_name) continue;

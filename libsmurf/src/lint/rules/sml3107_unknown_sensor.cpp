@@ -6,8 +6,8 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const Controller& controller : model.annotations.controllers) {
-    check_references(model, NameKind::sensor, controller.sensors,
-                     subject("controller", controller), findings);
+    check_references(model, NameKind::sensor, controller.sensors, subject("controller", controller),
+                     findings);
   }
 }
 

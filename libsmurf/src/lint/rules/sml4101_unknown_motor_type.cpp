@@ -7,10 +7,21 @@
 namespace smurf::rules {
 namespace {
 
-constexpr std::string_view kTypes[] = {
-    "PID", "DC", "generic_bldc", "generic_dc", "direct_torque", "direct_effort", "1", "2", "7",
-    "DirectEffort", "FeedForwardEffort", "ff_torque",  // MARS 2
-    "position", "velocity", "force"};                  // Phobos 2
+constexpr std::string_view kTypes[] = {"PID",
+                                       "DC",
+                                       "generic_bldc",
+                                       "generic_dc",
+                                       "direct_torque",
+                                       "direct_effort",
+                                       "1",
+                                       "2",
+                                       "7",
+                                       "DirectEffort",
+                                       "FeedForwardEffort",
+                                       "ff_torque",  // MARS 2
+                                       "position",
+                                       "velocity",
+                                       "force"};  // Phobos 2
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) {

@@ -27,7 +27,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5004_quaternion_not_unit{
     .id = "SML5004",
@@ -41,4 +41,4 @@ extern constinit const Rule sml5004_quaternion_not_unit{
     .sources = "MARS SimEntity.cpp:416-434, SMURFLoader.cpp:716 (run).",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

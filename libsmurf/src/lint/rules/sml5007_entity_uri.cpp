@@ -18,7 +18,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5007_entity_uri{
     .id = "SML5007",
@@ -31,4 +31,4 @@ extern constinit const Rule sml5007_entity_uri{
     .sources = "MARS SMURFLoader.cpp:315-322, 420; configmaps ConfigMap.cpp:607-638 (run).",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

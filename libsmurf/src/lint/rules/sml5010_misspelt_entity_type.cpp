@@ -13,7 +13,7 @@ constexpr std::string_view kTypes[] = {"smurf", "urdf", "smurfs",    "smurfa",  
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     const std::string type = entity_type(entity);
-    if (type.starts_with("zsmurf")) return; // another rule's
+    if (type.starts_with("zsmurf")) return;  // another rule's
     const auto near = nearest(type, kTypes);
     if (!near) return;
     const bool is_written = entity.type && !entity.type->empty();
@@ -28,7 +28,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5010_misspelt_entity_type{
     .id = "SML5010",
@@ -41,4 +41,4 @@ extern constinit const Rule sml5010_misspelt_entity_type{
     .sources = "MARS EntityFactoryManager.cpp:70-90, SMURFLoader.cpp:320-349.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

@@ -16,7 +16,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5011_archive_entity{
     .id = "SML5011",
@@ -29,4 +29,4 @@ extern constinit const Rule sml5011_archive_entity{
     .sources = "MARS SMURFLoader.cpp:405-411.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

@@ -15,7 +15,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5012_unnamed_entity{
     .id = "SML5012",
@@ -28,4 +28,4 @@ extern constinit const Rule sml5012_unnamed_entity{
     .sources = "MARS SMURFLoader.cpp:616-621 (run); Phobos multiple.py.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

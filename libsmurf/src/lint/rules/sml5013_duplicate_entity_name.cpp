@@ -23,7 +23,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5013_duplicate_entity_name{
     .id = "SML5013",
@@ -36,4 +36,4 @@ extern constinit const Rule sml5013_duplicate_entity_name{
     .sources = "MARS EntityManager.cpp:229-239; Phobos multiple.py; MarsSceneLoader.cpp.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

@@ -51,7 +51,7 @@ class Ambiguities {
       if (&scene_.entity(instance) != &scene_.entity(first)) {
         label(diagnostic, place_of(scene_.entity(instance)), "meant here");
         label(diagnostic, place_of(scene_.entity(first)), "the first of that name");
-      } else { // one entity, of a scene that is included twice
+      } else {  // one entity, of a scene that is included twice
         label(diagnostic, include_place(instance), "meant here");
         label(diagnostic, include_place(first), "the first copy");
       }
@@ -83,7 +83,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   for_each_use(scene, [&](const Use& use) { ambiguities.check(use); });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5014_ambiguous_entity_name{
     .id = "SML5014",
@@ -97,4 +97,4 @@ extern constinit const Rule sml5014_ambiguous_entity_name{
     .sources = "MARS EntityManager.cpp:229-239, SMURFLoader.cpp:350-380.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

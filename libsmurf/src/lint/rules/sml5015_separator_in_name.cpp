@@ -13,7 +13,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5015_separator_in_name{
     .id = "SML5015",
@@ -26,4 +26,4 @@ extern constinit const Rule sml5015_separator_in_name{
     .sources = "MARS SimEntity.cpp:373-376.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

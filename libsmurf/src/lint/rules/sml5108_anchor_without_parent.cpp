@@ -15,7 +15,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5108_anchor_without_parent{
     .id = "SML5108",
@@ -27,4 +27,4 @@ extern constinit const Rule sml5108_anchor_without_parent{
     .sources = "MARS SimEntity.cpp:452-453.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

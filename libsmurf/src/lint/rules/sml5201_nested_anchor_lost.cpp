@@ -7,12 +7,9 @@ namespace {
 
 std::string words(const LinkedScene& scene, const Attachment& anchor) {
   switch (anchor.kind) {
-  case Attachment::Kind::none:
-    return "`none`";
-  case Attachment::Kind::world:
-    return "`world`";
-  case Attachment::Kind::link:
-    break;
+  case Attachment::Kind::none: return "`none`";
+  case Attachment::Kind::world: return "`world`";
+  case Attachment::Kind::link: break;
   }
   return quoted(scene.instance(anchor.instance).name + "::" + anchor.link);
 }
@@ -33,7 +30,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5201_nested_anchor_lost{
     .id = "SML5201",
@@ -48,4 +45,4 @@ extern constinit const Rule sml5201_nested_anchor_lost{
     .sources = "MARS SMURFLoader.cpp:671-675 (run).",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

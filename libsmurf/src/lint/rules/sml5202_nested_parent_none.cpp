@@ -17,7 +17,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5202_nested_parent_none{
     .id = "SML5202",
@@ -30,4 +30,4 @@ extern constinit const Rule sml5202_nested_parent_none{
     .sources = "MARS SMURFLoader.cpp:671-672.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

@@ -69,7 +69,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5203_order_dependent_parent{
     .id = "SML5203",
@@ -84,4 +84,4 @@ extern constinit const Rule sml5203_order_dependent_parent{
     .sources = "MARS SMURFLoader.cpp:580-637 (run).",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

@@ -18,7 +18,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5204_assembly_member_left_behind{
     .id = "SML5204",
@@ -31,4 +31,4 @@ extern constinit const Rule sml5204_assembly_member_left_behind{
     .sources = "MARS SMURFLoader.cpp:444-450, 673 (run).",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

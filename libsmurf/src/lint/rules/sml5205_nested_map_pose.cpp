@@ -22,7 +22,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5205_nested_map_pose{
     .id = "SML5205",
@@ -36,4 +36,4 @@ extern constinit const Rule sml5205_nested_map_pose{
     .sources = "MARS SMURFLoader.cpp:688-714 (run); Phobos multiple.py, representation.py.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

@@ -22,7 +22,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5206_primitive_list_pose{
     .id = "SML5206",
@@ -35,4 +35,4 @@ extern constinit const Rule sml5206_primitive_list_pose{
     .sources = "MARS primitives.cpp:148-153, NodeData.cpp:181-184.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

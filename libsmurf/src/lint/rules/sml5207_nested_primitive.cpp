@@ -16,7 +16,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5207_nested_primitive{
     .id = "SML5207",
@@ -29,4 +29,4 @@ extern constinit const Rule sml5207_nested_primitive{
     .sources = "MARS SMURFLoader.cpp:688-726, primitives.cpp:148-153.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

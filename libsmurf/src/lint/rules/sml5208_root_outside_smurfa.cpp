@@ -12,7 +12,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5208_root_outside_smurfa{
     .id = "SML5208",
@@ -25,4 +25,4 @@ extern constinit const Rule sml5208_root_outside_smurfa{
     .sources = "MARS SMURFLoader.cpp:444-450, 673.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

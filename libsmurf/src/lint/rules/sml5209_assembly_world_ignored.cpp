@@ -19,7 +19,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5209_assembly_world_ignored{
     .id = "SML5209",
@@ -31,4 +31,4 @@ extern constinit const Rule sml5209_assembly_world_ignored{
     .sources = "MARS SMURFLoader.cpp:452.",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

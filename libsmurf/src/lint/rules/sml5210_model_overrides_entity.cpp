@@ -21,7 +21,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
-} // namespace
+}  // namespace
 
 extern constinit const Rule sml5210_model_overrides_entity{
     .id = "SML5210",
@@ -34,4 +34,4 @@ extern constinit const Rule sml5210_model_overrides_entity{
     .sources = "smurf_parser SMURFParser.cpp:43 (run).",
     .check_scene = check};
 
-} // namespace smurf::rules
+}  // namespace smurf::rules

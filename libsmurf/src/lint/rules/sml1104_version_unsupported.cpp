@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot || !model.robot->version || *model.robot->version == "1.0") return;
+  Diagnostic& diagnostic =
+      findings.report(model.robot->version.span, "the version " + quoted(*model.robot->version) +
+                                                     " is refused by urdfdom before 5.1");
+  diagnostic.help = "write `1.0`, or delete the attribute";
+  diagnostic.fixes.push_back({Applicability::unsafe, {{model.robot->version.span, "1.0"}}});
+}
+
+}  // namespace
+
+extern constinit const Rule sml1104_version_unsupported{
+    .id = "SML1104",
+    .name = "version-unsupported",
+    .severity = Severity::error,
+    .summary = "The version of the robot element is not 1.0.",
+    .why = "urdfdom up to 5.0 (all ROS distributions of Debian 12 and Ubuntu 24.04, and with it "
+           "RViz, Gazebo, DART and Pinocchio) refuses every version but 1.0; \"1\" is refused "
+           "too.",
+    .remedy = "Delete the attribute, or write 1.0.",
+    .sources = "urdfdom 3.0.1 model.cpp:126-137 and sdformat 12.3, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

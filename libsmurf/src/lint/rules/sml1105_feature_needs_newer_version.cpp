@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kNewer[] = {"quat_xyzw", "acceleration", "deceleration", "jerk"};
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  for (const xml::Attribute& attribute : model.robot->document.attributes) {
+    for (const std::string_view name : kNewer) {
+      if (attribute.name != name) continue;
+      findings.report(attribute.name_span, quoted(name) + " is ignored by readers of URDF 1.0");
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1105_feature_needs_newer_version{
+    .id = "SML1105",
+    .name = "feature-needs-newer-version",
+    .severity = Severity::error,
+    .summary = "An attribute belongs to a later URDF version than readers know.",
+    .why = "urdfdom up to 5.0, sdformat, MuJoCo and Bullet ignore it silently: `quat_xyzw` leaves "
+           "the frame unrotated.",
+    .remedy = "Write the rotation as rpy; leave the limits out or say them where your controller "
+              "reads them.",
+    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, executed; urdfdom pull "
+               "requests 212 and 235.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kShapes[] = {"box", "sphere", "cylinder", "capsule", "mesh"};
+
+void check_geometry(const LinkedModel& model, const urdf::Geometry& geometry, Findings& findings) {
+  if (geometry.element == xml::kNoElement) return;
+  const xml::View element(model.robot->document, geometry.element);
+  xml::View first;
+  for (const xml::View child : element) {
+    if (std::find(std::begin(kShapes), std::end(kShapes), child.name()) == std::end(kShapes)) {
+      continue;
+    }
+    if (first) {
+      Diagnostic& diagnostic = findings.report(child.name_span(), "a second shape in one geometry");
+      diagnostic.labels.push_back({first.name_span(), "the first one"});
+      return;
+    }
+    first = child;
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_link(model, [&](const urdf::Link& link) {
+    for (const urdf::Visual& visual : link.visuals) {
+      check_geometry(model, visual.geometry, findings);
+    }
+    for (const urdf::Collision& collision : link.collisions) {
+      check_geometry(model, collision.geometry, findings);
+    }
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1111_geometry_several_shapes{
+    .id = "SML1111",
+    .name = "geometry-several-shapes",
+    .severity = Severity::error,
+    .summary = "A geometry holds more than one shape.",
+    .why = "urdfdom and Bullet take the first shape, MuJoCo and Drake the first in an order of "
+           "their own.",
+    .remedy = "Write one visual or collision for each shape.",
+    .sources = "urdfdom 3.0.1 link.cpp:224, MuJoCo 3.14 and Bullet, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_name(const Field<std::string>& name, Findings& findings) {
+  if (!name || name->find('/') == std::string::npos) return;
+  findings.report(name.span, "the name " + quoted(*name) + " holds a slash");
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_link(model, [&](const urdf::Link& link) { check_name(link.name, findings); });
+  for_each_joint(model, [&](const urdf::Joint& joint) { check_name(joint.name, findings); });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1309_slash{
+    .id = "SML1309",
+    .name = "slash",
+    .severity = Severity::warning,
+    .summary = "A name holds a slash.",
+    .why = "MuJoCo uses `/` as the separator of attached models, tf2 and USD as that of paths.",
+    .remedy = "Use `_` instead.",
+    .sources = "MuJoCo xml_urdf.cc:81; 32 of 322 files of the Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules

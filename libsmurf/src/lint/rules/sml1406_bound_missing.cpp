@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    const bool needs_bounds =
+        joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
+    if (!needs_bounds || !joint.limit) return;
+    const bool has_lower = joint.limit->lower.written;
+    const bool has_upper = joint.limit->upper.written;
+    if (has_lower && has_upper) return;
+    const std::string_view missing = has_lower ? "upper" : has_upper ? "lower" : "";
+    Diagnostic& diagnostic =
+        findings.report(tag_name(model, joint.limit->element),
+                        "the limit of " + title(joint) + " has no " +
+                            (missing.empty() ? "`lower` and no `upper`" : quoted(missing)));
+    diagnostic.notes.push_back("urdfdom reads 0, MuJoCo and Drake no limit, Bullet -1 as upper");
+    // Absent, both are 0 to urdfdom: the joint is locked there and free elsewhere.
+    if (missing.empty()) diagnostic.severity = Severity::warning;
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1406_bound_missing{
+    .id = "SML1406",
+    .name = "bound-missing",
+    .severity = Severity::error,
+    .summary = "A revolute or prismatic joint has only one of its position limits, or none.",
+    .why = "Readers disagree: urdfdom and sdformat read 0, MuJoCo and Drake no limit, Bullet an "
+           "upper limit of -1 (a lower limit of -1 alone locks the joint).",
+    .remedy = "Write both limits, or make the joint continuous.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and Bullet, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

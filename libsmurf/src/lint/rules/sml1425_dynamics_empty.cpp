@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.dynamics || joint.dynamics->damping.written || joint.dynamics->friction.written) {
+      return;
+    }
+    Diagnostic& diagnostic = findings.report(tag_name(model, joint.dynamics->element),
+                                             "the dynamics of " + title(joint) +
+                                                 " has neither `damping` nor `friction`");
+    diagnostic.notes.push_back("urdfdom refuses the whole file");
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1425_dynamics_empty{
+    .id = "SML1425",
+    .name = "dynamics-empty",
+    .severity = Severity::error,
+    .summary = "A dynamics element has neither damping nor friction.",
+    .why = "urdfdom, sdformat, Bullet and DART refuse the whole file.",
+    .remedy = "Delete it, or write damping and friction.",
+    .sources = "urdfdom 3.0.1, sdformat 12.3, Bullet and DART 6.12, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.dynamics) return;
+    for (const Field<double>* value : {&joint.dynamics->damping, &joint.dynamics->friction}) {
+      if (!*value || **value >= 0) continue;
+      findings.report(value->span, std::string(value == &joint.dynamics->damping ? "the damping"
+                                                                                 : "the friction") +
+                                       " of " + title(joint) + " is " + format_number(**value));
+    }
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1426_dynamics_negative{
+    .id = "SML1426",
+    .name = "dynamics-negative",
+    .severity = Severity::error,
+    .summary = "A damping or friction is negative.",
+    .why = "DART aborts the process, Drake refuses the file; elsewhere the joint gains energy.",
+    .remedy = "Write a positive number.",
+    .sources = "DART 6.12, executed; Drake revolute_joint.h:125.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.safety_controller || !joint.has_one_axis()) return;
+    const urdf::SafetyController& safety = *joint.safety_controller;
+    if (joint.type == urdf::JointType::continuous) return;
+    if (safety.soft_lower_limit.written && safety.soft_upper_limit.written) return;
+    findings
+        .report(tag_name(model, safety.element),
+                "the safety controller of " + title(joint) + " lacks a soft limit")
+        .notes.push_back("MoveIt reads the absent limit as 0");
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1429_safety_soft_limits_missing{
+    .id = "SML1429",
+    .name = "safety-soft-limits-missing",
+    .severity = Severity::warning,
+    .summary = "A safety controller has no soft limits.",
+    .why = "MoveIt intersects the hard limits with the default [0, 0]: the joint is frozen.",
+    .remedy = "Write soft_lower_limit and soft_upper_limit.",
+    .sources = "MoveIt robot_model.cpp:849-860.",
+    .check_model = check};
+
+}  // namespace smurf::rules

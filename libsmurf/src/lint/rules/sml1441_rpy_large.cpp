@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  constexpr double kTurn = 2 * std::numbers::pi + 1e-3;
+  for (const xml::Attribute& attribute : model.robot->document.attributes) {
+    if (attribute.name != "rpy") continue;
+    for (const double angle : numbers_in(attribute.value)) {
+      if (std::fabs(angle) <= kTurn) continue;
+      findings
+          .report(attribute.value_span, "the angle " + format_number(angle) + " is " +
+                                            format_rounded(angle / (2 * std::numbers::pi), 3) +
+                                            " turns; is it in degrees?")
+          .help = format_number(angle) + " degrees are " +
+                  format_rounded(angle * std::numbers::pi / 180, 6) + " rad";
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1441_rpy_large{
+    .id = "SML1441",
+    .name = "rpy-large",
+    .severity = Severity::warning,
+    .summary = "A roll, pitch or yaw is more than a full turn.",
+    .why = "URDF angles are radians: 90 is 14 turns and a bit. Values beyond a turn are degrees "
+           "most of the time.",
+    .remedy = "Multiply by pi/180.",
+    .sources = "URDF specification; urdfdom pose.h.",
+    .check_model = check};
+
+}  // namespace smurf::rules

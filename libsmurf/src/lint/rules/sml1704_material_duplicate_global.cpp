@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  const std::vector<urdf::Material>& materials = model.robot->materials;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (!materials[i].name) continue;
+    const auto first = model.material_names.find(*materials[i].name);
+    if (!first || *first == i) continue;
+    Diagnostic& diagnostic =
+        findings.report(materials[i].name.span,
+                        "a second material of the robot is named " + quoted(*materials[i].name));
+    diagnostic.labels.push_back({materials[*first].name.span, "the first one"});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1704_material_duplicate_global{
+    .id = "SML1704",
+    .name = "material-duplicate-global",
+    .severity = Severity::error,
+    .summary = "Two materials of the robot have the same name.",
+    .why = "urdfdom, sdformat, DART and Drake refuse the file, Bullet takes the first, "
+           "urdf-loader the last.",
+    .remedy = "Delete or rename one.",
+    .sources = "urdfdom 3.0.1 model.cpp:147, sdformat 12.3, Bullet and urdf-loader 0.13, "
+               "executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules
