@@ -102,7 +102,7 @@ class Usage(LintTest):
                 ("--jobs: '0' is not a whole number of at least 1", ["-j0"]),
                 ("--package: 'arm' is not NAME=DIR", ["--package", "arm"]),
                 ("--quiet takes no value", ["--quiet=false"]),
-                ("there is no rule 'SML3110'; did you mean 'SML3101'?", ["--explain", "SML3110"]),
+                ("there is no rule 'SML31O1'; did you mean 'SML3101'?", ["--explain", "SML31O1"]),
                 ("there is no rule 'x'", ["--explain", "x"]),
                 ("two reports go to standard output; give one a file of its own: "
                  "--format json=FILE", ["--format", "full", "--format", "json"]),
