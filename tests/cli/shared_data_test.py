@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Real models, scenes and URDFs that nobody here wrote, and one-defect URDFs with a scorer.
+
+usage: shared_data_test.py SMURF-LINT SHARED-FOLDER; exits with 77 (skipped) without that folder.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+SLOWEST = 10.0  # seconds for one file, on a busy machine
+MUTANTS_EXPECTED = 41
+
+
+def lint(tool, path):
+    begin = time.monotonic()
+    done = subprocess.run([tool, "--format", "json", path.name], cwd=path.parent,
+                          capture_output=True, timeout=60, check=False)
+    return done, time.monotonic() - begin
+
+
+def check_corpus(tool, corpus):
+    """Every file gets an answer: exit 0 or 1, a report, and places inside the files."""
+    failures, count, slowest = [], 0, 0.0
+    for path in sorted(corpus.rglob("*")):
+        if path.suffix not in (".smurf", ".smurfs", ".smurfa", ".urdf", ".URDF", ".yml"):
+            continue
+        done, seconds = lint(tool, path)
+        count, slowest = count + 1, max(slowest, seconds)
+        try:
+            report = json.loads(done.stdout)
+        except ValueError:
+            report = None
+        if done.returncode not in (0, 1) or report is None or seconds > SLOWEST:
+            failures.append(f"{path}: exit {done.returncode}, {seconds:.1f} s")
+    print(f"corpus: {count} files answered, slowest {slowest:.2f} s, {len(failures)} failures")
+    return failures
+
+
+def check_mutants(tool, scorer):
+    with tempfile.TemporaryDirectory() as folder:
+        done = subprocess.run([sys.executable, scorer, folder, tool], capture_output=True,
+                              text=True, check=False)
+    print("mutants found:", done.stdout.strip().splitlines()[-1] if done.stdout else done.stderr)
+    if "NOISE" in done.stdout:
+        return ["the clean base raises something: " + done.stdout]
+    found = re.search(r"(\d+) of \d+$", done.stdout.strip())
+    if not found or int(found[1]) < MUTANTS_EXPECTED:
+        return [done.stdout]
+    return []
+
+
+def main():
+    tool, shared = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
+    if not (shared / "corpus").is_dir():
+        print("skipped: there is no folder of shared test data beside the project")
+        sys.exit(77)
+    failures = check_mutants(str(tool), shared / "mutants" / "mutants.py")
+    failures += check_corpus(str(tool), shared / "corpus")
+    sys.exit("\n".join(failures))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of smurf2urdf: bytes, re-based paths, refusals, files left alone."""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+MESH_LINES = 3  # of the arm
+
+
+class ExportTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(cli.FIXTURES / "models" / "arm", self.folder / "arm")
+
+    def source(self):
+        return self.read("arm/urdf/arm.urdf")
+
+    def break_limit(self):
+        self.write("arm/urdf/arm.urdf",
+                   self.source().replace('lower="-0.4" upper="1.75"', 'lower="1.75" upper="-0.4"'))
+
+    def run_with_messages(self, code, *arguments):
+        done = self.run_tool(*arguments)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+
+class Result(ExportTest):
+    def test_beside_the_source_nothing_changes(self):
+        self.expect(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/copy.urdf")
+        self.assertEqual(self.read("arm/urdf/copy.urdf"), self.source())
+
+    def test_elsewhere_only_mesh_paths_change(self):
+        (self.folder / "out" / "deep").mkdir(parents=True)
+        self.expect(0, "arm/smurf/arm.smurf", "-o", "out/deep/arm.urdf")
+        before, after = self.source().splitlines(), self.read("out/deep/arm.urdf").splitlines()
+        changed = [(a, b) for a, b in zip(before, after) if a != b]
+        self.assertEqual(len(before), len(after))
+        self.assertEqual(len(changed), MESH_LINES)
+        for old, new in changed:
+            self.assertEqual(new, old.replace("../meshes/", "../../arm/meshes/"))
+            mesh = new.split('"')[1]
+            self.assertTrue((self.folder / "out" / "deep" / mesh).resolve().is_file(), mesh)
+
+    def test_standard_output_is_the_current_folder(self):
+        text = self.expect(0, "arm/smurf/arm.smurf").stdout
+        self.assertIn('filename="arm/meshes/upper_arm.obj"', text)
+
+    def test_absolute_output(self):
+        target = self.folder / "out.urdf"
+        self.expect(0, "arm/smurf/arm.smurf", "-o", target)
+        self.assertIn('filename="arm/meshes/upper_arm.obj"', target.read_text())
+
+    def test_twice_is_once(self):
+        first = self.expect(0, "arm/smurf/arm.smurf").stdout
+        self.write("first.urdf", first)
+        self.assertEqual(self.expect(0, "first.urdf").stdout, first)
+
+    def test_proof(self):
+        done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "o.urdf", "--prove")
+        self.assertIn("compared 10 links", done.stderr)
+        self.assertIn("urdfdom                     accepts", done.stderr)
+
+    @unittest.skipUnless(shutil.which("check_urdf"), "check_urdf is not installed")
+    def test_check_urdf_accepts(self):
+        self.expect(0, "arm/smurf/arm.smurf", "-o", "o.urdf")
+        done = subprocess.run(["check_urdf", "o.urdf"], cwd=self.folder, capture_output=True,
+                              text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertNotIn("rror", done.stdout + done.stderr)
+
+
+class Refusal(ExportTest):
+    def test_a_model_with_errors_is_refused_and_the_old_file_kept(self):
+        self.break_limit()
+        self.write("o.urdf", "the old file")
+        done = self.run_with_messages(1, "arm/smurf/arm.smurf", "-o", "o.urdf")
+        self.assertIn("SML1407", done.stderr)
+        self.assertIn("nothing was written", done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(self.read("o.urdf"), "the old file")
+
+    def test_force(self):
+        self.break_limit()
+        self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--force")
+        self.assertEqual(self.read("arm/urdf/o.urdf"), self.source())
+
+    def test_what_is_no_urdf_is_never_written(self):
+        self.write("arm/urdf/arm.urdf", "<robot name='a'>")
+        done = self.run_with_messages(1, "arm/smurf/arm.smurf", "-o", "o.urdf", "--force")
+        self.assertIn("SML1001", done.stderr)
+        self.assertFalse((self.folder / "o.urdf").exists())
+
+    def test_unreadable(self):
+        self.expect_complaint("cannot read 'no.smurf': No such file or directory", "no.smurf")
+        self.expect_complaint("no input is named; see --help")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_read_only_folder(self):
+        (self.folder / "locked").mkdir(mode=0o500)
+        self.run_with_messages(2, "arm/smurf/arm.smurf", "-o", "locked/o.urdf")
+
+    def test_full_disk(self):
+        done = self.run_with_messages(2, "arm/smurf/arm.smurf", "-o", "/dev/full")
+        self.assertIn("/dev/full", done.stderr)
+
+
+if __name__ == "__main__":
+    cli.main()
