@@ -60,7 +60,7 @@ def main():
         sys.exit(77)
     failures = check_mutants(str(tool), shared / "mutants" / "mutants.py")
     failures += check_corpus(str(tool), shared / "corpus")
-    sys.exit("\n".join(failures))
+    sys.exit("\n".join(failures) or 0)
 
 
 if __name__ == "__main__":

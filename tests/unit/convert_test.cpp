@@ -70,7 +70,7 @@ TEST_CASE("the proof holds for the same robot and names what differs") {
     std::string from, to, difference;
   };
   const Row rows[] = {
-      {"xyz=\"0 0 0.4\"", "xyz=\"0 0 0.400000001\"", "pose of the link `arm`"},
+      {"xyz=\"0 0 0.4\"", "xyz=\"0 0 0.400000001\"", "centre of mass differs"},
       {"axis xyz=\"0 1 0\"", "axis xyz=\"0 -1 0\"", "pose of the link `arm`"},
       {"mass value=\"0.5\"", "mass value=\"0.6\"", "total mass"},
       {"<origin xyz=\"0 0 0.1\"/>", "<origin xyz=\"0 0 0.11\"/>", "centre of mass"},
