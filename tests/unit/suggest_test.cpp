@@ -3,8 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
+
+#include "unit/random.hpp"
 
 using namespace smurf;
 
@@ -27,6 +30,48 @@ TEST_CASE("suggest: distance") {
   }
   CHECK(edit_distance("abcdef", "uvwxyz", 2) == 3);
   CHECK(edit_distance("a", "abcdef", 2) == 3);
+}
+
+TEST_CASE("suggest: the band changes nothing") {
+  // The textbook table, without limit.
+  const auto plain = [](const std::string& a, const std::string& b) {
+    std::vector<std::vector<int>> cost(a.size() + 1, std::vector<int>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+      for (std::size_t j = 0; j <= b.size(); ++j) {
+        int& best = cost[i][j] = static_cast<int>(i == 0 ? j : i);
+        if (i == 0 || j == 0) continue;
+        best = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1,
+                         cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+        if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+          best = std::min(best, cost[i - 2][j - 2] + 1);
+        }
+      }
+    }
+    return cost[a.size()][b.size()];
+  };
+  MESSAGE("seed " << test::seed());
+  test::Random random;
+  const auto word = [&] {
+    std::string text;
+    for (std::size_t size = random.below(9); size > 0; --size) text += "abc"[random.below(3)];
+    return text;
+  };
+  for (int round = 0; round < 20000; ++round) {
+    const std::string a = word();
+    const std::string b = word();
+    const std::vector<std::string_view> known{b};
+    const bool is_near =
+        a != b && !a.empty() && plain(a, b) <= std::max<int>(1, static_cast<int>(a.size()) / 3);
+    CHECK(nearest(a, known).has_value() == is_near);
+    const int limit = static_cast<int>(random.below(6));
+    const int expected = std::min(plain(a, b), limit + 1);
+    if (edit_distance(a, b, limit) == expected) continue;
+    CAPTURE(a);
+    CAPTURE(b);
+    CAPTURE(limit);
+    CHECK(edit_distance(a, b, limit) == expected);
+    break;
+  }
 }
 
 TEST_CASE("suggest: the nearest name") {

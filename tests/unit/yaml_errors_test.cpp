@@ -127,6 +127,11 @@ TEST_CASE("yaml: depth is limited") {
   check({{repeat("[", limits.yaml_depth) + repeat("]", limits.yaml_depth), {}, true},
          {repeat("[", limits.yaml_depth + 1) + repeat("]", limits.yaml_depth + 1),
           {"SML0014 1:101 [[]"}}});
+  check({{repeat("[", 100000), {"SML0014 1:101 [[]"}},
+         {"a: " + repeat("[x,", 100000), {"SML0014 1:301 [[]"}},
+         {repeat("{a: ", 100000), {"SML0014 1:401 [{]"}},
+         {"a: '" + repeat("[", 1000) + "'\n", {}, true},
+         {"# " + repeat("{", 1000) + "\na: x" + repeat("[", 1000) + "\n", {}, true}});
   std::string block;
   for (std::uint32_t i = 0; i < limits.yaml_depth; ++i) block += repeat(" ", i) + "a:\n";
   check({{block, {}, true},

@@ -79,6 +79,7 @@ class SourceMap {
     std::string path;
     std::string text;
     std::vector<std::uint32_t> line_starts;
+    bool is_ascii = true;  ///< a column is then a byte
     bool readable = true;
   };
   const Source& at(SourceId id) const { return sources_[static_cast<std::size_t>(id)]; }

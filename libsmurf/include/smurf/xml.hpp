@@ -116,6 +116,19 @@ inline View Document::view() const { return {*this, root}; }
 
 /// "/robot/joint[@name='a']/limit", with positions where names do not tell siblings apart.
 std::string xpath(const Document& document, ElementId id);
+/// The same for many elements of one document: siblings are counted once.
+class XPaths {
+ public:
+  explicit XPaths(const Document& document) : document_(&document) {}
+  std::string find(ElementId id);
+
+ private:
+  void name_children(View parent);
+
+  const Document* document_;
+  std::vector<std::string> steps_;  ///< by element; empty as long as nobody asked
+};
+
 /// The deepest element whose span holds the byte.
 ElementId element_at(const Document& document, std::uint32_t offset);
 

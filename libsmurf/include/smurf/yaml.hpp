@@ -24,6 +24,8 @@ enum class Style : std::uint8_t { plain, single_quoted, double_quoted, block };
 struct Node {
   Kind kind = Kind::null;
   Style style = Style::plain;
+  bool is_repeated = false;  ///< its key stands before it in the same mapping
+  std::uint32_t position = 0;  ///< among the children of its parent
   std::uint32_t child_count = 0;
   NodeId parent = kNoNode;
   NodeId first_child = kNoNode;
@@ -41,7 +43,7 @@ struct Comment {
 
 class View;
 
-/// The first document of a YAML file. Moved, never copied: texts point into it and into the
+/// The first document of a YAML file, its nodes in document order. Moved, never copied: texts point into it and into the
 /// SourceMap.
 struct Document {
   Document() = default;
@@ -91,6 +93,8 @@ class View {
   Span span() const { return node().span; }
   Span key_span() const { return node().key_span; }
   std::string_view key() const { return node().key; }
+  /// True for a duplicate key, which the YAML reader reports; readers take the first.
+  bool is_repeated() const { return node().is_repeated; }
   /// The value's span, or the key's when the value is absent.
   Span place() const {
     return node().span.empty() && !node().key_span.empty() ? node().key_span : node().span;

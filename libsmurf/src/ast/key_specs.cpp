@@ -36,10 +36,6 @@ std::span<const std::string_view> components_of(ValueType type) {
   }
 }
 
-bool is_first(yaml::View mapping, yaml::View member) {
-  return mapping.find(member.key()).id() == member.id();
-}
-
 const KeySpec* find_key(MoreKeys tables, std::string_view name) {
   for (const std::span<const KeySpec> table : tables) {
     for (const KeySpec& spec : table) {

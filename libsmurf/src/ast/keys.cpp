@@ -224,7 +224,7 @@ void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
     return;
   }
   for (const yaml::View member : value) {
-    if (member.is_null() || !is_first(value, member)) continue;
+    if (member.is_null() || member.is_repeated()) continue;
     const KeySpec inner{.name = member.key(), .type = ValueType::number};
     finite_number(inner, member, sink);
   }

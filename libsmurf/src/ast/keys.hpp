@@ -104,9 +104,6 @@ void read_value(const KeySpec& spec, yaml::View value, Target target, Diagnostic
 void check_keys(std::span<const KeySpec> keys, yaml::View mapping, std::string_view what,
                 DiagnosticSink& sink);
 
-/// False for a duplicate key, which the YAML reader reports; readers take the first.
-bool is_first(yaml::View mapping, yaml::View member);
-
 /// Reports SML4004 for each required key that `mapping`, a `what` ("motor"), does not hold.
 void report_missing(std::span<const KeySpec* const> missing, yaml::View mapping,
                     std::string_view what, DiagnosticSink& sink);
@@ -139,7 +136,7 @@ void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, 
     while (i < keys.size() && keys[i].spec.name != value.key()) ++i;
     if (i == keys.size()) {
       const KeySpec* spec = find_key(more, value.key());
-      if (spec != nullptr && is_first(mapping, value)) read_value(*spec, value, {}, sink);
+      if (spec != nullptr && !value.is_repeated()) read_value(*spec, value, {}, sink);
       continue;
     }
     if (seen[i]) continue;

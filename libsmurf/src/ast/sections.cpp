@@ -74,7 +74,7 @@ std::vector<std::string_view> section_names() {
 void read_sections(yaml::View root, bool (*is_taken)(std::string_view key), Annotations& out,
                    DiagnosticSink& sink) {
   for (const yaml::View value : root) {
-    if (is_taken(value.key()) || !is_first(root, value)) continue;
+    if (is_taken(value.key()) || value.is_repeated()) continue;
     if (const SectionSpec* section = find_section(value.key())) {
       read_section(*section, value, out, sink);
     } else {

@@ -3,6 +3,7 @@
 // absent.
 #include <algorithm>
 #include <cctype>
+#include <unordered_map>
 
 #include "ast/urdf_reader.hpp"
 #include "ast/urdf_schema.hpp"
@@ -118,14 +119,9 @@ class ShapeChecker {
 
   /// Names of another vocabulary come with every joint; each is one finding.
   void add_foreign(const Rule& rule, Span place, std::string message) {
-    const auto known = std::find_if(foreign_.begin(), foreign_.end(), [&](const Foreign& f) {
-      return f.rule == &rule && f.message == message;
-    });
-    if (known == foreign_.end()) {
-      foreign_.push_back({&rule, place, std::move(message), 1});
-    } else {
-      ++known->count;
-    }
+    const auto [known, is_new] = foreign_by_message_.emplace(message, foreign_.size());
+    if (is_new) foreign_.push_back({&rule, place, std::move(message), 0});
+    ++foreign_[known->second].count;
   }
 
   void report_foreign() {
@@ -182,6 +178,7 @@ class ShapeChecker {
 
   DiagnosticSink& sink_;
   std::vector<Foreign> foreign_;
+  std::unordered_map<std::string, std::size_t> foreign_by_message_;
 };
 
 }  // namespace

@@ -13,6 +13,8 @@ SourceId SourceMap::add(std::string path, std::string text) {
   Source source;
   source.path = std::move(path);
   source.text = std::move(text);
+  source.is_ascii = std::all_of(source.text.begin(), source.text.end(),
+                                [](char c) { return static_cast<unsigned char>(c) < 0x80; });
   source.line_starts.push_back(0);
   for (std::size_t at = source.text.find('\n'); at != std::string::npos;
        at = source.text.find('\n', at + 1)) {
@@ -42,6 +44,7 @@ Position SourceMap::position(SourceId id, std::uint32_t offset) const {
   assert(offset <= at(id).text.size());
   const std::uint32_t line = line_of(id, offset);
   std::uint32_t start = at(id).line_starts[line - 1];
+  if (at(id).is_ascii) return {line, offset - start + 1};
   // A byte order mark is not something the author sees as a column.
   if (line == 1 && at(id).text.starts_with("\xEF\xBB\xBF")) {
     start = std::min<std::uint32_t>(3, offset);

@@ -2,53 +2,105 @@
 #include "base/suggest.hpp"
 
 #include <algorithm>
-#include <vector>
-
-#include "base/path.hpp"
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
 
 namespace smurf {
+namespace {
+
+// Long names are rarely misspelt beyond recognition; the bound also keeps hostile input cheap.
+constexpr std::size_t kLongestName = 200;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool differ_only_in_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// One bit for each kind of character, whatever its case.
+std::uint64_t characters(std::string_view text) {
+  std::uint64_t bits = 0;
+  for (const char c : text) bits |= std::uint64_t{1} << (static_cast<unsigned char>(lower(c)) % 64U);
+  return bits;
+}
+
+/// Every character that only one of the two has costs an edit.
+int fewest_edits(std::uint64_t a, std::uint64_t b) {
+  return std::max(std::popcount(a & ~b), std::popcount(b & ~a));
+}
+
+/// What both begin and end with costs no edit.
+void drop_common_ends(std::string_view& a, std::string_view& b) {
+  const auto front = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  const auto size = static_cast<std::size_t>(front.first - a.begin());
+  a.remove_prefix(size);
+  b.remove_prefix(size);
+  while (!a.empty() && !b.empty() && a.back() == b.back()) {
+    a.remove_suffix(1);
+    b.remove_suffix(1);
+  }
+}
+
+/// Optimal string alignment over three rows, in the band of cells that can stay within the limit.
+int align(std::string_view a, std::string_view b, int limit) {
+  using Row = std::array<int, kLongestName + 1>;
+  std::array<Row, 3> rows;
+  const int size_a = static_cast<int>(a.size());
+  const int size_b = static_cast<int>(b.size());
+  const int too_far = limit + 1;
+  const auto at = [](std::string_view text, int i) { return text[static_cast<std::size_t>(i)]; };
+  const auto cell = [](Row& row, int j) -> int& { return row[static_cast<std::size_t>(j)]; };
+  for (int j = 0; j <= size_b; ++j) cell(rows[0], j) = std::min(j, too_far);
+  for (int i = 1; i <= size_a; ++i) {
+    Row& current = rows[static_cast<std::size_t>(i % 3)];
+    Row& previous = rows[static_cast<std::size_t>((i + 2) % 3)];
+    Row& before = rows[static_cast<std::size_t>((i + 1) % 3)];
+    const int first = std::max(1, i - limit);
+    const int last = std::min(size_b, i + limit);
+    cell(current, first - 1) = first == 1 ? std::min(i, too_far) : too_far;
+    int best = cell(current, first - 1);
+    for (int j = first; j <= last; ++j) {
+      const int above = j < i + limit ? cell(previous, j) : too_far;
+      const int replaced = cell(previous, j - 1) + (at(a, i - 1) == at(b, j - 1) ? 0 : 1);
+      int cost = std::min({above + 1, cell(current, j - 1) + 1, replaced});
+      if (i > 1 && j > 1 && at(a, i - 1) == at(b, j - 2) && at(a, i - 2) == at(b, j - 1)) {
+        cost = std::min(cost, cell(before, j - 2) + 1);
+      }
+      cell(current, j) = cost;
+      best = std::min(best, cost);
+    }
+    if (best > limit) return too_far;
+  }
+  return std::min(cell(rows[static_cast<std::size_t>(size_a % 3)], size_b), too_far);
+}
+
+}  // namespace
 
 int edit_distance(std::string_view a, std::string_view b, int limit) {
   if (a == b) return 0;
-  if (path::to_lower(a) == path::to_lower(b)) return 1;
-  const int size_a = static_cast<int>(a.size());
-  const int size_b = static_cast<int>(b.size());
-  if (std::abs(size_a - size_b) > limit) return limit + 1;
-
-  // Optimal string alignment over three rows.
-  const auto width = static_cast<std::size_t>(size_b) + 1;
-  std::vector<int> before(width);
-  std::vector<int> previous(width);
-  std::vector<int> current(width);
-  for (std::size_t j = 0; j < width; ++j) previous[j] = static_cast<int>(j);
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    current[0] = static_cast<int>(i);
-    int best = current[0];
-    for (std::size_t j = 1; j < width; ++j) {
-      const int replace = previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      current[j] = std::min({previous[j] + 1, current[j - 1] + 1, replace});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-        current[j] = std::min(current[j], before[j - 2] + 1);
-      }
-      best = std::min(best, current[j]);
-    }
-    if (best > limit) return limit + 1;
-    std::swap(before, previous);
-    std::swap(previous, current);
-  }
-  return previous[width - 1];
+  if (differ_only_in_case(a, b)) return 1;
+  const auto difference = static_cast<int>(a.size()) - static_cast<int>(b.size());
+  if (std::abs(difference) > limit) return limit + 1;
+  drop_common_ends(a, b);
+  if (a.empty() || b.empty()) return std::min(std::abs(difference), limit + 1);
+  if (a.size() > kLongestName || b.size() > kLongestName) return limit + 1;
+  return align(a, b, limit);
 }
 
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known) {
-  // Long names are rarely misspelt beyond recognition; the bound also keeps hostile input cheap.
-  constexpr std::size_t kLongestName = 200;
   if (name.empty() || name.size() > kLongestName) return std::nullopt;
   const int limit = std::max(1, static_cast<int>(name.size()) / 3);
   int best = limit + 1;
   std::optional<std::string_view> found;
+  const std::uint64_t own = characters(name);
   for (const std::string_view candidate : known) {
     if (candidate == name) return std::nullopt;
+    if (best == 1) continue;  // nothing is nearer; only the name itself is still looked for
+    if (fewest_edits(own, characters(candidate)) >= best) continue;
     const int distance = edit_distance(name, candidate, best - 1);
     if (distance < best) {
       best = distance;

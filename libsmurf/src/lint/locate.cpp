@@ -8,10 +8,10 @@
 namespace smurf {
 namespace {
 
-std::string pointer_in(const xml::Document& document, Span span) {
+std::string pointer_in(const xml::Document& document, xml::XPaths& paths, Span span) {
   const xml::ElementId id = xml::element_at(document, span.begin);
   if (id == xml::kNoElement) return {};
-  std::string path = xml::xpath(document, id);
+  std::string path = paths.find(id);
   const xml::View element(document, id);
   const auto* attribute = std::find_if(
       element.attributes_begin(), element.attributes_end(), [&](const xml::Attribute& a) {
@@ -22,13 +22,13 @@ std::string pointer_in(const xml::Document& document, Span span) {
 }
 
 /// Empty when the span is in none of the model's trees.
-std::string pointer_in(const LinkedModel& model, Span span) {
+std::string pointer_in(const LinkedModel& model, std::optional<xml::XPaths>& paths, Span span) {
   if (const yaml::Document* document = model.document(span.source)) {
     const yaml::NodeId id = yaml::node_at(*document, span.begin);
     return id == yaml::kNoNode ? std::string() : yaml::pointer(*document, id);
   }
   if (model.robot && model.robot->document.source == span.source) {
-    return pointer_in(model.robot->document, span);
+    return pointer_in(model.robot->document, *paths, span);
   }
   return {};
 }
@@ -36,8 +36,10 @@ std::string pointer_in(const LinkedModel& model, Span span) {
 }  // namespace
 
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
+  std::optional<xml::XPaths> paths;
+  if (model.robot) paths.emplace(model.robot->document);
   for (Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.pointer.empty()) diagnostic.pointer = pointer_in(model, diagnostic.span);
+    if (diagnostic.pointer.empty()) diagnostic.pointer = pointer_in(model, paths, diagnostic.span);
   }
 }
 

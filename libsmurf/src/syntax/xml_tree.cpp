@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading an xml::Document.
 #include <algorithm>
+#include <unordered_map>
 
 #include "smurf/xml.hpp"
 
@@ -29,47 +30,66 @@ View View::child(std::string_view name) const {
   return {};
 }
 
-std::string xpath(const Document& document, ElementId id) {
-  std::string result;
-  while (id != kNoElement) {
-    const View view(document, id);
-    const Attribute* name = view.attribute("name");
-    if (name != nullptr && name->value.find('\'') != std::string_view::npos) name = nullptr;
-    std::size_t position = 0;
+void XPaths::name_children(View parent) {
+  const auto key_of = [](View element) {
+    const Attribute* name = element.attribute("name");
+    const bool is_usable = name != nullptr && name->value.find('\'') == std::string_view::npos;
+    return "/" + std::string(element.name()) +
+           (is_usable ? "[@name='" + std::string(name->value) + "']" : "");
+  };
+  struct Siblings {
     std::size_t count = 0;
-    if (const View parent = view.parent()) {
-      for (const View sibling : parent) {
-        if (sibling.name() != view.name()) continue;
-        const Attribute* other = sibling.attribute("name");
-        if (name != nullptr && (other == nullptr || other->value != name->value)) continue;
-        ++count;
-        if (sibling.id() == id) position = count;
+    std::size_t seen = 0;
+  };
+  std::unordered_map<std::string, Siblings> same;
+  // Elements without a name count all of their kind.
+  const auto kind_of = [](View element) { return "/" + std::string(element.name()); };
+  for (const View child : parent) {
+    ++same[key_of(child)].count;
+    if (key_of(child) != kind_of(child)) ++same[kind_of(child)].count;
+  }
+  for (const View child : parent) {
+    std::string step = key_of(child);
+    Siblings& siblings = same[step];
+    ++siblings.seen;
+    if (step != kind_of(child)) ++same[kind_of(child)].seen;
+    if (siblings.count > 1) step += "[" + std::to_string(siblings.seen) + "]";
+    steps_[static_cast<std::size_t>(child.id())] = std::move(step);
+  }
+}
+
+std::string XPaths::find(ElementId id) {
+  steps_.resize(document_->elements.size());
+  std::string result;
+  for (View view(*document_, id); view; view = view.parent()) {
+    std::string& step = steps_[static_cast<std::size_t>(view.id())];
+    if (step.empty()) {
+      if (const View parent = view.parent()) {
+        name_children(parent);
+      } else {
+        step = "/" + std::string(view.name());
       }
-    } else {
-      name = nullptr;
     }
-    std::string step = "/" + std::string(view.name());
-    if (name != nullptr) step += "[@name='" + std::string(name->value) + "']";
-    if (count > 1) step += "[" + std::to_string(position) + "]";
     result.insert(0, step);
-    id = view.element().parent;
   }
   return result;
 }
 
+std::string xpath(const Document& document, ElementId id) { return XPaths(document).find(id); }
+
 ElementId element_at(const Document& document, std::uint32_t offset) {
-  ElementId found = kNoElement;
-  ElementId id = document.root;
+  // Elements are in document order: the last one that begins before the byte, or one around it.
+  const auto after = std::partition_point(
+      document.elements.begin(), document.elements.end(),
+      [&](const Element& element) { return element.span.begin <= offset; });
+  if (after == document.elements.begin()) return kNoElement;
+  ElementId id{static_cast<std::uint32_t>(after - document.elements.begin() - 1)};
   while (id != kNoElement) {
     const Element& element = document.elements[static_cast<std::size_t>(id)];
-    if (element.span.contains(offset)) {
-      found = id;
-      id = element.first_child;
-    } else {
-      id = element.next_sibling;
-    }
+    if (element.span.contains(offset)) break;
+    id = element.parent;
   }
-  return found;
+  return id;
 }
 
 }  // namespace smurf::xml

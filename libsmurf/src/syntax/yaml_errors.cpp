@@ -45,7 +45,7 @@ bool is_closed(std::string_view text, std::uint32_t bracket) {
 void report_in_brackets(std::uint32_t at, Span bracket, std::string_view text,
                         DiagnosticSink& sink) {
   const std::string open(text.substr(bracket.begin, 1));
-  if (at <= bracket.begin || !is_closed(text, bracket.begin)) {
+  if (at <= bracket.begin || at >= text.size() || !is_closed(text, bracket.begin)) {
     sink.report(rules::sml0010_yaml_syntax, bracket, "this `" + open + "` is never closed");
     return;
   }

@@ -241,7 +241,7 @@ class TreeBuilder final : public YAML::EventHandler {
       node.key = frame.key;
       node.key_span = frame.key_span;
       Node& parent = at(frame.node);
-      ++parent.child_count;
+      node.position = parent.child_count++;
       if (frame.last_child == kNoNode) {
         parent.first_child = id;
       } else {
@@ -332,6 +332,7 @@ class TreeBuilder final : public YAML::EventHandler {
         first = i;
         continue;
       }
+      at(entries[i].id).is_repeated = true;
       Diagnostic& diagnostic =
           sink_.report(rules::sml0011_duplicate_key, at(entries[i].id).key_span,
                        "duplicate key `" + std::string(entries[i].key) + "` in one mapping");
@@ -412,11 +413,50 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
           "MARS reads the first document and drops the rest, PyYAML (Phobos) refuses the file");
 }
 
+/// The text up to a place where far more brackets seem to be open than any file needs, with these
+/// brackets closed; empty when there is none. Brackets inside of texts and comments are counted too.
+std::string suspicious_part(std::string_view text, const Limits& limits) {
+  const std::size_t suspicious = 4 * std::size_t{limits.yaml_depth};
+  std::string closing;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '[' || text[at] == '{') closing += text[at] == '[' ? ']' : '}';
+    if ((text[at] == ']' || text[at] == '}') && !closing.empty()) closing.pop_back();
+    if (closing.size() <= suspicious) continue;
+    std::reverse(closing.begin(), closing.end());
+    return std::string(text.substr(0, at + 1)) + closing;
+  }
+  return {};
+}
+
+/// yaml-cpp needs 230 bytes a bracket before it tells of the first. So the part of the text that
+/// looks too deep is read alone; true when it is, which is reported.
+bool is_too_deep(const SourceMap& sources, SourceId id, const Limits& limits,
+                 DiagnosticSink& sink) {
+  const std::string part = suspicious_part(sources.text(id), limits);
+  if (part.empty()) return false;
+  DiagnosticSink found;
+  TreeBuilder builder(sources, id, limits, found);
+  try {
+    ViewBuffer buffer(part);
+    std::istream stream(&buffer);
+    YAML::Parser(stream).HandleNextDocument(builder);
+  } catch (const StopParsing&) {
+  } catch (const YAML::Exception&) {
+  }
+  for (const Diagnostic& diagnostic : found.diagnostics()) {
+    if (diagnostic.rule != &rules::sml0014_nesting_too_deep) continue;
+    sink.report(*diagnostic.rule, diagnostic.span, diagnostic.message);
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink) {
   if (!check_text(sources, id, sink)) return std::nullopt;
+  if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
   const std::string_view text = sources.text(id);
   TreeBuilder builder(sources, id, limits, sink);
   try {

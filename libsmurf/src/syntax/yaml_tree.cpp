@@ -123,12 +123,7 @@ std::string pointer(const Document& document, NodeId id) {
       }
       steps.push_back(std::move(step));
     } else {
-      std::size_t position = 0;
-      for (NodeId child = parent.first_child; child != id && child != kNoNode;
-           child = document.nodes[static_cast<std::size_t>(child)].next_sibling) {
-        ++position;
-      }
-      steps.push_back(std::to_string(position));
+      steps.push_back(std::to_string(node.position));
     }
     id = node.parent;
   }
@@ -138,21 +133,26 @@ std::string pointer(const Document& document, NodeId id) {
 }
 
 NodeId node_at(const Document& document, std::uint32_t offset) {
-  NodeId found = kNoNode;
-  NodeId id = document.root;
-  while (id != kNoNode) {
-    const Node& node = document.nodes[static_cast<std::size_t>(id)];
-    const bool holds = (node.span.begin <= offset && offset < node.span.end) ||
-                       node.key_span.contains(offset) ||
-                       (id == document.root && node.span.begin <= offset);
-    if (holds) {
-      found = id;
-      id = node.target == kNoNode ? node.first_child : kNoNode;
-    } else {
-      id = node.next_sibling;
+  const auto at = [&](NodeId id) -> const Node& {
+    return document.nodes[static_cast<std::size_t>(id)];
+  };
+  const auto begin_of = [](const Node& node) {
+    return node.key_span.empty() ? node.span.begin : std::min(node.key_span.begin, node.span.begin);
+  };
+  // Nodes are in document order: the last one that begins before the byte, or one around it.
+  const auto after =
+      std::partition_point(document.nodes.begin(), document.nodes.end(),
+                           [&](const Node& node) { return begin_of(node) <= offset; });
+  for (auto last = after; last != document.nodes.begin();) {
+    NodeId id{static_cast<std::uint32_t>(--last - document.nodes.begin())};
+    while (id != document.root && at(id).parent != kNoNode) {
+      if (at(id).span.contains(offset) || at(id).key_span.contains(offset)) return id;
+      id = at(id).parent;
     }
+    if (id == document.root) return id;
+    // A key that is an anchor or a collection: its nodes are not in the tree.
   }
-  return found;
+  return kNoNode;
 }
 
 }  // namespace smurf::yaml

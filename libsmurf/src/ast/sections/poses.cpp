@@ -25,7 +25,7 @@ constexpr Key<JointPoseSet> kKeys[] = {
 void read_joints(yaml::View joints, JointPoseSet& pose) {
   if (!joints || !joints.is_mapping()) return;
   for (const yaml::View joint : joints) {
-    if (joint.is_null() || !is_first(joints, joint)) continue;
+    if (joint.is_null() || joint.is_repeated()) continue;
     pose.joints.push_back(
         {{std::string(joint.key()), joint.key_span()}, {joint.number(), joint.place(), true}});
   }
