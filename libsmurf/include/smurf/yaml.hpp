@@ -24,7 +24,7 @@ enum class Style : std::uint8_t { plain, single_quoted, double_quoted, block };
 struct Node {
   Kind kind = Kind::null;
   Style style = Style::plain;
-  bool is_repeated = false;  ///< its key stands before it in the same mapping
+  bool is_repeated = false;    ///< its key stands before it in the same mapping
   std::uint32_t position = 0;  ///< among the children of its parent
   std::uint32_t child_count = 0;
   NodeId parent = kNoNode;
@@ -43,8 +43,8 @@ struct Comment {
 
 class View;
 
-/// The first document of a YAML file, its nodes in document order. Moved, never copied: texts point into it and into the
-/// SourceMap.
+/// The first document of a YAML file, its nodes in document order. Moved, never copied: texts point
+/// into it and into the SourceMap.
 struct Document {
   Document() = default;
   Document(Document&&) = default;

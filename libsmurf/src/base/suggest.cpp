@@ -23,7 +23,8 @@ bool differ_only_in_case(std::string_view a, std::string_view b) {
 /// One bit for each kind of character, whatever its case.
 std::uint64_t characters(std::string_view text) {
   std::uint64_t bits = 0;
-  for (const char c : text) bits |= std::uint64_t{1} << (static_cast<unsigned char>(lower(c)) % 64U);
+  for (const char c : text)
+    bits |= std::uint64_t{1} << (static_cast<unsigned char>(lower(c)) % 64U);
   return bits;
 }
 

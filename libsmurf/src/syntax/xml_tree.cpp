@@ -79,9 +79,9 @@ std::string xpath(const Document& document, ElementId id) { return XPaths(docume
 
 ElementId element_at(const Document& document, std::uint32_t offset) {
   // Elements are in document order: the last one that begins before the byte, or one around it.
-  const auto after = std::partition_point(
-      document.elements.begin(), document.elements.end(),
-      [&](const Element& element) { return element.span.begin <= offset; });
+  const auto after =
+      std::partition_point(document.elements.begin(), document.elements.end(),
+                           [&](const Element& element) { return element.span.begin <= offset; });
   if (after == document.elements.begin()) return kNoElement;
   ElementId id{static_cast<std::uint32_t>(after - document.elements.begin() - 1)};
   while (id != kNoElement) {

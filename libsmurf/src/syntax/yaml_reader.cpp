@@ -414,7 +414,8 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
 }
 
 /// The text up to a place where far more brackets seem to be open than any file needs, with these
-/// brackets closed; empty when there is none. Brackets inside of texts and comments are counted too.
+/// brackets closed; empty when there is none. Brackets inside of texts and comments are counted
+/// too.
 std::string suspicious_part(std::string_view text, const Limits& limits) {
   const std::size_t suspicious = 4 * std::size_t{limits.yaml_depth};
   std::string closing;
