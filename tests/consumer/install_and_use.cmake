@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# cmake -D BUILD=... -D SOURCE=... -D MODEL=... -D WORK=... -D GENERATOR=... -P install_and_use.cmake
-# Installs the build into a prefix of its own and builds and runs the consumer against it.
+# cmake -D BUILD=... -D SOURCE=... -D MODEL=... -D WORK=... -D GENERATOR=... -D FLAGS=...
+#   -D COMPILER=... -P install_and_use.cmake
+# Installs the build into a prefix of its own, moves it, and builds and runs the consumer against it.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)
@@ -10,14 +11,41 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
+file(RENAME ${WORK}/first ${WORK}/prefix)
+
+# Libraries that are only used inside are not asked of a consumer.
+file(GLOB_RECURSE exported ${WORK}/prefix/smurf-targets*.cmake)
+foreach(file IN LISTS exported)
+  file(READ ${file} text)
+  if(text MATCHES "Eigen|nlohmann|CLI11|doctest|${BUILD}|${SOURCE}")
+    message(FATAL_ERROR "${file} mentions ${CMAKE_MATCH_0}")
+  endif()
+endforeach()
+
+# run_consumer(PROGRAM): it loads the model as it should.
+function(run_consumer program)
+  run(${program} ${MODEL})
+  if(NOT out STREQUAL "6 motors, 0 findings\n")
+    message(FATAL_ERROR "the consumer says: ${out}")
+  endif()
+endfunction()
+
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR}
   -D CMAKE_PREFIX_PATH=${WORK}/prefix -D CMAKE_CXX_FLAGS=${FLAGS})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/consumer ${MODEL})
-if(NOT out STREQUAL "6 motors, 0 findings\n")
-  message(FATAL_ERROR "the consumer says: ${out}")
+run_consumer(${WORK}/build/consumer)
+
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  file(GLOB_RECURSE package ${WORK}/prefix/smurf.pc)
+  cmake_path(GET package PARENT_PATH folder)
+  run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder} ${PKG_CONFIG} --cflags --libs smurf)
+  separate_arguments(flags UNIX_COMMAND "${FLAGS} -std=c++20 ${SOURCE}/main.cpp ${out}")
+  run(${COMPILER} ${flags} -o ${WORK}/consumer)
+  run_consumer(${WORK}/consumer)
 endif()
+
 foreach(tool smurf-lint smurf2urdf smurfs-flatten)
   run(${WORK}/prefix/bin/${tool} --version)
 endforeach()
