@@ -77,7 +77,6 @@ std::size_t check(const FileReader& files, const std::string& path, bool renders
 }
 
 /// Of the processor, so that what else the machine does has no part in it.
-/// Of the processor: other programs do not count.
 double seconds(const std::function<void()>& run) {
   const std::clock_t start = std::clock();
   run();
