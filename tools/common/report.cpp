@@ -17,7 +17,7 @@ std::string full(const Results& results, const TextStyle& style) {
       out += render_full(diagnostic, results.sources, style);
     }
   }
-  return results.quiet ? out : out + render_summary(results.summary, style);
+  return results.quiet ? out : out + render_summary(results.summary, style) + results.remarks;
 }
 
 std::string concise(const Results& results, const TextStyle& style) {

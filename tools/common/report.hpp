@@ -20,6 +20,7 @@ struct Results {
   const SourceMap& sources;
   Summary summary;
   std::string_view tool;
+  std::string remarks{};     ///< for people: lines after the summary
   bool quiet = false;        ///< no summary
   bool counts_only = false;  ///< for people: how often each rule, instead of every finding
 };

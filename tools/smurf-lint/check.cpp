@@ -7,7 +7,6 @@
 #include <set>
 
 #include "common/input.hpp"
-#include "smurf-lint/plan.hpp"
 #include "smurf/load.hpp"
 
 namespace smurf::tools {
@@ -89,13 +88,8 @@ class Checker {
 
 }  // namespace
 
-Checked check(const LintOptions& options) {
-  const DiskFiles disk;
-  MemoryFiles files(&disk);
-  const Plan plan = make_plan(options, files);
-
+Checked check(const LintOptions& options, const Plan& plan, const FileReader& files) {
   Checked checked;
-  checked.has_failed = plan.has_failed;
   Checker checker(options, files, checked);
   for (const std::string& path : plan.scenes) checker.check_scene(path);
   for (const std::string& path : plan.models) checker.check_model(path);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "smurf-lint/options.hpp"
+#include "smurf-lint/plan.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf::tools {
@@ -13,9 +14,8 @@ struct Checked {
   SourceMap sources;
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
-  bool has_failed = false;  ///< something could not be read; it was said on standard error
 };
 
-Checked check(const LintOptions& options);
+Checked check(const LintOptions& options, const Plan& plan, const FileReader& files);
 
 }  // namespace smurf::tools

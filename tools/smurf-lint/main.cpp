@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-lint: checks SMURF models and scenes.
 #include "smurf-lint/check.hpp"
+#include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
+#include "smurf/limits.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -33,22 +35,66 @@ ExitCode list_rules(const LintOptions& options) {
   return write_text(options, render_rule_list(all_rules(), style_of(options, options.output)));
 }
 
-ExitCode write_reports(const LintOptions& options, const Checked& checked) {
+/// `place` is where reports without a file of their own go.
+ExitCode write_reports(const LintOptions& options, const std::string& place, const Checked& checked,
+                       std::string remarks) {
   std::vector<ReportRequest> reports = options.reports;
   if (reports.empty()) reports.push_back({find_report_format("full"), {}});
   const Results results{.diagnostics = checked.diagnostics,
                         .sources = checked.sources,
                         .summary = checked.summary,
                         .tool = kTool,
+                        .remarks = std::move(remarks),
                         .quiet = options.quiet,
                         .counts_only = options.statistics};
   ExitCode code = kDone;
   for (const ReportRequest& report : reports) {
-    const std::string& file = report.file.empty() ? options.output : report.file;
+    const std::string& file = report.file.empty() ? place : report.file;
     const std::string text = report.format->render(results, style_of(options, file));
     if (!write_output(kTool, file, text)) code = kFailed;
   }
   return code;
+}
+
+ExitCode report(const LintOptions& options, const Plan& plan, const Checked& checked,
+                std::size_t fixed) {
+  // Standard output holds the fixed text then.
+  const bool is_taken = options.fix && !plan.standard_input.empty() && options.output.empty();
+  const std::string place = is_taken ? "/dev/stderr" : options.output;
+  const ExitCode written =
+      write_reports(options, place, checked, fix_remarks(fixed, checked.diagnostics));
+  return written == kDone ? judge(checked.summary, options.threshold) : written;
+}
+
+ExitCode show_diff(const LintOptions& options, const Fixed& fixed) {
+  if (write_text(options, unified_diff(fixed.changes)) != kDone) return kFailed;
+  return fixed.changes.empty() || options.threshold.exit_zero ? kDone : kFindings;
+}
+
+ExitCode fix(const LintOptions& options, const Plan& plan, MemoryFiles& files, Checked checked) {
+  const Fixed fixed = fix_all(options, plan, files, std::move(checked));
+  if (!fixed.is_stable) {
+    complain(kTool, "the fixes undo each other; nothing was changed (this is a bug of smurf-lint)");
+    return kFailed;
+  }
+  if (options.diff) return show_diff(options, fixed);
+  if (!write_changes(fixed, plan)) return kFailed;
+  if (!plan.standard_input.empty()) {
+    const std::string text = files.read(plan.standard_input, Limits{}.file_bytes).text;
+    if (!write_output(kTool, "-", text)) return kFailed;
+  }
+  return options.fix_only ? kDone : report(options, plan, fixed.checked, fixed.count);
+}
+
+ExitCode run(const LintOptions& options) {
+  const DiskFiles disk;
+  MemoryFiles files(&disk);
+  const Plan plan = make_plan(options, files);
+  Checked checked = check(options, plan, files);
+  const ExitCode code = options.fix || options.fix_only || options.diff
+                            ? fix(options, plan, files, std::move(checked))
+                            : report(options, plan, checked, 0);
+  return plan.has_failed ? kFailed : code;
 }
 
 }  // namespace
@@ -64,8 +110,5 @@ int main(int argc, char** argv) {
   if (!options.explain.empty()) return explain(options);
   if (!options.list_rules.empty()) return list_rules(options);
 
-  const Checked checked = check(options);
-  const ExitCode written = write_reports(options, checked);
-  if (checked.has_failed || written != kDone) return kFailed;
-  return judge(checked.summary, options.threshold);
+  return run(options);
 }

@@ -83,6 +83,28 @@ std::vector<Option> rule_options(LintOptions& options) {
   };
 }
 
+std::vector<Option> fix_options(LintOptions& options) {
+  return {
+      {.group = "Fixes",
+       .name = "fix",
+       .help = "Apply the safe fixes, and report what is left. From standard input, the fixed text "
+               "goes to standard output and the report to standard error.",
+       .set = set_flag(options.fix)},
+      {.group = "Fixes",
+       .name = "unsafe-fixes",
+       .help = "With --fix or --diff: also fixes that may change what the model means.",
+       .set = set_flag(options.unsafe_fixes)},
+      {.group = "Fixes",
+       .name = "fix-only",
+       .help = "Apply fixes, and do not report what is left.",
+       .set = set_flag(options.fix_only)},
+      {.group = "Fixes",
+       .name = "diff",
+       .help = "Show what --fix would change, and change nothing; exit with 1 if that is anything.",
+       .set = set_flag(options.diff)},
+  };
+}
+
 std::vector<Option> output_options(LintOptions& options) {
   // Every tool has --report; here the report is the result, which ruff and others call --format.
   Option report = report_option("report", options.reports);
@@ -125,8 +147,9 @@ Command lint_command(LintOptions& options) {
       "A PATH is a .smurf, .smurfs, .smurfa or .urdf file, an annotation file (.yml), a folder to "
       "search, or '-' for standard input; without one, the current folder is searched. A .urdf or "
       ".yml file is checked as part of every model nearby that lists it, and alone when none does.";
-  for (std::vector<Option>& group : std::vector<std::vector<Option>>{
-           rule_options(options), output_options(options), verdict_options(options)}) {
+  for (std::vector<Option>& group :
+       std::vector<std::vector<Option>>{rule_options(options), fix_options(options),
+                                        output_options(options), verdict_options(options)}) {
     std::move(group.begin(), group.end(), std::back_inserter(command.options));
   }
   command.options.push_back(stdin_filename_option(options.stdin_filename));
@@ -143,6 +166,7 @@ Command lint_command(LintOptions& options) {
        "Without the rules about portability, and one rule less strict:"},
       {"xacro arm.urdf.xacro | smurf-lint --stdin-filename urdf/arm.urdf -",
        "What another program writes:"},
+      {"smurf-lint --diff robots/", "What could be fixed without a thought; then with --fix:"},
       {"smurf-lint --explain unknown-joint", "The page of a rule:"},
   };
   return command;
@@ -160,6 +184,12 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
   }
   if (std::count(options.paths.begin(), options.paths.end(), "-") > 1) {
     return "standard input can be read only once";
+  }
+  if (options.diff && (options.fix || options.fix_only)) {
+    return "--diff changes nothing, so it does not go with --fix";
+  }
+  if (options.unsafe_fixes && !options.fix && !options.fix_only && !options.diff) {
+    return "--unsafe-fixes goes with --fix, --fix-only or --diff";
   }
   return std::nullopt;
 }

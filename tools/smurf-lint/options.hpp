@@ -22,6 +22,11 @@ struct LintOptions {
   RuleSelection selection;
   Threshold threshold;
 
+  bool fix = false;           ///< write fixed files
+  bool unsafe_fixes = false;  ///< fixes that may change what the model means are fixes too
+  bool fix_only = false;      ///< do not report what is left
+  bool diff = false;          ///< show what `fix` would change, and do nothing else
+
   std::vector<ReportRequest> reports;
   std::string output;  ///< for reports without a file of their own
   bool statistics = false;

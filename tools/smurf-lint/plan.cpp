@@ -49,6 +49,7 @@ class Planner {
       plan_.has_failed = true;
       return;
     }
+    plan_.standard_input = *name;
     add_file(*name);
   }
 

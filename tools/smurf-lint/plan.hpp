@@ -14,6 +14,7 @@ struct Plan {
   std::vector<std::string> scenes;
   std::vector<std::string> models;
   std::vector<std::string> strays;  ///< .urdf and .yml files: alone, unless a model reads them
+  std::string standard_input;       ///< its name in `files`; "": it was not read
   bool has_failed = false;          ///< something could not be read; it was said
 };
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fixes of diagnostics, applied to texts.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/source.hpp"
+
+namespace smurf {
+
+struct FixedText {
+  std::string path;  ///< as the SourceMap names it
+  std::string text;  ///< the whole file; bytes that no fix touches are as they were
+};
+
+struct AppliedFixes {
+  std::vector<FixedText> texts;  ///< changed files only, sorted by path
+  std::size_t count = 0;         ///< diagnostics whose fix was applied
+};
+
+/// Applies the fixes of the diagnostics, in their order: the safe ones, and the unsafe ones too
+/// when `most` is unsafe. A fix is applied whole or not at all; one that touches what an earlier
+/// one touches is left for another round, because its bytes are no longer there.
+AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                         Applicability most);
+
+}  // namespace smurf

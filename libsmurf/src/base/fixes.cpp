@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "base/edits.hpp"
+#include "smurf/fix.hpp"
+
+namespace smurf {
+namespace {
+
+/// The edits of one file that do not get in each other's way.
+class FileEdits {
+ public:
+  bool contains(const Edit& edit) const {
+    const auto [first, last] = range(edit.span);
+    return std::any_of(first, last, [&](const auto& one) {
+      return one.second.span.begin == edit.span.begin && one.second.span.end == edit.span.end &&
+             one.second.text == edit.text;
+    });
+  }
+
+  /// Edits that only meet are in the way too: which insertion comes first would be chance.
+  bool is_free(Span span) const {
+    const auto [first, last] = range(span);
+    return first == last;
+  }
+
+  void add(const Edit& edit) { edits_.emplace(edit.span.begin, edit); }
+
+  std::string apply(std::string_view text) const {
+    std::vector<Edit> edits;
+    for (const auto& [begin, edit] : edits_) edits.push_back(edit);
+    return apply_edits(text, edits);
+  }
+
+ private:
+  using Map = std::multimap<std::uint32_t, Edit>;
+
+  /// The accepted edits that overlap or meet the span; they are disjoint, so at most a few.
+  std::pair<Map::const_iterator, Map::const_iterator> range(Span span) const {
+    auto first = edits_.upper_bound(span.begin);
+    while (first != edits_.begin() && std::prev(first)->second.span.end >= span.begin) --first;
+    return {first, edits_.upper_bound(span.end)};
+  }
+
+  Map edits_;
+};
+
+const Fix* applicable(const Diagnostic& diagnostic, Applicability most) {
+  for (const Fix& fix : diagnostic.fixes) {
+    if (fix.edits.empty()) continue;
+    if (fix.applicability == Applicability::safe || most == Applicability::unsafe) return &fix;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                         Applicability most) {
+  // By path: two models that share a file have read it twice.
+  std::map<std::string, std::pair<SourceId, FileEdits>> files;
+  const auto file_of = [&](const Edit& edit) -> FileEdits& {
+    const SourceId source = edit.span.source;
+    return files.try_emplace(sources.path(source), source, FileEdits{}).first->second.second;
+  };
+  AppliedFixes applied;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const Fix* fix = applicable(diagnostic, most);
+    if (fix == nullptr) continue;
+    const auto is_done = [&](const Edit& edit) { return file_of(edit).contains(edit); };
+    if (std::all_of(fix->edits.begin(), fix->edits.end(), is_done)) {
+      ++applied.count;
+      continue;
+    }
+    const auto is_free = [&](const Edit& edit) { return file_of(edit).is_free(edit.span); };
+    if (!std::all_of(fix->edits.begin(), fix->edits.end(), is_free)) continue;
+    for (const Edit& edit : fix->edits) file_of(edit).add(edit);
+    ++applied.count;
+  }
+  for (const auto& [path, file] : files) {
+    const std::string_view before = sources.text(file.first);
+    std::string after = file.second.apply(before);
+    if (after != before) applied.texts.push_back({path, std::move(after)});
+  }
+  return applied;
+}
+
+}  // namespace smurf

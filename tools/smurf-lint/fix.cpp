@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-lint/fix.hpp"
+
+#include <dtl/dtl.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "smurf/fix.hpp"
+#include "smurf/limits.hpp"
+
+namespace smurf::tools {
+namespace {
+
+constexpr std::string_view kTool = "smurf-lint";
+/// A fix may uncover the next fault, but not for ever.
+constexpr int kRounds = 10;
+
+std::string counted(std::size_t number, std::string_view noun) {
+  return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
+}
+
+/// Lines with their line ends, so that a change of these shows too.
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return lines;
+}
+
+std::string diff_line(char mark, const std::string& line) {
+  std::string text = mark + line;
+  if (!text.ends_with('\n')) text += "\n\\ No newline at end of file\n";
+  return text;
+}
+
+/// "3,2" in "@@ -3,2 +3,2 @@".
+std::string diff_range(long long first, long long count) {
+  if (count == 1) return std::to_string(first);
+  return std::to_string(count == 0 ? first - 1 : first) + "," + std::to_string(count);
+}
+
+std::string diff_of(const std::string& path, const Change& change) {
+  using LineDiff = dtl::Diff<std::string, std::vector<std::string>>;
+  LineDiff diff(lines_of(change.before), lines_of(change.after));
+  diff.onHuge();
+  diff.compose();
+  diff.composeUnifiedHunks();
+  const bool is_relative = !path.starts_with('/');
+  std::string text = "--- " + (is_relative ? "a/" + path : path) + "\n";
+  text += "+++ " + (is_relative ? "b/" + path : path) + "\n";
+  for (const auto& hunk : diff.getUniHunks()) {
+    text += "@@ -" + diff_range(hunk.a, hunk.b) + " +" + diff_range(hunk.c, hunk.d) + " @@\n";
+    for (const auto& [line, info] : hunk.common[0]) text += diff_line(' ', line);
+    for (const auto& [line, info] : hunk.change) {
+      const char mark = info.type == dtl::SES_ADD ? '+' : info.type == dtl::SES_DELETE ? '-' : ' ';
+      text += diff_line(mark, line);
+    }
+    for (const auto& [line, info] : hunk.common[1]) text += diff_line(' ', line);
+  }
+  return text;
+}
+
+}  // namespace
+
+Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, Checked checked) {
+  const Applicability most = options.unsafe_fixes ? Applicability::unsafe : Applicability::safe;
+  Fixed fixed;
+  fixed.checked = std::move(checked);
+  for (int round = 0; round < kRounds; ++round) {
+    AppliedFixes applied = apply_fixes(fixed.checked.diagnostics, fixed.checked.sources, most);
+    if (applied.texts.empty()) return fixed;
+    fixed.count += applied.count;
+    for (FixedText& file : applied.texts) {
+      const auto [change, is_new] = fixed.changes.try_emplace(file.path);
+      if (is_new) {
+        change->second.before = files.read(file.path, Limits{}.file_bytes).text;
+      }
+      change->second.after = file.text;
+      files.add(file.path, std::move(file.text));
+    }
+    fixed.checked = check(options, plan, files);
+  }
+  fixed.is_stable =
+      apply_fixes(fixed.checked.diagnostics, fixed.checked.sources, most).texts.empty();
+  return fixed;
+}
+
+bool write_changes(const Fixed& fixed, const Plan& plan) {
+  bool is_written = true;
+  for (const auto& [path, change] : fixed.changes) {
+    if (path != plan.standard_input) is_written &= write_output(kTool, path, change.after);
+  }
+  return is_written;
+}
+
+std::string unified_diff(const std::map<std::string, Change>& changes) {
+  std::string text;
+  for (const auto& [path, change] : changes) text += diff_of(path, change);
+  return text;
+}
+
+std::string fix_remarks(std::size_t fixed, std::span<const Diagnostic> left) {
+  std::size_t safe = 0;
+  std::size_t unsafe = 0;
+  for (const Diagnostic& diagnostic : left) {
+    for (const Fix& fix : diagnostic.fixes) {
+      ++(fix.applicability == Applicability::safe ? safe : unsafe);
+    }
+  }
+  std::string text;
+  if (fixed > 0) text += "fixed " + counted(fixed, "finding") + "\n";
+  std::string fixable;
+  if (safe > 0) fixable = std::to_string(safe) + " fixable with `--fix`";
+  if (unsafe > 0) {
+    const std::string_view more = safe > 0 ? " more with" : " fixable with";
+    fixable += (safe > 0 ? ", " : "") + std::to_string(unsafe);
+    fixable.append(more).append(" `--fix --unsafe-fixes`");
+  }
+  return fixable.empty() ? text : text + fixable + "\n";
+}
+
+}  // namespace smurf::tools

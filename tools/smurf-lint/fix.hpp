@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --fix and --diff: fixes applied in memory until nothing is left to fix, then written or shown.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+
+#include "smurf-lint/check.hpp"
+
+namespace smurf::tools {
+
+struct Change {
+  std::string before;
+  std::string after;
+};
+
+struct Fixed {
+  Checked checked;                        ///< of the fixed texts
+  std::map<std::string, Change> changes;  ///< by path
+  std::size_t count = 0;                  ///< findings that were fixed
+  bool is_stable = true;                  ///< false: every round found something to fix
+};
+
+/// Applies fixes and checks again until a round finds none. The fixed texts go to `files`, in front
+/// of those on the disk; nothing is written.
+Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, Checked checked);
+
+/// Writes every changed file but standard input. False when one could not be written, which was
+/// said.
+bool write_changes(const Fixed& fixed, const Plan& plan);
+
+/// The changes as `diff -u` shows them, with `git apply`'s a/ and b/ before relative paths.
+std::string unified_diff(const std::map<std::string, Change>& changes);
+
+/// "fixed 2 findings" and "3 fixable with --fix ...", a line each; "" when there is nothing to say.
+std::string fix_remarks(std::size_t fixed, std::span<const Diagnostic> left);
+
+}  // namespace smurf::tools
