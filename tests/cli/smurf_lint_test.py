@@ -53,7 +53,8 @@ class Verdict(LintTest):
         self.assertIn("error[SML3101]: ", done.stdout)
         self.assertIn(" --> arm/smurf/arm_motors.yml:3:10\n", done.stdout)
         self.assertIn("3 |   joint: elbwo\n  |          ^^^^^", done.stdout)
-        self.assertTrue(done.stdout.endswith("found 1 error in 3 files (1 model)\n"), done.stdout)
+        self.assertTrue(done.stdout.endswith("found 1 error in 3 files (1 model)\n"
+                                             "1 fixable with `--fix --unsafe-fixes`\n"), done.stdout)
 
     def test_threshold(self):
         self.write_model(motors=BROKEN_MOTORS)
@@ -76,6 +77,72 @@ class Verdict(LintTest):
         self.assertEqual(done.stderr,
                          "smurf-lint: cannot read 'absent.smurf': No such file or directory\n")
         self.assertEqual(done.stdout, "no findings in 3 files (1 model)\n")
+
+
+class Fixes(LintTest):
+    """The case of a joint's type (SML1401) has a safe fix, an unknown joint (SML3101) an unsafe one."""
+
+    def test_safe_fix(self):
+        urdf = URDF.replace('type="fixed"', 'type="Fixed"')
+        self.write_model(urdf=urdf, motors=BROKEN_MOTORS)
+        os.chmod(self.folder / "arm/urdf/arm.urdf", 0o640)
+        done = self.expect(1, "--fix", "arm")
+        self.assertIn("error[SML3101]", done.stdout)
+        self.assertNotIn("SML1401", done.stdout)
+        self.assertTrue(done.stdout.endswith(
+            "fixed 1 finding\n1 fixable with `--fix --unsafe-fixes`\n"), done.stdout)
+        self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
+        self.assertEqual((self.folder / "arm/urdf/arm.urdf").stat().st_mode & 0o777, 0o640)
+        self.assertEqual(self.read("arm/smurf/arm_motors.yml"), BROKEN_MOTORS)
+
+    def test_unsafe_fix_keeps_every_other_byte(self):
+        before = BROKEN_MOTORS.replace("elbwo", "'elbwo'  # half right").replace("\n", "\r\n")
+        self.write_model(motors="\ufeff" + before)
+        done = self.expect(0, "--fix", "--unsafe-fixes", "arm")
+        self.assertIn("fixed 1 finding\n", done.stdout)
+        after = (self.folder / "arm/smurf/arm_motors.yml").read_bytes().decode()
+        self.assertEqual(after, "\ufeff" + before.replace("elbwo", "elbow"))
+        self.assertIn("no findings", self.expect(0, "--fix", "--unsafe-fixes", "arm").stdout)
+
+    def test_fix_only(self):
+        self.write_model(motors=BROKEN_MOTORS, urdf=URDF.replace('type="fixed"', 'type="Fixed"'))
+        self.assertEqual(self.expect(0, "--fix-only", "arm").stdout, "")
+        self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
+
+    def test_diff_changes_nothing(self):
+        self.write_model(motors=BROKEN_MOTORS.rstrip("\n"))
+        self.assertEqual(self.expect(0, "--diff", "arm").stdout, "")
+        done = self.expect(1, "--diff", "--unsafe-fixes", "arm")
+        self.assertEqual(done.stdout, """--- a/arm/smurf/arm_motors.yml
++++ b/arm/smurf/arm_motors.yml
+@@ -1,4 +1,4 @@
+ motors:
+ - name: elbow
+-  joint: elbwo
++  joint: elbow
+   type: PID
+\\ No newline at end of file
+""")
+        self.expect(0, "--diff", "--unsafe-fixes", "--exit-zero", "arm")
+        patch = self.folder / "fix.diff"
+        patch.write_text(done.stdout)
+        subprocess.run(["git", "apply", str(patch)], cwd=self.folder, check=True)
+        self.assertEqual(self.read("arm/smurf/arm_motors.yml"), MOTORS.rstrip("\n"))
+
+    def test_standard_input(self):
+        broken = URDF.replace('type="fixed"', 'type="Fixed"')
+        done = self.run_tool("--fix", "-", stdin=broken)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stdout, URDF)
+        self.assertIn("fixed 1 finding", done.stderr)
+        done = self.run_tool("--fix-only", "-", stdin=broken)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, URDF, ""))
+
+    def test_an_unreadable_path_remains_a_failure(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        done = self.run_tool("--fix", "--unsafe-fixes", "arm", "absent.urdf")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(self.read("arm/smurf/arm_motors.yml"), MOTORS)
 
 
 class Usage(LintTest):
@@ -109,6 +176,8 @@ class Usage(LintTest):
                 ("two reports go to 'a'; give one a file of its own: --format json=FILE",
                  ["--format", "full=a", "--format", "json=a"]),
                 ("standard input can be read only once", ["-", "-"]),
+                ("--diff changes nothing, so it does not go with --fix", ["--diff", "--fix"]),
+                ("--unsafe-fixes goes with --fix, --fix-only or --diff", ["--unsafe-fixes"]),
                 ("cannot read '--x': No such file or directory", ["--", "--x"]),
                 ("cannot read 'a\\u001bb': No such file or directory", ["a\x1bb"]),
         ):
@@ -180,7 +249,8 @@ class Reports(LintTest):
         self.write_model(motors=BROKEN_MOTORS)
         counts = "1  error    SML3101 unknown-joint\n"
         self.assertEqual(self.expect(1, "--statistics", "arm").stdout,
-                         counts + "\nfound 1 error in 3 files (1 model)\n")
+                         counts + "\nfound 1 error in 3 files (1 model)\n"
+                         "1 fixable with `--fix --unsafe-fixes`\n")
         self.assertEqual(
             self.expect(1, "--statistics", "--format=concise", "arm").stdout, counts)
         self.assertNotIn("found", self.expect(1, "-q", "arm").stdout)

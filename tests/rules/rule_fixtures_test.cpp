@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
+#include "smurf/fix.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
 #include "smurf/render.hpp"
@@ -29,35 +31,60 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
+MemoryFiles read_folder(const fs::path& folder) {
+  MemoryFiles files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      files.add(fs::relative(entry.path(), folder).generic_string(), read(entry.path()));
+    }
+  }
+  return files;
+}
+
 /// Files with the case's folder in front, so that paths in messages do not depend on the machine.
 struct Case {
   SourceMap sources;
   MemoryFiles files;
   std::vector<Diagnostic> diagnostics;
+  std::optional<LinkedModel> model;  ///< none when the case is a scene
 
-  explicit Case(const fs::path& folder) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      if (entry.is_regular_file()) {
-        files.add(fs::relative(entry.path(), folder).generic_string(), read(entry.path()));
-      }
-    }
+  explicit Case(const fs::path& folder) : Case(read_folder(folder)) {}
+  explicit Case(MemoryFiles all) : files(std::move(all)) {
     DiagnosticSink sink;
     LoadContext context{sources, files, sink, {}, {}};
     if (files.is_file("scene.smurfs")) {
       const LinkedScene scene = load_scene("scene.smurfs", context);
       lint_scene(scene, {}, sink);
-      for (const LinkedModel& model : scene.models) lint_model(model, {}, sink);
+      for (const LinkedModel& one : scene.models) lint_model(one, {}, sink);
       diagnostics = sink.take();
       locate(scene, diagnostics);
     } else {
       const std::string entry = files.is_file("model.smurf") ? "model.smurf" : "robot.urdf";
-      REQUIRE_MESSAGE(files.is_file(entry), folder.generic_string() << " has no entry file");
-      const LinkedModel model = load_model(entry, context);
-      lint_model(model, {}, sink);
+      REQUIRE_MESSAGE(files.is_file(entry), "there is no entry file");
+      model = load_model(entry, context);
+      lint_model(*model, {}, sink);
       diagnostics = sink.take();
-      locate(model, diagnostics);
+      locate(*model, diagnostics);
     }
     diagnostics = finish(std::move(diagnostics), sources, {});
+  }
+
+  /// The files after one round of fixes; none when there is nothing to fix.
+  std::optional<MemoryFiles> fixed(Applicability most) const {
+    AppliedFixes applied = apply_fixes(diagnostics, sources, most);
+    if (applied.texts.empty()) return std::nullopt;
+    MemoryFiles result = files;
+    for (FixedText& file : applied.texts) result.add(file.path, std::move(file.text));
+    return result;
+  }
+
+  std::size_t fixable(Applicability most) const {
+    return static_cast<std::size_t>(std::count_if(
+        diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& diagnostic) {
+          return !diagnostic.fixes.empty() &&
+                 (most == Applicability::unsafe ||
+                  diagnostic.fixes.front().applicability == Applicability::safe);
+        }));
   }
 
   std::string text() const {
@@ -99,6 +126,37 @@ TEST_CASE("bad fixtures raise their rule and nothing else, good ones nothing") {
     const Case good(folder / "good");
     CHECK_MESSAGE(good.diagnostics.empty(), good.text());
   }
+}
+
+TEST_CASE("what a fix was applied for is gone, and nothing new has come") {
+  std::size_t fixes = 0;
+  for (const Rule* rule : all_rules()) {
+    const fs::path folder = kFixtures / folder_name(*rule) / "bad";
+    CAPTURE(folder_name(*rule));
+    if (!fs::exists(folder)) continue;
+    for (const Applicability most : {Applicability::safe, Applicability::unsafe}) {
+      const Case bad(folder);
+      const std::size_t before = bad.diagnostics.size();
+      const std::size_t fixable = bad.fixable(most);
+      fixes += fixable;
+      std::optional<MemoryFiles> files = bad.fixed(most);
+      CHECK((fixable > 0) == files.has_value());
+      if (!files) continue;
+      Case now(std::move(*files));
+      for (int round = 0; round < 10; ++round) {
+        std::optional<MemoryFiles> again = now.fixed(most);
+        if (!again) break;
+        now = Case(std::move(*again));
+      }
+      CHECK_MESSAGE(now.fixable(most) == 0, now.text());
+      // Several findings may share one fix; a fix may not bring other findings.
+      CHECK_MESSAGE(now.diagnostics.size() + fixable <= before, now.text());
+      for (const Diagnostic& diagnostic : now.diagnostics) {
+        CHECK_MESSAGE(diagnostic.rule->id == rule->id, now.text());
+      }
+    }
+  }
+  CHECK(fixes > 20);
 }
 
 TEST_CASE("every rule has fixtures, and every fixture a rule") {
