@@ -79,8 +79,8 @@ struct Case {
   }
 
   std::size_t fixable(Applicability most) const {
-    return static_cast<std::size_t>(std::count_if(
-        diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& diagnostic) {
+    return static_cast<std::size_t>(
+        std::count_if(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& diagnostic) {
           return !diagnostic.fixes.empty() &&
                  (most == Applicability::unsafe ||
                   diagnostic.fixes.front().applicability == Applicability::safe);
