@@ -152,7 +152,7 @@ class Usage(LintTest):
                 ("unknown option '-Q' (see --help)", ["-Q"]),
                 ("unknown option '--selct'; did you mean '--select'?", ["--selct=SML1"]),
                 ("--format needs a value: FORMAT[=FILE]", ["--format"]),
-                ("--format: 'jsn' is none of full, concise, json; did you mean 'json'?",
+                ("--format: 'jsn' is none of full, concise, json, sarif, github, gitlab, junit, auto; did you mean 'json'?",
                  ["--format=jsn"]),
                 ("--format: there is no file name after '='", ["--format=json="]),
                 ("--color: 'allways' is none of auto, always, never; did you mean 'always'?",

@@ -14,6 +14,7 @@
 namespace smurf::tools {
 
 inline constexpr std::string_view kVersion = SMURF_VERSION;
+inline constexpr std::string_view kHomepage = SMURF_HOMEPAGE;
 
 /// What a tool returns, whatever the format of its output.
 using ExitCode = int;

@@ -2,6 +2,9 @@
 #include "common/report.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+
+#include "common/repository.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -34,10 +37,39 @@ std::string json(const Results& results, const TextStyle&) {
                      {results.tool, kVersion});
 }
 
+std::string sarif(const Results& results, const TextStyle&) {
+  return render_sarif(results.diagnostics, results.sources, all_rules(), {results.tool, kVersion},
+                      kHomepage, in_repository());
+}
+
+std::string github(const Results& results, const TextStyle&) {
+  return render_github(results.diagnostics, results.sources, in_repository());
+}
+
+std::string gitlab(const Results& results, const TextStyle&) {
+  return render_gitlab(results.diagnostics, results.sources, in_repository());
+}
+
+std::string junit(const Results& results, const TextStyle&) {
+  return render_junit(results.diagnostics, results.sources, {results.tool, kVersion});
+}
+
+/// What a log is read with: GitHub turns its own lines into marks in the changed files.
+std::string automatic(const Results& results, const TextStyle& style) {
+  const char* variable = std::getenv("GITHUB_ACTIONS");
+  const bool is_github = variable != nullptr && std::string_view(variable) == "true";
+  return is_github ? github(results, style) : full(results, style);
+}
+
 constexpr ReportFormat kFormats[] = {
     {"full", "source lines with marks, and a summary", full},
     {"concise", "one line a finding", concise},
     {"json", "for programs", json},
+    {"sarif", "for code scanning and editors", sarif},
+    {"github", "annotations of a workflow", github},
+    {"gitlab", "a code quality report", gitlab},
+    {"junit", "test cases, one a file", junit},
+    {"auto", "github in a GitHub workflow, otherwise full (the default)", automatic},
 };
 
 }  // namespace

@@ -39,7 +39,7 @@ ExitCode list_rules(const LintOptions& options) {
 ExitCode write_reports(const LintOptions& options, const std::string& place, const Checked& checked,
                        std::string remarks) {
   std::vector<ReportRequest> reports = options.reports;
-  if (reports.empty()) reports.push_back({find_report_format("full"), {}});
+  if (reports.empty()) reports.push_back({find_report_format("auto"), {}});
   const Results results{.diagnostics = checked.diagnostics,
                         .sources = checked.sources,
                         .summary = checked.summary,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,6 +50,25 @@ std::string render_statistics(std::span<const Diagnostic> diagnostics, const Tex
 /// The JSON report of schemas/lint-report.schema.json.
 std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                         const Summary& summary, const ToolName& tool);
+
+/// How the formats of code hosts name a file: by its path from the top of the repository, with '/'.
+/// Absolute where it lies outside.
+using RepositoryPath = std::function<std::string(const std::string& path)>;
+
+/// A SARIF 2.1.0 log with one run, as GitHub code scanning takes it; `homepage` is where `rules`
+/// are explained.
+std::string render_sarif(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                         std::span<const Rule* const> rules, const ToolName& tool,
+                         std::string_view homepage, const RepositoryPath& in_repository);
+/// GitHub workflow commands: one "::error file=..." line each.
+std::string render_github(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                          const RepositoryPath& in_repository);
+/// A GitLab code quality report.
+std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                          const RepositoryPath& in_repository);
+/// A JUnit report: one test case a file, also for files without findings.
+std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                         const ToolName& tool);
 
 /// The page of one rule, for `--explain`.
 std::string render_rule(const Rule& rule, const TextStyle& style);

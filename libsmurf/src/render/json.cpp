@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The JSON report and the JSON rule list. The only file of the stage that sees the JSON library.
-#include <algorithm>
-
-#include <nlohmann/json.hpp>
-
+// The JSON report and the JSON rule list.
+#include "render/json_text.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// Invalid UTF-8, which a path or a scalar may hold, becomes U+FFFD.
-std::string dump(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-Json text(std::string_view view) { return std::string(view); }
+using render::dump;
+using render::Json;
+using render::text;
 
 void add_place(Json& json, Span span, const SourceMap& sources) {
-  const bool is_known = static_cast<std::size_t>(span.source) < sources.size();
-  Position begin;
-  Position end;
-  if (is_known) {
-    const auto size = static_cast<std::uint32_t>(sources.text(span.source).size());
-    begin = sources.position(span.source, std::min(span.begin, size));
-    end = sources.position(span.source, std::clamp(span.end, std::min(span.begin, size), size));
-  }
-  json["file"] = is_known ? sources.path(span.source) : "";
+  const auto [begin, end] = render::region_of(span, sources);
+  json["file"] = render::path_of(span, sources);
   json["line"] = begin.line;
   json["column"] = begin.column;
   json["end_line"] = end.line;

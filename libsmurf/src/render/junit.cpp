@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Clean files are test cases too, so that a green run shows what it has looked at.
+#include <map>
+#include <vector>
+
+#include "base/edits.hpp"
+#include "base/utf8.hpp"
+#include "render/json_text.hpp"
+#include "render/printable.hpp"
+#include "smurf/render.hpp"
+
+namespace smurf {
+namespace {
+
+/// Text as XML can hold it: control characters and invalid bytes become visible.
+std::string xml_text(std::string_view text) { return escape_xml(render::escape(text)); }
+
+std::string counted(std::size_t number, std::string_view noun) {
+  return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
+}
+
+struct TestCase {
+  std::vector<const Diagnostic*> failures;  ///< errors and warnings
+  std::vector<const Diagnostic*> infos;
+};
+
+std::string lines(const std::vector<const Diagnostic*>& diagnostics, const SourceMap& sources) {
+  std::string out;
+  for (const Diagnostic* diagnostic : diagnostics) {
+    out += escape_xml(render_concise(*diagnostic, sources, {}));
+  }
+  return out;
+}
+
+std::string to_xml(const std::string& path, const TestCase& test, const SourceMap& sources,
+                   const ToolName& tool) {
+  std::string out =
+      "    <testcase classname=\"" + std::string(tool.name) + "\" name=\"" + xml_text(path) + "\"";
+  if (test.failures.empty() && test.infos.empty()) return out + "/>\n";
+  out += ">\n";
+  if (!test.failures.empty()) {
+    const bool has_error =
+        std::any_of(test.failures.begin(), test.failures.end(),
+                    [](const Diagnostic* one) { return one->severity == Severity::error; });
+    out += "      <failure message=\"" + counted(test.failures.size(), "finding") + "\" type=\"" +
+           (has_error ? "error" : "warning") + "\">" + lines(test.failures, sources) +
+           "</failure>\n";
+  }
+  if (!test.infos.empty()) {
+    out += "      <system-out>" + lines(test.infos, sources) + "</system-out>\n";
+  }
+  return out + "    </testcase>\n";
+}
+
+}  // namespace
+
+std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                         const ToolName& tool) {
+  std::map<std::string, TestCase> tests;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const SourceId source{static_cast<std::uint32_t>(i)};
+    if (sources.is_readable(source)) tests[sources.path(source)];
+  }
+  for (const Diagnostic& diagnostic : diagnostics) {
+    TestCase& test = tests[render::path_of(diagnostic.span, sources)];
+    (diagnostic.severity == Severity::info ? test.infos : test.failures).push_back(&diagnostic);
+  }
+  std::string cases;
+  std::size_t failures = 0;
+  for (const auto& [path, test] : tests) {
+    failures += test.failures.empty() ? 0 : 1;
+    cases += to_xml(path, test, sources, tool);
+  }
+  const std::string counts = " tests=\"" + std::to_string(tests.size()) + "\" failures=\"" +
+                             std::to_string(failures) + "\"";
+  const std::string name = " name=\"" + std::string(tool.name) + "\"";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + name + counts +
+         ">\n  <testsuite" + name + counts + ">\n" + cases + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace smurf

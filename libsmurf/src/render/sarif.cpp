@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SARIF 2.1.0 (OASIS), with what GitHub code scanning demands beyond the schema: rules with texts
+// of at most 1024 characters, complete regions, paths from the top of the repository, fingerprints.
+#include <map>
+
+#include "base/utf8.hpp"
+#include "render/json_text.hpp"
+#include "render/line_hash.hpp"
+#include "smurf/render.hpp"
+
+namespace smurf {
+namespace {
+
+using render::Json;
+using render::Region;
+using render::text;
+
+constexpr std::string_view kSchema =
+    "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
+constexpr std::size_t kLongestDescription = 1024;
+
+std::string_view level(Severity severity) {
+  switch (severity) {
+  case Severity::error: return "error";
+  case Severity::warning: return "warning";
+  case Severity::info: break;
+  }
+  return "note";
+}
+
+/// "unknown-joint" as "UnknownJoint".
+std::string pascal_case(std::string_view name) {
+  std::string out;
+  bool starts_word = true;
+  for (const char c : name) {
+    const bool is_lower = c >= 'a' && c <= 'z';
+    if (c != '-') out += starts_word && is_lower ? static_cast<char>(c - 'a' + 'A') : c;
+    starts_word = c == '-';
+  }
+  return out;
+}
+
+/// A path as a URI reference; what lies outside the repository becomes a file: URI.
+std::string to_uri(const std::string& path) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  constexpr std::string_view kPlain = "-._~/!$&'()*+,;=@";
+  std::string uri = path.starts_with('/') ? "file://" : "";
+  for (const char c : path) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool is_digit = c >= '0' && c <= '9';
+    if (is_letter || is_digit || kPlain.find(c) != std::string_view::npos) {
+      uri += c;
+    } else {
+      const auto byte = static_cast<unsigned char>(c);
+      uri += '%';
+      uri += kDigits[byte >> 4U];
+      uri += kDigits[byte & 0xFU];
+    }
+  }
+  return uri;
+}
+
+std::string cut(std::string_view description) {
+  if (description.size() <= kLongestDescription) return std::string(description);
+  std::size_t end = kLongestDescription - 3;
+  while (end > 0 && (static_cast<unsigned char>(description[end]) & 0xC0U) == 0x80U) --end;
+  return std::string(description.substr(0, end)) + "...";
+}
+
+class Log {
+ public:
+  Log(const SourceMap& sources, std::span<const Rule* const> rules,
+      const RepositoryPath& in_repository)
+      : sources_(sources), rules_(rules), in_repository_(in_repository) {
+    for (std::size_t i = 0; i < rules.size(); ++i) rule_index_.emplace(rules[i]->id, i);
+  }
+
+  Json driver(const ToolName& tool, std::string_view homepage) const {
+    Json rules = Json::array();
+    for (const Rule* rule : rules_) {
+      rules.push_back(
+          {{"id", text(rule->id)},
+           {"name", pascal_case(rule->name)},
+           {"shortDescription", {{"text", cut(rule->summary)}}},
+           {"fullDescription", {{"text", cut(rule->why)}}},
+           {"help", {{"text", text(rule->remedy)}}},
+           {"helpUri", std::string(homepage) + "/blob/main/docs/rules.md#" + anchor(*rule)},
+           {"defaultConfiguration", {{"level", text(level(rule->severity))}}},
+           {"properties",
+            {{"tags", {"robotics", "smurf"}},
+             {"problem.severity", rule->severity == Severity::info
+                                      ? Json("recommendation")
+                                      : text(to_string(rule->severity))}}}});
+    }
+    return {{"name", text(tool.name)},
+            {"version", text(tool.version)},
+            {"semanticVersion", text(tool.version)},
+            {"informationUri", text(homepage)},
+            {"rules", std::move(rules)}};
+  }
+
+  Json result(const Diagnostic& diagnostic) {
+    Json result;
+    result["ruleId"] = text(diagnostic.rule->id);
+    if (const auto index = rule_index_.find(diagnostic.rule->id); index != rule_index_.end()) {
+      result["ruleIndex"] = index->second;
+    }
+    result["level"] = text(level(diagnostic.severity));
+    std::string message = diagnostic.message;
+    if (!diagnostic.help.empty()) message += "; " + diagnostic.help;
+    result["message"] = {{"text", message}};
+    Json location = place(diagnostic.span);
+    if (!diagnostic.pointer.empty()) {
+      location["logicalLocations"] = {{{"fullyQualifiedName", diagnostic.pointer}}};
+    }
+    result["locations"] = Json::array({std::move(location)});
+    for (std::size_t i = 0; i < diagnostic.labels.size(); ++i) {
+      const Label& label = diagnostic.labels[i];
+      Json related = place(label.span);
+      related["id"] = i + 1;
+      related["message"] = {{"text", label.message}};
+      result["relatedLocations"].push_back(std::move(related));
+    }
+    result["partialFingerprints"] = {{"primaryLocationLineHash", fingerprint(diagnostic.span)}};
+    for (const Fix& one : diagnostic.fixes) result["fixes"].push_back(fix(one, diagnostic));
+    return result;
+  }
+
+ private:
+  static std::string anchor(const Rule& rule) {
+    std::string anchor;
+    for (const char c : std::string(rule.id) + "-" + std::string(rule.name)) {
+      anchor += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return anchor;
+  }
+
+  Json artifact(Span span) const {
+    return {{"uri", to_uri(in_repository_(render::path_of(span, sources_)))}};
+  }
+
+  Json region(Span span) const {
+    const auto [begin, end] = render::region_of(span, sources_);
+    return {{"startLine", begin.line},
+            {"startColumn", begin.column},
+            {"endLine", end.line},
+            {"endColumn", end.column}};
+  }
+
+  Json place(Span span) const {
+    Json location = {{"artifactLocation", artifact(span)}, {"region", region(span)}};
+    const bool is_known = static_cast<std::size_t>(span.source) < sources_.size();
+    if (is_known && !span.empty() && span.end <= sources_.text(span.source).size()) {
+      location["region"]["snippet"] = {{"text", text(sources_.text(span))}};
+    }
+    return {{"physicalLocation", std::move(location)}};
+  }
+
+  Json fix(const Fix& fix, const Diagnostic& diagnostic) const {
+    std::map<std::string, Json> changes;
+    for (const Edit& edit : fix.edits) {
+      Json replacement = {{"deletedRegion", region(edit.span)}};
+      if (!edit.text.empty()) replacement["insertedContent"] = {{"text", edit.text}};
+      Json& change = changes[render::path_of(edit.span, sources_)];
+      change["artifactLocation"] = artifact(edit.span);
+      change["replacements"].push_back(std::move(replacement));
+    }
+    Json list = Json::array();
+    for (auto& [path, change] : changes) list.push_back(std::move(change));
+    const std::string_view kind =
+        fix.applicability == Applicability::safe ? "safe fix" : "unsafe fix";
+    const std::string description = diagnostic.help.empty()
+                                        ? std::string(kind)
+                                        : diagnostic.help + " (" + std::string(kind) + ")";
+    return {{"description", {{"text", description}}}, {"artifactChanges", std::move(list)}};
+  }
+
+  std::string fingerprint(Span span) {
+    static const std::string kOfNoText = render::line_hashes("").at(0);
+    if (static_cast<std::size_t>(span.source) >= sources_.size()) return kOfNoText;
+    const auto [hashes, is_new] = hashes_.try_emplace(span.source);
+    if (is_new) hashes->second = render::line_hashes(sources_.text(span.source));
+    const std::size_t line = render::region_of(span, sources_).begin.line;
+    return line <= hashes->second.size() ? hashes->second[line - 1] : hashes->second.back();
+  }
+
+  const SourceMap& sources_;
+  std::span<const Rule* const> rules_;
+  const RepositoryPath& in_repository_;
+  std::map<std::string_view, std::size_t> rule_index_;
+  std::map<SourceId, std::vector<std::string>> hashes_;
+};
+
+}  // namespace
+
+std::string render_sarif(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                         std::span<const Rule* const> rules, const ToolName& tool,
+                         std::string_view homepage, const RepositoryPath& in_repository) {
+  Log log(sources, rules, in_repository);
+  Json results = Json::array();
+  for (const Diagnostic& diagnostic : diagnostics) results.push_back(log.result(diagnostic));
+  const Json run = {{"tool", {{"driver", log.driver(tool, homepage)}}},
+                    {"automationDetails", {{"id", std::string(tool.name) + "/"}}},
+                    {"columnKind", "unicodeCodePoints"},
+                    {"invocations", {{{"executionSuccessful", true}}}},
+                    {"results", std::move(results)}};
+  return render::dump({{"$schema", text(kSchema)}, {"version", "2.1.0"}, {"runs", {run}}});
+}
+
+}  // namespace smurf
