@@ -145,6 +145,89 @@ class Fixes(LintTest):
         self.assertEqual(self.read("arm/smurf/arm_motors.yml"), MOTORS)
 
 
+class PartsOfModels(LintTest):
+    MESH = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"
+
+    def test_a_mesh_stands_for_the_models_that_use_it(self):
+        visual = ('<link name="forearm"><visual><geometry><mesh filename="../meshes/a.stl"/></geometry></visual></link>'
+                  '<link name="loose"/>')
+        self.write_model(urdf=URDF.replace('<link name="forearm"/>', visual))
+        self.write("arm/meshes/a.stl", self.MESH)
+        self.write("arm/meshes/b.stl", self.MESH)
+        self.assertIn(("arm/urdf/arm.urdf", "SML1204"), self.findings("arm/meshes/a.stl"))
+        self.expect_reason("no model near 'arm/meshes/b.stl' uses it", "arm/meshes/b.stl")
+
+    def test_only_listed(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        self.write("arm/smurf/other.yml", "motors: 3\n")
+        self.write("arm/meshes/b.stl", self.MESH)
+        unlisted = ["arm/smurf/other.yml", "arm/meshes/b.stl"]
+        self.expect(1, "arm/smurf/other.yml")
+        self.assertEqual(self.expect(0, "--only-listed", *unlisted).stdout, "no findings in 0 files\n")
+        self.assertEqual(self.findings("--only-listed", *unlisted, "arm/smurf/arm_motors.yml"),
+                         [("arm/smurf/arm_motors.yml", "SML3101")])
+
+    def expect_reason(self, text, *arguments):
+        self.assertEqual(self.expect(2, *arguments).stderr, f"smurf-lint: {text}\n")
+
+
+class WhatMayPass(LintTest):
+    def test_comments(self):
+        self.write_model(motors=BROKEN_MOTORS.replace("elbwo", "elbwo  # smurf-lint: ignore[SML3101] old name"))
+        self.assertTrue(self.expect(0, "arm").stdout.endswith("no findings in 3 files (1 model)\n1 suppressed\n"))
+        self.assertIn("error[SML3101]", self.expect(1, "--no-ignores", "arm").stdout)
+        report = json.loads(self.expect(0, "--format", "json", "arm").stdout)
+        self.assertEqual(report["summary"]["suppressed"], 1)
+
+    def test_a_rule_that_does_not_run_is_not_unused(self):
+        self.write_model(motors=BROKEN_MOTORS.replace("elbwo", "elbwo  # smurf-lint: ignore[SML3101]"))
+        self.assertIn("no findings", self.expect(0, "--ignore", "SML3101", "arm").stdout)
+
+    def test_unused_comment_is_removed_by_fix(self):
+        noise = MOTORS.replace("- name", "# smurf-lint: ignore[SML3101]\n- name")
+        noise = noise.replace("type: PID", "type: PID  # smurf-lint: ignore[SML4101, SML3102] why")
+        self.write_model(motors=noise)
+        self.assertIn("warning[SML9103]", self.expect(0, "arm").stdout)
+        self.expect(0, "--fix", "arm")
+        self.assertEqual(self.read("arm/smurf/arm_motors.yml"), MOTORS)
+
+    def test_baseline(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        baseline = ["--baseline", "robots.yaml"]
+        done = self.expect(0, *baseline, "--generate-baseline", "arm")
+        self.assertEqual(done.stdout, "let 1 finding pass in robots.yaml\n")
+        self.assertTrue(self.read("robots.yaml").endswith(
+            "arm/smurf/arm_motors.yml:\n  SML3101:\n  - /motors/name=elbow/joint\n"), self.read("robots.yaml"))
+        self.assertIn("1 suppressed", self.expect(0, *baseline, "arm").stdout)
+        from_inside = self.expect(0, "--baseline", "../../robots.yaml", "arm.smurf", cwd=self.folder / "arm/smurf")
+        self.assertIn("1 suppressed", from_inside.stdout)
+        self.expect(1, "arm")
+
+    def test_baseline_outlives_moves_and_does_not_hide_new_faults(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        baseline = ["--baseline", "robots.yaml"]
+        self.expect(0, *baseline, "--generate-baseline", "arm")
+        new = "motors:\n# first\n- name: wrist\n  joint: wrst\n  type: PID\n"
+        self.write_model(motors=new + BROKEN_MOTORS.split("\n", 1)[1])
+        done = self.expect(1, *baseline, "arm")
+        self.assertIn("wrst", done.stdout)
+        self.assertNotIn("elbwo", done.stdout)
+
+    def test_stale_and_malformed_baseline(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        baseline = ["--baseline", "robots.yaml"]
+        self.expect(0, *baseline, "--generate-baseline", "arm")
+        self.write_model()
+        self.assertIn("info[SML9105]", self.expect(0, *baseline, "arm").stdout)
+        self.expect(0, *baseline, "--generate-baseline", "arm")
+        self.assertNotIn("SML9105", self.expect(0, *baseline, "arm").stdout)
+        for text in ("- a\n", "a: b\n", "a: {SML3101: x}\n", "a: {SML3101: [{}]}\n"):
+            self.write("robots.yaml", text)
+            self.assertIn("error[SML9104]", self.expect(1, *baseline, "arm").stdout, text)
+        self.expect_complaint("cannot read 'absent.yaml': No such file or directory",
+                              "--baseline", "absent.yaml", "arm")
+
+
 class Usage(LintTest):
     def test_mistakes(self):
         for text, arguments in (
@@ -176,6 +259,7 @@ class Usage(LintTest):
                 ("two reports go to 'a'; give one a file of its own: --format json=FILE",
                  ["--format", "full=a", "--format", "json=a"]),
                 ("standard input can be read only once", ["-", "-"]),
+                ("--generate-baseline needs --baseline FILE, the file to write", ["--generate-baseline"]),
                 ("--diff changes nothing, so it does not go with --fix", ["--diff", "--fix"]),
                 ("--unsafe-fixes goes with --fix, --fix-only or --diff", ["--unsafe-fixes"]),
                 ("cannot read '--x': No such file or directory", ["--", "--x"]),
@@ -391,8 +475,7 @@ class Inputs(LintTest):
             "smurf-lint: cannot read 'pipe.smurf': is not a regular file",
             "smurf-lint: cannot check 'robot.urdf.xacro': expand it first: xacro FILE | "
             "smurf-lint -",
-            "smurf-lint: cannot check 'part.stl': it is no .smurf, .smurfs, .smurfa, .urdf or "
-            ".yml file"])
+            "smurf-lint: no model near 'part.stl' uses it"])
         self.assertIn("error[SML3101]", done.stdout)
 
     def test_a_part_is_checked_with_the_models_that_list_it(self):

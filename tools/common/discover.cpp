@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -124,6 +125,20 @@ bool lists(const std::string& model, const std::string& wanted, const FileReader
   return only.was_asked_for(wanted);
 }
 
+/// The URDF of a model that uses the file `wanted`, by its identity.
+std::optional<std::string> urdf_of_user(const std::string& model, const std::string& wanted,
+                                        const FileReader& files) {
+  SourceMap sources;
+  DiagnosticSink ignored;
+  LoadContext context{sources, files, ignored, {}, {}};
+  const LinkedModel loaded = load_model(model, context);
+  const bool is_user = std::any_of(
+      loaded.meshes.begin(), loaded.meshes.end(),
+      [&](const MeshReference& mesh) { return mesh.exists && identity(mesh.path) == wanted; });
+  if (!is_user) return std::nullopt;
+  return identity(loaded.urdf_path);
+}
+
 }  // namespace
 
 Found find_inputs(const std::string& folder) { return Search().run(folder); }
@@ -141,6 +156,34 @@ std::vector<std::string> models_listing(const std::string& path, const FileReade
       if (kind_of(model) != InputKind::model || !seen.insert(identity(model)).second) continue;
       if (lists(model, wanted, files)) models.push_back(model);
     }
+  }
+  std::sort(models.begin(), models.end());
+  return models;
+}
+
+std::vector<std::string> models_using(const std::string& path, const FileReader& files) {
+  const std::string wanted = identity(path);
+  std::vector<std::string> models;
+  std::vector<std::string> robots;
+  std::set<std::string> seen, listed_urdfs;
+  std::string folder = path::normalize(path::parent(path));
+  for (int level = 0; level <= 3; ++level, folder = path::join(folder, "..")) {
+    for (const std::string& place :
+         {folder, path::join(folder, "smurf"), path::join(folder, "urdf")}) {
+      for (const std::string& name : files.list(place)) {
+        const std::string candidate = path::join(place, name);
+        const InputKind kind = kind_of(candidate);
+        if (kind != InputKind::model && kind != InputKind::urdf) continue;
+        if (!seen.insert(identity(candidate)).second) continue;
+        const auto urdf = urdf_of_user(candidate, wanted, files);
+        if (!urdf) continue;
+        (kind == InputKind::model ? models : robots).push_back(candidate);
+        if (kind == InputKind::model) listed_urdfs.insert(*urdf);
+      }
+    }
+  }
+  for (const std::string& robot : robots) {
+    if (!listed_urdfs.contains(identity(robot))) models.push_back(robot);
   }
   std::sort(models.begin(), models.end());
   return models;

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -46,7 +47,11 @@ InputKind kind_of(std::string_view path) {
   if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
     return InputKind::annotation;
   }
-  return InputKind::other;
+  constexpr std::array kResources = {".stl", ".obj", ".dae", ".bobj", ".ply", ".gltf",
+                                     ".glb", ".mtl", ".png", ".jpg",  ".jpeg"};
+  const bool is_resource =
+      std::find(kResources.begin(), kResources.end(), extension) != kResources.end();
+  return is_resource ? InputKind::resource : InputKind::other;
 }
 
 std::optional<std::string> read_standard_input(std::string_view tool, const std::string& filename,

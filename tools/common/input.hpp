@@ -10,7 +10,8 @@
 
 namespace smurf::tools {
 
-enum class InputKind { model, scene, urdf, annotation, other };
+/// A resource is a mesh or an image that models refer to.
+enum class InputKind { model, scene, urdf, annotation, resource, other };
 
 /// By the extension.
 InputKind kind_of(std::string_view path);

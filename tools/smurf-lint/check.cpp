@@ -7,7 +7,10 @@
 #include <set>
 
 #include "common/input.hpp"
+#include "common/repository.hpp"
 #include "smurf/load.hpp"
+#include "smurf/suppress.hpp"
+#include "syntax/yaml_reader.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -22,6 +25,7 @@ class Checker {
     LoadContext context = make_context(sink);
     const LinkedScene scene = load_scene(path, context);
     lint_scene(scene, options_.selection, sink);
+    suppressions_.add(scene, checked_.sources);
     for (const LinkedModel& model : scene.models) {
       lint_model(model, options_.selection, sink);
       note_files(model);
@@ -36,19 +40,50 @@ class Checker {
     LoadContext context = make_context(sink);
     const LinkedModel model = load_model(path, context);
     lint_model(model, options_.selection, sink);
+    suppressions_.add(model, checked_.sources);
     note_files(model);
     collect(sink, model);
   }
 
   void finish_all() {
-    checked_.diagnostics = finish(std::move(diagnostics_), checked_.sources, options_.selection);
+    const RuleSelection& selection = options_.selection;
+    std::vector<Diagnostic> found = finish(std::move(diagnostics_), checked_.sources, selection);
+    std::size_t suppressed = 0;
+    if (!options_.no_ignores) {
+      suppressed = suppressions_.apply(found, checked_.sources, selection);
+      found = finish(std::move(found), checked_.sources, selection);
+      if (!options_.baseline.empty() && !options_.generate_baseline) {
+        suppressed += apply_baseline(found);
+      }
+    }
+    checked_.diagnostics = finish(std::move(found), checked_.sources, selection);
     checked_.summary = summarize(checked_.diagnostics);
+    checked_.summary.suppressed = suppressed;
     checked_.summary.models = models_.size();
     checked_.summary.scenes = scenes_.size();
     checked_.summary.files = count_files();
   }
 
  private:
+  std::size_t apply_baseline(std::vector<Diagnostic>& found) {
+    DiagnosticSink sink;
+    Baseline baseline(relative_to_folder_of(options_.baseline));
+    const SourceId source = read_source(options_.baseline);
+    if (const auto document = parse_yaml(checked_.sources, source, {}, sink)) {
+      baseline.read(*document, sink);
+    }
+    const std::size_t count = baseline.apply(found, checked_.sources);
+    baseline.report_stale(checked_.sources, options_.selection, sink);
+    std::vector<Diagnostic> own = sink.take();
+    std::move(own.begin(), own.end(), std::back_inserter(found));
+    return count;
+  }
+
+  /// Precondition: it can be read; main has seen to that.
+  SourceId read_source(const std::string& path) {
+    return checked_.sources.add(path, files_.read(path, Limits{}.file_bytes).text);
+  }
+
   LoadContext make_context(DiagnosticSink& sink) {
     return {checked_.sources, files_, sink, {}, options_.packages};
   }
@@ -83,6 +118,7 @@ class Checker {
   const FileReader& files_;
   Checked& checked_;
   std::vector<Diagnostic> diagnostics_;
+  Suppressions suppressions_;
   std::set<std::string> models_, scenes_, read_;  ///< by identity
 };
 

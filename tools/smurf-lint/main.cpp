@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-lint: checks SMURF models and scenes.
+#include "common/input.hpp"
+#include "common/repository.hpp"
 #include "smurf-lint/check.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf/limits.hpp"
+#include "smurf/suppress.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -86,11 +89,31 @@ ExitCode fix(const LintOptions& options, const Plan& plan, MemoryFiles& files, C
   return options.fix_only ? kDone : report(options, plan, fixed.checked, fixed.count);
 }
 
+ExitCode write_baseline(const LintOptions& options, const Checked& checked) {
+  const Baseline baseline(relative_to_folder_of(options.baseline));
+  const std::string text = baseline.write(checked.diagnostics, checked.sources);
+  if (!write_output(kTool, options.baseline, text)) return kFailed;
+  if (options.quiet) return kDone;
+  const std::size_t count = checked.diagnostics.size();
+  return write_text(options, "let " + std::to_string(count) +
+                                 (count == 1 ? " finding" : " findings") + " pass in " +
+                                 options.baseline + "\n");
+}
+
 ExitCode run(const LintOptions& options) {
   const DiskFiles disk;
   MemoryFiles files(&disk);
+  if (!options.baseline.empty() && !options.generate_baseline) {
+    if (const auto reason = why_unreadable(options.baseline, files)) {
+      complain(kTool, "cannot read '" + options.baseline + "': " + *reason);
+      return kFailed;
+    }
+  }
   const Plan plan = make_plan(options, files);
   Checked checked = check(options, plan, files);
+  if (options.generate_baseline) {
+    return plan.has_failed ? kFailed : write_baseline(options, checked);
+  }
   const ExitCode code = options.fix || options.fix_only || options.diff
                             ? fix(options, plan, files, std::move(checked))
                             : report(options, plan, checked, 0);

@@ -83,6 +83,25 @@ std::vector<Option> rule_options(LintOptions& options) {
   };
 }
 
+std::vector<Option> ignore_options(LintOptions& options) {
+  return {
+      {.group = "What may pass",
+       .name = "baseline",
+       .metavar = "FILE",
+       .help = "Let the findings in this file pass, and report new ones only.",
+       .set = set_text(options.baseline)},
+      {.group = "What may pass",
+       .name = "generate-baseline",
+       .help = "Write all of today's findings to the baseline; those that are mended go.",
+       .set = set_flag(options.generate_baseline)},
+      {.group = "What may pass",
+       .name = "no-ignores",
+       .help = "Report everything, whatever comments (`# smurf-lint: ignore[SML3101] reason`) and "
+               "the baseline let pass.",
+       .set = set_flag(options.no_ignores)},
+  };
+}
+
 std::vector<Option> fix_options(LintOptions& options) {
   return {
       {.group = "Fixes",
@@ -146,12 +165,19 @@ Command lint_command(LintOptions& options) {
   command.details =
       "A PATH is a .smurf, .smurfs, .smurfa or .urdf file, an annotation file (.yml), a folder to "
       "search, or '-' for standard input; without one, the current folder is searched. A .urdf or "
-      ".yml file is checked as part of every model nearby that lists it, and alone when none does.";
-  for (std::vector<Option>& group :
-       std::vector<std::vector<Option>>{rule_options(options), fix_options(options),
-                                        output_options(options), verdict_options(options)}) {
+      ".yml file is checked as part of every model nearby that lists it, and alone when none does; "
+      "a mesh or texture stands for the models nearby that use it.";
+  for (std::vector<Option>& group : std::vector<std::vector<Option>>{
+           rule_options(options), ignore_options(options), fix_options(options),
+           output_options(options), verdict_options(options)}) {
     std::move(group.begin(), group.end(), std::back_inserter(command.options));
   }
+  command.options.push_back(
+      {.group = "Input",
+       .name = "only-listed",
+       .help = "Leave out YAML files and meshes that no model uses; for hooks, which name every "
+               "changed file.",
+       .set = set_flag(options.only_listed)});
   command.options.push_back(stdin_filename_option(options.stdin_filename));
   command.options.push_back(package_option(options.packages));
   command.options.push_back(color_option(options.color));
@@ -167,6 +193,8 @@ Command lint_command(LintOptions& options) {
       {"xacro arm.urdf.xacro | smurf-lint --stdin-filename urdf/arm.urdf -",
        "What another program writes:"},
       {"smurf-lint --diff robots/", "What could be fixed without a thought; then with --fix:"},
+      {"smurf-lint --baseline old.yaml --generate-baseline robots/",
+       "Only new findings from now on; then without --generate-baseline:"},
       {"smurf-lint --explain unknown-joint", "The page of a rule:"},
   };
   return command;
@@ -184,6 +212,9 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
   }
   if (std::count(options.paths.begin(), options.paths.end(), "-") > 1) {
     return "standard input can be read only once";
+  }
+  if (options.generate_baseline && options.baseline.empty()) {
+    return "--generate-baseline needs --baseline FILE, the file to write";
   }
   if (options.diff && (options.fix || options.fix_only)) {
     return "--diff changes nothing, so it does not go with --fix";

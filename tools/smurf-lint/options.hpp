@@ -16,6 +16,7 @@ namespace smurf::tools {
 
 struct LintOptions {
   std::vector<std::string> paths;
+  bool only_listed = false;  ///< leave annotation files and meshes alone that no model uses
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
 
@@ -26,6 +27,10 @@ struct LintOptions {
   bool unsafe_fixes = false;  ///< fixes that may change what the model means are fixes too
   bool fix_only = false;      ///< do not report what is left
   bool diff = false;          ///< show what `fix` would change, and do nothing else
+
+  std::string baseline;            ///< file; "": none
+  bool generate_baseline = false;  ///< write it, and report nothing
+  bool no_ignores = false;         ///< report what comments and the baseline let pass, too
 
   std::vector<ReportRequest> reports;
   std::string output;  ///< for reports without a file of their own

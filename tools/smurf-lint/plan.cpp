@@ -82,6 +82,7 @@ class Planner {
     case InputKind::model: add(plan_.models, path); return;
     case InputKind::urdf:
     case InputKind::annotation: add_part(path); return;
+    case InputKind::resource: add_resource(path); return;
     case InputKind::other: break;
     }
     const bool is_xacro = path::to_lower(path::extension(path)) == ".xacro";
@@ -93,7 +94,14 @@ class Planner {
   void add_part(const std::string& path) {
     const std::vector<std::string> models = models_listing(path, files_);
     for (const std::string& model : models) add(plan_.models, model);
-    if (models.empty()) add(plan_.strays, path);
+    const bool is_left_out = options_.only_listed && kind_of(path) == InputKind::annotation;
+    if (models.empty() && !is_left_out) add(plan_.strays, path);
+  }
+
+  void add_resource(const std::string& path) {
+    const std::vector<std::string> models = models_using(path, files_);
+    for (const std::string& model : models) add(plan_.models, model);
+    if (models.empty() && !options_.only_listed) fail("no model near '" + path + "' uses it");
   }
 
   const LintOptions& options_;

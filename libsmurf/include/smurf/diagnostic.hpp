@@ -63,6 +63,8 @@ struct Diagnostic {
   std::string message;  ///< one sentence, lower case, no full stop; names in backticks
   std::string caret;    ///< short text beside the caret; may be empty
   std::string pointer;  ///< YAML pointer or XPath; filled by locate() when empty
+  /// The pointer by names, "/motors/name=elbow/joint": the same after other entries were added.
+  std::string named_pointer;
   std::vector<Label> labels;
   std::vector<std::string> notes;  ///< facts without a place
   std::string help;                ///< what to do; may be empty

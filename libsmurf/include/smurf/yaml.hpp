@@ -37,10 +37,6 @@ struct Node {
   std::string_view key;     ///< decoded key text
 };
 
-struct Comment {
-  Span span;  ///< from '#' to the end of the line
-};
-
 class View;
 
 /// The first document of a YAML file, its nodes in document order. Moved, never copied: texts point
@@ -136,6 +132,9 @@ inline View Document::view() const { return {*this, root}; }
 
 /// JSON-pointer-like path of a node: "/motors/3/joint".
 std::string pointer(const Document& document, NodeId id);
+/// The same with names in place of positions where there are any: "/motors/name=elbow/joint". It
+/// outlives that entries are added, removed or moved.
+std::string named_pointer(const Document& document, NodeId id);
 /// The deepest node whose key or value holds the byte.
 NodeId node_at(const Document& document, std::uint32_t offset);
 

@@ -38,14 +38,17 @@ std::string escape_xml(std::string_view text) {
 }
 
 std::string yaml_like(std::string_view original, std::string_view text) {
-  if (original.starts_with('\'')) {
+  const bool has_control = std::any_of(text.begin(), text.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+  });
+  if (original.starts_with('\'') && !has_control) {
     std::string quoted = "'";
     for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
     return quoted + "'";
   }
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-' || c == '/' || c == '.';
+           c == '-' || c == '/' || c == '.' || c == '=';
   };
   const bool starts_like_a_word = !text.empty() && is_plain(text.front()) && text.front() != '-';
   if (!original.starts_with('"') && starts_like_a_word &&
@@ -53,7 +56,14 @@ std::string yaml_like(std::string_view original, std::string_view text) {
     return std::string(text);
   }
   std::string quoted = "\"";
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
   for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      quoted.append("\\x") += kDigits[byte >> 4U];
+      quoted += kDigits[byte & 0xFU];
+      continue;
+    }
     if (c == '"' || c == '\\') quoted += '\\';
     quoted += c;
   }

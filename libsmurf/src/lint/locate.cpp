@@ -21,16 +21,18 @@ std::string pointer_in(const xml::Document& document, xml::XPaths& paths, Span s
   return path;
 }
 
-/// Empty when the span is in none of the model's trees.
-std::string pointer_in(const LinkedModel& model, std::optional<xml::XPaths>& paths, Span span) {
-  if (const yaml::Document* document = model.document(span.source)) {
-    const yaml::NodeId id = yaml::node_at(*document, span.begin);
-    return id == yaml::kNoNode ? std::string() : yaml::pointer(*document, id);
+void point(Diagnostic& diagnostic, const yaml::Document& document) {
+  const yaml::NodeId id = yaml::node_at(document, diagnostic.span.begin);
+  if (id == yaml::kNoNode) return;
+  if (diagnostic.pointer.empty()) diagnostic.pointer = yaml::pointer(document, id);
+  diagnostic.named_pointer = yaml::named_pointer(document, id);
+}
+
+void point(Diagnostic& diagnostic, const xml::Document& document, xml::XPaths& paths) {
+  if (diagnostic.pointer.empty()) {
+    diagnostic.pointer = pointer_in(document, paths, diagnostic.span);
   }
-  if (model.robot && model.robot->document.source == span.source) {
-    return pointer_in(model.robot->document, *paths, span);
-  }
-  return {};
+  diagnostic.named_pointer = diagnostic.pointer;
 }
 
 }  // namespace
@@ -39,7 +41,13 @@ void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
   std::optional<xml::XPaths> paths;
   if (model.robot) paths.emplace(model.robot->document);
   for (Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.pointer.empty()) diagnostic.pointer = pointer_in(model, paths, diagnostic.span);
+    if (!diagnostic.named_pointer.empty()) continue;
+    const SourceId source = diagnostic.span.source;
+    if (const yaml::Document* document = model.document(source)) {
+      point(diagnostic, *document);
+    } else if (model.robot && model.robot->document.source == source) {
+      point(diagnostic, model.robot->document, *paths);
+    }
   }
 }
 
@@ -47,9 +55,8 @@ void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
   for (const SceneFile& file : scene.scenes) {
     if (!file.document) continue;
     for (Diagnostic& diagnostic : diagnostics) {
-      if (!diagnostic.pointer.empty() || diagnostic.span.source != file.source) continue;
-      const yaml::NodeId id = yaml::node_at(*file.document, diagnostic.span.begin);
-      if (id != yaml::kNoNode) diagnostic.pointer = yaml::pointer(*file.document, id);
+      if (diagnostic.span.source != file.source || !diagnostic.named_pointer.empty()) continue;
+      point(diagnostic, *file.document);
     }
   }
   for (const LinkedModel& model : scene.models) locate(model, diagnostics);

@@ -92,8 +92,8 @@ std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceM
     const auto [begin, end] = render::region_of(diagnostic.span, sources);
     const std::string path = in_repository(render::path_of(diagnostic.span, sources));
     const std::string id(diagnostic.rule->id);
-    // Not the line: a finding is the same one after lines were added above it.
-    const std::string identity = id + "\n" + path + "\n" + diagnostic.pointer;
+    // Not the line: a finding is the same one after lines or entries were added above it.
+    const std::string identity = id + "\n" + path + "\n" + diagnostic.named_pointer;
     const std::string number = std::to_string(++occurrences[identity]);
     // GitLab shows the description only.
     list.push_back(

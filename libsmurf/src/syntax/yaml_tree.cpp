@@ -105,31 +105,55 @@ View::Iterator View::Iterator::operator++(int) {
   return old;
 }
 
-std::string pointer(const Document& document, NodeId id) {
+namespace {
+
+/// As JSON pointers escape the text of a step.
+std::string escape_step(std::string_view text) {
+  std::string step;
+  for (const char c : text) {
+    switch (c) {
+    case '~': step += "~0"; break;
+    case '/': step += "~1"; break;
+    default: step += c;
+    }
+  }
+  return step;
+}
+
+/// "name=elbow" for an item of a sequence that has a name.
+std::optional<std::string> name_step(const Document& document, NodeId id) {
+  const View item(document, id);
+  if (!item.is_mapping()) return std::nullopt;
+  const View name = item.find("name");
+  if (!name || !name.is_scalar()) return std::nullopt;
+  return "name=" + escape_step(name.text());
+}
+
+std::string path_to(const Document& document, NodeId id, bool by_name) {
   std::vector<std::string> steps;
   while (id != kNoNode && id != document.root) {
     const Node& node = document.nodes[static_cast<std::size_t>(id)];
     if (node.parent == kNoNode) break;
     const Node& parent = document.nodes[static_cast<std::size_t>(node.parent)];
     if (parent.kind == Kind::mapping) {
-      std::string step;
-      for (const char c : node.key) {
-        if (c == '~')
-          step += "~0";
-        else if (c == '/')
-          step += "~1";
-        else
-          step += c;
-      }
-      steps.push_back(std::move(step));
+      steps.push_back(escape_step(node.key));
     } else {
-      steps.push_back(std::to_string(node.position));
+      const auto name = by_name ? name_step(document, id) : std::nullopt;
+      steps.push_back(name ? *name : std::to_string(node.position));
     }
     id = node.parent;
   }
   std::string result;
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) result += "/" + *step;
   return result;
+}
+
+}  // namespace
+
+std::string pointer(const Document& document, NodeId id) { return path_to(document, id, false); }
+
+std::string named_pointer(const Document& document, NodeId id) {
+  return path_to(document, id, true);
 }
 
 NodeId node_at(const Document& document, std::uint32_t offset) {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Findings that people have decided to live with: by a comment at the place, or in a baseline file.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "smurf/lint.hpp"
+
+namespace smurf {
+
+/// Comments that silence rules, in YAML and XML files:
+///
+///     # smurf-lint: ignore[SML3101, unknown-link] reason       the line, when something stands
+///     before
+///                                                              it; otherwise the next entry, whole
+///     <!-- smurf-lint: ignore-file[SML19] reason -->           the file
+///
+/// Rules are named as everywhere: by id, name or prefix of ids. There is none for all rules.
+class Suppressions {
+ public:
+  void add(const LinkedModel& model, const SourceMap& sources);
+  void add(const LinkedScene& scene, const SourceMap& sources);
+
+  /// Takes away what is suppressed and returns how much that is. Adds what is wrong with the
+  /// comments: malformed, of unknown rules, or without effect, the last only for rules that
+  /// `selection` lets run. Precondition: the diagnostics are finished; afterwards they have to be
+  /// finished again.
+  std::size_t apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
+                    const RuleSelection& selection);
+
+ private:
+  struct Item {
+    Span span;         ///< of the id as written
+    Span removal;      ///< what to delete to be rid of it alone
+    std::string name;  ///< id, name or prefix
+    bool is_used = false;
+  };
+  struct Comment {
+    Span span;
+    Span removal;         ///< what to delete to be rid of the comment
+    std::uint32_t begin;  ///< of the bytes it speaks of
+    std::uint32_t end;
+    std::string problem;  ///< why it is no suppression; then the rest is empty
+    std::vector<Item> items;
+  };
+  class Reader;
+
+  /// Marks the items that were needed; the indices of what they silence.
+  static std::vector<std::size_t> silence(std::span<const Diagnostic> diagnostics,
+                                          std::vector<Comment>& comments);
+  static void judge(const Comment& comment, const RuleSelection& selection, DiagnosticSink& sink);
+
+  std::map<std::string, std::vector<Comment>> comments_;  ///< by path
+};
+
+/// How a baseline names the file of a path: relative to its own folder.
+using BaselinePath = std::function<std::string(const std::string& path)>;
+
+/// Findings that were there when the baseline was made:
+///
+///     smurf/arm_motors.yml:
+///       SML3101:
+///       - /motors/name=elbow/joint
+///
+/// One is known again by file, rule and named pointer, so that it stays known when lines are added
+/// and entries are moved; an equal one that comes new is one too many, and is reported.
+class Baseline {
+ public:
+  explicit Baseline(BaselinePath name_of) : name_of_(std::move(name_of)) {}
+
+  /// What is wrong with the file is reported.
+  void read(const yaml::Document& document, DiagnosticSink& sink);
+  /// Takes away what is known and returns how much that is. Precondition: as Suppressions::apply.
+  std::size_t apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources);
+  /// Reports the entries that no finding of a file in `sources` has matched, of rules that ran.
+  void report_stale(const SourceMap& sources, const RuleSelection& selection,
+                    DiagnosticSink& sink) const;
+
+  /// The text of a baseline of these findings.
+  std::string write(std::span<const Diagnostic> diagnostics, const SourceMap& sources) const;
+
+ private:
+  struct Entry {
+    Span span;
+    bool is_used = false;
+  };
+  using Key = std::tuple<std::string, std::string, std::string>;  ///< file, id, named pointer
+
+  void read_file(yaml::View rules, DiagnosticSink& sink);
+
+  BaselinePath name_of_;
+  std::map<Key, std::vector<Entry>> entries_;
+};
+
+}  // namespace smurf
