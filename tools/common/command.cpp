@@ -18,6 +18,10 @@ constexpr std::size_t kHelpColumn = 30;
 const Option kStandardOptions[] = {
     {.group = "General", .letter = 'h', .name = "help", .help = "Show this page."},
     {.group = "General", .name = "version", .help = "Show the version."},
+    {.name = "generate",
+     .metavar = "WHAT",
+     .help = "A manual page or a completion script, for packages.",
+     .values = {"man", "bash", "zsh", "fish"}},
 };
 
 /// "  -o, --output FILE"
@@ -48,19 +52,32 @@ std::string options_text(std::span<const Option> options, std::string_view group
 
 std::span<const Option> standard_options() { return kStandardOptions; }
 
+std::vector<Option> all_options(const Command& command) {
+  std::vector<Option> options = command.options;
+  for (const Option& option : standard_options()) options.push_back(option);
+  std::erase_if(options, [](const Option& option) { return option.group.empty(); });
+  return options;
+}
+
+std::vector<std::string_view> option_groups(std::span<const Option> options) {
+  std::vector<std::string_view> groups;
+  for (const Option& option : options) {
+    if (std::find(groups.begin(), groups.end(), option.group) == groups.end()) {
+      groups.push_back(option.group);
+    }
+  }
+  return groups;
+}
+
 std::string help_text(const Command& command) {
   std::string usage = "Usage: " + std::string(command.name) + " [OPTION]...";
   if (!command.operands.empty()) usage.append(" ").append(command.operands);
   std::string out = usage + "\n\n" + render::wrap(command.summary, 0, kColumns);
   if (!command.details.empty()) out += "\n" + render::wrap(command.details, 0, kColumns);
 
-  std::vector<Option> options = command.options;
-  for (const Option& option : standard_options()) options.push_back(option);
-  std::vector<std::string_view> groups;
-  for (const Option& option : options) {
-    if (std::find(groups.begin(), groups.end(), option.group) != groups.end()) continue;
-    groups.push_back(option.group);
-    out += options_text(options, option.group);
+  const std::vector<Option> options = all_options(command);
+  for (const std::string_view group : option_groups(options)) {
+    out += options_text(options, group);
   }
 
   if (!command.examples.empty()) out += "\nExamples:\n";

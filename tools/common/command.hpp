@@ -27,13 +27,14 @@ inline constexpr ExitCode kFailed = 2;    ///< could not do the job
 using Setter = std::function<std::optional<std::string>(std::string_view value)>;
 
 struct Option {
-  std::string_view group{};    ///< heading in --help
+  std::string_view group{};    ///< heading in --help; "": not shown there
   char letter = 0;             ///< 'o' for -o; 0: none
   std::string_view name{};     ///< "output" for --output
   std::string_view metavar{};  ///< "FILE"; "": a flag
   bool may_omit_value = false;
   std::string_view help{};
-  std::vector<std::string_view> values{};  ///< the only ones allowed; empty: any
+  std::vector<std::string_view> values{};       ///< the only ones allowed; empty: any
+  std::vector<std::string_view> suggestions{};  ///< for completions, when any is allowed
   Setter set{};
 };
 
@@ -52,7 +53,11 @@ struct Command {
   std::vector<Example> examples{};
 };
 
-/// --help and --version, which every tool has.
+/// The command's own options and those that every tool has, as --help shows them.
+std::vector<Option> all_options(const Command& command);
+/// The headings, in the order of their first options.
+std::vector<std::string_view> option_groups(std::span<const Option> options);
+/// --help, --version, and what packages are made with.
 std::span<const Option> standard_options();
 
 /// The page of --help, at most 80 columns wide.

@@ -3,8 +3,11 @@
 // only file that sees the library, which is slow to compile.
 #include <CLI/CLI.hpp>
 
+#include <map>
+
 #include "common/command.hpp"
 #include "common/output.hpp"
+#include "common/pages.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -30,6 +33,7 @@ class CommandLine {
       return explain(error);
     }
     if (has("help") || has("version")) return std::nullopt;
+    if (has("generate")) return set(options_[index_of("generate")], value_of("generate"));
     for (std::size_t i = 0; i < options_.size(); ++i) {
       for (const std::string& value : cli_options_[i]->results()) {
         if (auto wrong = set(options_[i], value)) return wrong;
@@ -38,14 +42,20 @@ class CommandLine {
     return set_operands();
   }
 
-  bool has(std::string_view name) const {
-    for (std::size_t i = 0; i < options_.size(); ++i) {
-      if (options_[i].name == name) return cli_options_[i]->count() > 0;
-    }
-    return false;
+  bool has(std::string_view name) const { return cli_options_[index_of(name)]->count() > 0; }
+
+  /// Precondition: has(name).
+  std::string value_of(std::string_view name) const {
+    return cli_options_[index_of(name)]->results().back();
   }
 
  private:
+  std::size_t index_of(std::string_view name) const {
+    const auto found = std::find_if(options_.begin(), options_.end(),
+                                    [&](const Option& option) { return option.name == name; });
+    return static_cast<std::size_t>(found - options_.begin());
+  }
+
   CLI::Option* add(const Option& option) {
     std::string names = "--" + std::string(option.name);
     if (option.letter != 0) names += std::string(",-") + option.letter;
@@ -104,7 +114,9 @@ class CommandLine {
   std::string unknown(const std::string& argument) const {
     const std::string name = argument.substr(0, argument.find('='));
     std::vector<std::string> names;
-    for (const Option& option : options_) names.push_back("--" + std::string(option.name));
+    for (const Option& option : all_options(command_)) {
+      names.push_back("--" + std::string(option.name));
+    }
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string hint = did_you_mean(name, known);
     return "unknown option '" + name + "'" + (hint.empty() ? " (see --help)" : hint);
@@ -125,11 +137,18 @@ std::optional<ExitCode> parse_command_line(const Command& command, int argc,
     complain(command.name, *wrong);
     return kFailed;
   }
+  using Generator = std::string (*)(const Command&);
+  static const std::map<std::string_view, Generator> kGenerators = {{"man", manual_page},
+                                                                    {"bash", bash_completion},
+                                                                    {"zsh", zsh_completion},
+                                                                    {"fish", fish_completion}};
   std::string text;
   if (line.has("help")) {
     text = help_text(command);
   } else if (line.has("version")) {
     text = std::string(command.name) + " " + std::string(kVersion) + "\n";
+  } else if (line.has("generate")) {
+    text = kGenerators.at(line.value_of("generate"))(command);
   } else {
     return std::nullopt;
   }

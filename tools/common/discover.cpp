@@ -132,9 +132,10 @@ std::optional<std::string> urdf_of_user(const std::string& model, const std::str
   DiagnosticSink ignored;
   LoadContext context{sources, files, ignored, {}, {}};
   const LinkedModel loaded = load_model(model, context);
-  const bool is_user = std::any_of(
-      loaded.meshes.begin(), loaded.meshes.end(),
-      [&](const MeshReference& mesh) { return mesh.exists && identity(mesh.path) == wanted; });
+  const bool is_user =
+      std::any_of(loaded.meshes.begin(), loaded.meshes.end(), [&](const MeshReference& mesh) {
+        return mesh.exists && identity(mesh.path) == wanted;
+      });
   if (!is_user) return std::nullopt;
   return identity(loaded.urdf_path);
 }

@@ -22,8 +22,8 @@ Found find_inputs(const std::string& folder);
 /// folders in both; sorted.
 std::vector<std::string> models_listing(const std::string& path, const FileReader& files);
 
-/// The .smurf files, and the .urdf files that none of them lists, whose meshes or textures include a
-/// file; sought in the three folders above it and the `smurf` and `urdf` folders there; sorted.
+/// The .smurf files, and the .urdf files that none of them lists, whose meshes or textures include
+/// a file; sought in the three folders above it and the `smurf` and `urdf` folders there; sorted.
 std::vector<std::string> models_using(const std::string& path, const FileReader& files);
 
 }  // namespace smurf::tools

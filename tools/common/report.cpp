@@ -82,6 +82,12 @@ const ReportFormat* find_report_format(std::string_view name) {
   return found == std::end(kFormats) ? nullptr : found;
 }
 
+std::vector<std::string_view> report_format_names() {
+  std::vector<std::string_view> names;
+  for (const ReportFormat& format : kFormats) names.push_back(format.name);
+  return names;
+}
+
 std::string_view report_option_help() {
   static const std::string help = [] {
     std::string text;
@@ -99,9 +105,7 @@ Setter append_report(std::vector<ReportRequest>& requests) {
     const std::string_view name = value.substr(0, equals);
     const ReportFormat* format = find_report_format(name);
     if (format == nullptr) {
-      std::vector<std::string_view> known;
-      for (const ReportFormat& one : kFormats) known.push_back(one.name);
-      return none_of(name, known);
+      return none_of(name, report_format_names());
     }
     ReportRequest request{format, {}};
     if (equals != std::string_view::npos) {

@@ -41,6 +41,7 @@ struct ReportRequest {
 
 /// "FORMAT" or "FORMAT=FILE", appended.
 Setter append_report(std::vector<ReportRequest>& requests);
+std::vector<std::string_view> report_format_names();
 /// Names the formats, for --help.
 std::string_view report_option_help();
 

@@ -47,17 +47,27 @@ Setter set_severity(std::map<std::string, Severity>& severities) {
   };
 }
 
+/// Ids, then names.
+std::vector<std::string_view> rule_words() {
+  std::vector<std::string_view> words;
+  for (const Rule* rule : all_rules()) words.push_back(rule->id);
+  for (const Rule* rule : all_rules()) words.push_back(rule->name);
+  return words;
+}
+
 std::vector<Option> rule_options(LintOptions& options) {
   return {
       {.group = "Rules",
        .name = "select",
        .metavar = "IDS",
        .help = "Only these rules: ids, names or prefixes such as SML3, separated by commas.",
+       .suggestions = rule_words(),
        .set = append_rules(options.selection.select)},
       {.group = "Rules",
        .name = "ignore",
        .metavar = "IDS",
        .help = "All but these rules.",
+       .suggestions = rule_words(),
        .set = append_rules(options.selection.ignore)},
       {.group = "Rules",
        .name = "severity",
@@ -68,6 +78,7 @@ std::vector<Option> rule_options(LintOptions& options) {
        .name = "explain",
        .metavar = "ID",
        .help = "Show why a rule matters and what to do, and check nothing.",
+       .suggestions = rule_words(),
        .set = set_text(options.explain)},
       {.group = "Rules",
        .name = "list-rules",
@@ -226,10 +237,8 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
 }
 
 std::string no_such_rule(std::string_view id_or_name) {
-  std::vector<std::string_view> known;
-  for (const Rule* rule : all_rules()) known.push_back(rule->id);
-  for (const Rule* rule : all_rules()) known.push_back(rule->name);
-  return "there is no rule '" + std::string(id_or_name) + "'" + did_you_mean(id_or_name, known);
+  return "there is no rule '" + std::string(id_or_name) + "'" +
+         did_you_mean(id_or_name, rule_words());
 }
 
 }  // namespace smurf::tools

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Manual pages and completions: made by every tool, taken by man and bash without a complaint."""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+
+class Pages(cli.CliTest):
+    def generate(self, what):
+        return self.expect(0, f"--generate={what}").stdout
+
+    def long_options(self):
+        lines = self.expect(0, "--help").stdout.splitlines()
+        return {word.split("=")[0].split("[")[0] for line in lines if line.startswith("      --") or line.startswith("  -")
+                for word in line.replace(",", " ").split()[:2] if word.startswith("--")}
+
+    def test_all_name_every_option(self):
+        options = self.long_options()
+        self.assertIn("--help", options)
+        manual = self.generate("man").replace("\\-", "-")
+        bash, zsh, fish = (self.generate(what) for what in ("bash", "zsh", "fish"))
+        for option in options:
+            self.assertIn(option, manual)
+            self.assertIn(option, bash)
+            self.assertIn(option, zsh)
+            self.assertIn(f" -l {option[2:]} ", fish)
+
+    def test_man_reads_it(self):
+        if shutil.which("man") is None:
+            self.skipTest("man is not installed")
+        self.write("page.1", self.generate("man"))
+        done = subprocess.run(["man", "--warnings", "-l", "page.1"], cwd=self.folder, capture_output=True, text=True,
+                              env={"PATH": "/usr/bin:/bin", "MANWIDTH": "80", "LC_ALL": "C.UTF-8"}, check=True)
+        self.assertEqual(done.stderr, "")
+        for heading in ("NAME", "SYNOPSIS", "OPTIONS", "EXIT STATUS", "EXAMPLES"):
+            self.assertIn(f"\n{heading}\n", done.stdout)
+
+    def complete(self, *words):
+        """What bash offers for the last word."""
+        name = pathlib.Path(cli.TOOL).name
+        self.write("completion.bash", self.generate("bash"))
+        script = ('source completion.bash; compopt() { :; }; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); '
+                  f'_{name.replace("-", "_")}; printf "%s\\n" "${{COMPREPLY[@]}}"')
+        done = subprocess.run(["bash", "-c", script, "bash", name, *words], cwd=self.folder, capture_output=True,
+                              text=True, check=True)
+        self.assertEqual(done.stderr, "")
+        return done.stdout.split()
+
+    def test_bash_completes(self):
+        self.assertIn("--color", self.complete("--co"))
+        self.assertEqual(self.complete("--color", "al"), ["always"])
+        self.assertEqual(self.complete("--color", "=", "n"), ["never"])
+        self.assertEqual(self.complete("--package", ""), [])
+
+    def test_rules_are_completed(self):
+        if pathlib.Path(cli.TOOL).name != "smurf-lint":
+            self.skipTest("only smurf-lint takes rules")
+        self.assertEqual(self.complete("--explain", "SML3101"), ["SML3101"])
+        self.assertEqual(self.complete("--explain", "unknown-joi"), ["unknown-joint"])
+
+
+if __name__ == "__main__":
+    cli.main()

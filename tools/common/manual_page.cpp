@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "common/pages.hpp"
+
+namespace smurf::tools {
+namespace {
+
+/// Text as roff takes it for nothing but text.
+std::string roff(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+    case '\\': out += "\\e"; break;
+    case '-': out += "\\-"; break;
+    case '`': out += "\\(aq"; break;
+    case '\'': out += "\\(aq"; break;
+    default: out += c;
+    }
+  }
+  return out.starts_with('.') ? "\\&" + out : out;
+}
+
+std::string bold(std::string_view text) { return "\\fB" + roff(text) + "\\fR"; }
+std::string italic(std::string_view text) { return "\\fI" + roff(text) + "\\fR"; }
+
+std::string entry(const Option& option) {
+  std::string head;
+  if (option.letter != 0) head = bold(std::string("-") + option.letter) + ", ";
+  head += bold("--" + std::string(option.name));
+  if (option.may_omit_value) {
+    head += "[=" + italic(option.metavar) + "]";
+  } else if (!option.metavar.empty()) {
+    head += " " + italic(option.metavar);
+  }
+  return ".TP\n" + head + "\n" + roff(option.help) + "\n";
+}
+
+std::string options_section(const Command& command) {
+  std::string out = ".SH OPTIONS\n";
+  const std::vector<Option> options = all_options(command);
+  for (const std::string_view group : option_groups(options)) {
+    out += ".SS " + roff(group) + "\n";
+    for (const Option& option : options) {
+      if (option.group == group) out += entry(option);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string manual_page(const Command& command) {
+  std::string name(command.name);
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
+  // No date: the page is the same whenever it is made.
+  std::string out = ".TH " + roff(name) + " 1 \"\" \"smurf " + std::string(kVersion) + "\"\n";
+  out += ".SH NAME\n" + roff(command.name) + " \\- " + roff(command.summary) + "\n";
+  out += ".SH SYNOPSIS\n" + bold(command.name) + " [" + italic("OPTION") + "]...";
+  if (!command.operands.empty()) out += " " + roff(command.operands);
+  out += "\n.SH DESCRIPTION\n" + roff(command.summary) + "\n";
+  if (!command.details.empty()) out += ".PP\n" + roff(command.details) + "\n";
+  out += options_section(command);
+  out += ".SH \"EXIT STATUS\"\n";
+  out += ".TP\n.B 0\nDone; no findings at or above the threshold.\n";
+  out += ".TP\n.B 1\nFindings at or above the threshold, or a result refused for them.\n";
+  out += ".TP\n.B 2\nCould not do the job.\n";
+  if (!command.examples.empty()) out += ".SH EXAMPLES\n";
+  for (const Example& example : command.examples) {
+    out += ".PP\n" + roff(example.does) + "\n.PP\n.RS 4\n.nf\n" + roff(example.command) +
+           "\n.fi\n.RE\n";
+  }
+  return out + ".SH \"SEE ALSO\"\n" + roff(kHomepage) + "\n";
+}
+
+}  // namespace smurf::tools

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Manual pages and shell completions, made from the option tables.
+#pragma once
+
+#include <string>
+
+#include "common/command.hpp"
+
+namespace smurf::tools {
+
+/// For man(1).
+std::string manual_page(const Command& command);
+
+/// Scripts that complete options, their values, and files.
+std::string bash_completion(const Command& command);
+std::string zsh_completion(const Command& command);
+std::string fish_completion(const Command& command);
+
+}  // namespace smurf::tools
