@@ -45,13 +45,14 @@ MemoryFiles read_folder(const fs::path& folder) {
 struct Case {
   SourceMap sources;
   MemoryFiles files;
+  MeshLibrary meshes;
   std::vector<Diagnostic> diagnostics;
   std::optional<LinkedModel> model;  ///< none when the case is a scene
 
   explicit Case(const fs::path& folder) : Case(read_folder(folder)) {}
   explicit Case(MemoryFiles all) : files(std::move(all)) {
     DiagnosticSink sink;
-    LoadContext context{sources, files, sink, {}, {}};
+    LoadContext context{sources, files, sink, {}, {}, {}, &meshes};
     if (files.is_file("scene.smurfs")) {
       const LinkedScene scene = load_scene("scene.smurfs", context);
       lint_scene(scene, {}, sink);

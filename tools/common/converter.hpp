@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/input.hpp"
 #include "common/report.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
@@ -53,7 +54,9 @@ class Conversion {
   DiagnosticSink& sink() { return sink_; }
 
  private:
-  LoadContext context() { return {sources_, files_, sink_, {}, options_.packages}; }
+  LoadContext context() {
+    return {sources_, files_, sink_, {}, options_.packages, package_folders_of_environment()};
+  }
   std::optional<std::string> open(const std::string& path);
   ExitCode write_reports(std::vector<Diagnostic> diagnostics, std::size_t models,
                          std::size_t scenes);

@@ -8,6 +8,7 @@
 #include "smurf/file_reader.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/linked.hpp"
+#include "smurf/mesh.hpp"
 
 namespace smurf {
 
@@ -18,6 +19,9 @@ struct LoadContext {
   DiagnosticSink& sink;
   Limits limits;
   std::map<std::string, std::string> packages;  ///< package:// names to folders
+  /// Folders that hold packages: those of ROS_PACKAGE_PATH, and share/ of AMENT_PREFIX_PATH.
+  std::vector<std::string> package_folders = {};
+  MeshLibrary* meshes = nullptr;  ///< null: meshes are looked up, but not opened
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Everything wrong is reported; what could

@@ -162,6 +162,7 @@ class ModelLoader {
   void link() {
     name_all(model_.annotations.motors, model_.motor_names);
     name_all(model_.annotations.sensors, model_.sensor_names);
+    resolve_resources(model_, context_);
     if (!model_.robot) return;
     const urdf::Robot& robot = *model_.robot;
     name_all(robot.links, model_.link_names);
@@ -181,7 +182,6 @@ class ModelLoader {
       }
     }
     model_.tree = build_tree(model_);
-    model_.meshes = resolve_resources(model_, context_);
   }
 
   LoadContext& context_;

@@ -24,6 +24,16 @@ struct GeometryUse {
   const urdf::Mesh* mesh() const { return std::get_if<urdf::Mesh>(&geometry.shape); }
 };
 
+/// The file that a mesh of the URDF means; null when it names none.
+const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& mesh);
+/// What is known of that file's content; null when it was not opened or could not be.
+const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
+
+/// The box of a shape in its own frame, in metres, with the mesh's scale. COLLADA is taken as most
+/// readers take it: in the unit and with the axes that the file says. None when the size is unknown
+/// or not finite.
+std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry);
+
 /// Calls `visit` for every visual and collision, in document order within each kind of a link.
 void for_each_geometry(const LinkedModel& model,
                        const std::function<void(const GeometryUse&)>& visit);
