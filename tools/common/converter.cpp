@@ -48,6 +48,17 @@ std::optional<LinkedModel> Conversion::load_model(const std::string& path) {
   return smurf::load_model(*name, loading);
 }
 
+std::optional<xml::Document> Conversion::load_xml(const std::string& path) {
+  if (const auto reason = why_unreadable(path, files_)) {
+    complain(tool_, "cannot read '" + path + "': " + *reason);
+    return std::nullopt;
+  }
+  LoadContext loading = context();
+  auto document = smurf::load_xml(path, loading);
+  if (!document) complain(tool_, "'" + path + "' is not well-formed XML");
+  return document;
+}
+
 std::optional<LinkedScene> Conversion::load_scene(const std::string& path) {
   const auto name = open(path);
   if (!name) return std::nullopt;

@@ -39,6 +39,7 @@ class Conversion {
 
   /// None when the file cannot be read; that has been said.
   std::optional<LinkedModel> load_model(const std::string& path);
+  std::optional<xml::Document> load_xml(const std::string& path);
   std::optional<LinkedScene> load_scene(const std::string& path);
 
   /// Runs the rules and reports. kFindings when the result is to be refused: there is an error, or

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SMURF models to plain URDF, with the proof that the result is the same robot.
+// SMURF models to plain URDF and back, with the proof that the result is the same robot.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/linked.hpp"
+#include "smurf/new_model.hpp"
 
 namespace smurf {
 
@@ -21,6 +23,32 @@ struct UrdfExport {
 /// resolve from the output folder. Precondition: model.robot is set.
 std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
                         const UrdfExport& options);
+
+/// Where the files of a new model stand.
+enum class SmurfLayout : std::uint8_t {
+  phobos,   ///< smurf/NAME.smurf, smurf/NAME_*.yml, urdf/NAME.urdf
+  flat,     ///< all in one folder
+  in_place  ///< the URDF stays where it is; the rest as in flat
+};
+
+/// Which joints get a motor.
+enum class MotorChoice : std::uint8_t { declared, all, none };
+
+struct UrdfImport {
+  std::string name{};  ///< of the files
+  std::string output_folder = ".";
+  /// Absolute path that relative paths start from.
+  std::string current_folder = "/";
+  SmurfLayout layout = SmurfLayout::phobos;
+  MotorChoice motors = MotorChoice::declared;
+  const xml::Document* srdf = nullptr;  ///< may be null
+};
+
+/// A SMURF model around a URDF, which stays whole: mesh paths are re-based, and an unnamed
+/// collision gets a name where a sensor must refer to it. Reports what has no section as SML8101.
+/// Precondition: model.robot is set.
+NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const UrdfImport& options,
+                     DiagnosticSink& sink);
 
 /// How far two models differ. Zero everywhere means the same robot.
 struct Proof {

@@ -2,6 +2,7 @@
 // From a path to a linked model or scene.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "smurf/diagnostic.hpp"
@@ -30,5 +31,8 @@ LinkedModel load_model(const std::string& path, LoadContext& context);
 
 /// Loads a .smurfs or .smurfa with all scenes and models it names.
 LinkedScene load_scene(const std::string& path, LoadContext& context);
+
+/// Reads any XML file, an SRDF for example. None when it is missing or broken; that was reported.
+std::optional<xml::Document> load_xml(const std::string& path, LoadContext& context);
 
 }  // namespace smurf

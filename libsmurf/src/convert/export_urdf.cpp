@@ -3,7 +3,7 @@
 // comments and digits).
 #include "base/edits.hpp"
 #include "base/path.hpp"
-#include "smurf/convert.hpp"
+#include "convert/rebase.hpp"
 
 namespace smurf {
 namespace {
@@ -15,20 +15,23 @@ bool is_relative_path(std::string_view filename) {
 
 }  // namespace
 
-std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
-                        const UrdfExport& options) {
-  const auto absolute = [&](std::string_view path) {
-    return path::join(options.current_folder, path);
-  };
-  const std::string output_folder = absolute(options.output_folder);
+std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& folder,
+                               const std::string& current_folder) {
   std::vector<Edit> edits;
   for (const MeshReference& mesh : model.meshes) {
     if (!is_relative_path(mesh.filename)) continue;
-    const std::string target = absolute(mesh.path);
-    if (path::join(output_folder, mesh.filename) == target) continue;  // resolves as it is written
-    edits.push_back({mesh.span, escape_xml(path::relative(target, output_folder))});
+    const std::string target = path::join(current_folder, mesh.path);
+    if (path::join(folder, mesh.filename) == target) continue;  // resolves as it is written
+    edits.push_back({mesh.span, escape_xml(path::relative(target, folder))});
   }
-  return apply_edits(sources.text(model.robot->document.source), edits);
+  return edits;
+}
+
+std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
+                        const UrdfExport& options) {
+  const std::string folder = path::join(options.current_folder, options.output_folder);
+  return apply_edits(sources.text(model.robot->document.source),
+                     rebase_paths(model, folder, options.current_folder));
 }
 
 }  // namespace smurf

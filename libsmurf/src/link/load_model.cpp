@@ -194,6 +194,12 @@ LinkedModel load_model(const std::string& path, LoadContext& context) {
   return ModelLoader(context).load(path);
 }
 
+std::optional<xml::Document> load_xml(const std::string& path, LoadContext& context) {
+  const auto source = read_source(path, {}, rules::sml0001_unreadable_file, context);
+  if (!source) return std::nullopt;
+  return parse_xml(context.sources, *source, context.limits, context.sink);
+}
+
 namespace rules {
 
 constinit const Rule sml2001_missing_file{
