@@ -111,6 +111,21 @@ ExitCode Conversion::write_reports(std::vector<Diagnostic> diagnostics, std::siz
   return summary.errors > 0 ? kFindings : judge(summary, options_.threshold);
 }
 
+bool Conversion::report_losses(const LinkedModel& model, std::vector<Diagnostic> losses,
+                               const std::string& file, bool are_refused) {
+  locate(model, losses);
+  losses = finish(std::move(losses), sources_, {});
+  if (!file.empty() &&
+      !write_output(tool_, file, render_losses_json(losses, sources_, {tool_, kVersion}))) {
+    return false;
+  }
+  if (!are_refused) return true;
+  for (const Diagnostic& loss : losses) {
+    write_error(render_concise(loss, sources_, style_for(Stream::error, options_.color)));
+  }
+  return losses.empty();
+}
+
 ExitCode Conversion::refuse(std::string_view reason) const {
   complain(tool_, "'" + path_ + "' " + std::string(reason) + "; nothing was written");
   return kFindings;

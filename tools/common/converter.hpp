@@ -47,6 +47,11 @@ class Conversion {
   ExitCode report(const LinkedModel& model);
   ExitCode report(const LinkedScene& scene);
 
+  /// Writes the losses to `file`, when it names one. False when that fails, or when there are any
+  /// and `are_refused`, in which case they are listed.
+  bool report_losses(const LinkedModel& model, std::vector<Diagnostic> losses,
+                     const std::string& file, bool are_refused);
+
   /// "smurf2urdf: PATH reason"; kFindings.
   ExitCode refuse(std::string_view reason) const;
   ExitCode fail() const { return kFailed; }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of smurf2urdf.
+#pragma once
+
+#include <string>
+
+#include "common/converter.hpp"
+#include "smurf/convert.hpp"
+
+namespace smurf::tools {
+
+struct Options {
+  ConverterOptions common;
+  std::string model;
+  UrdfExport conversion;
+  std::string loss_report;
+  bool fails_on_loss = false;
+  bool force = false;
+  bool prove = false;
+  bool dry_run = false;
+};
+
+Command make_command(Options& options);
+
+/// What is wrong with the options as a whole; "" when nothing is. Fills in the folders.
+std::string problem_of(Options& options);
+
+}  // namespace smurf::tools
