@@ -133,12 +133,21 @@ class Options(ExportTest):
         self.assertEqual(classes["/motors/0/maxEffort"], "not-requested")
         self.assertNotIn("/motors/0/maxSpeed", classes)
         self.assertEqual(classes["/sensors/0/name"], "not-expressible")
+        self.assertEqual(classes["/sensors/8/name"], "not-requested")
         self.assertTrue(all(loss["file"].startswith("arm/smurf/arm_") for loss in losses))
         done = self.run_with_messages(1, "arm/smurf/arm.smurf", "-o", "o.urdf", "--fail-on-loss")
         self.assertIn("SML8002", done.stderr)
         self.assertIn("has losses; nothing was written", done.stderr)
         self.assertFalse((self.folder / "o.urdf").exists())
         self.expect(0, "arm/urdf/arm.urdf", "-o", "o.urdf", "--fail-on-loss")
+
+    def test_presets_are_the_options_that_they_show(self):
+        for preset in ("ros2", "gazebo", "mujoco", "pybullet", "drake"):
+            options = self.expect(0, "--show-preset", preset).stdout.split()
+            self.assertEqual(self.export("--preset", preset), self.export(*options))
+        self.assertIn("<ros2_control", self.export("--preset", "ros2"))
+        self.assertNotIn("<ros2_control",
+                         self.export("--preset", "ros2", "--actuation", "none"))
 
     def test_dry_run(self):
         self.assertEqual(self.expect(0, "arm/smurf/arm.smurf", "--dry-run").stdout, "")

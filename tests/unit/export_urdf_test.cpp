@@ -138,7 +138,7 @@ TEST_CASE("without options nothing changes, and all that is lost is said") {
         "limits\n"
         "SML8002 `springDamping` of joint `hinge` differs from the URDF, which is kept; see "
         "--apply dynamics\n"
-        "SML8001 sensor `s` has no place in a URDF\n"
+        "SML8002 sensor `s` is not written; see --sensors gazebo\n"
         "SML8001 `battery` has no place in a URDF\n");
 }
 
@@ -247,6 +247,47 @@ TEST_CASE("the canonical form does not depend on order and notation") {
   other = replaced(other, "<link name=\"eye\"/>", "");
   other = replaced(other, "  <gazebo ", "  <link name=\"eye\"/>\n  <gazebo ");
   CHECK(Exported(Read(other), options).text == canonical.text);
+}
+
+TEST_CASE("motors become extensions where no extension drives their joints") {
+  const Read lamp(kUrdf, kAnnotations);
+  UrdfExport options;
+  options.actuation = Actuation::ros2_control;
+  const Exported ros2(lamp, options);
+  // The hinge has a transmission; the other motor follows it, so it is not commanded.
+  CHECK(ros2.has("  <ros2_control name=\"lamp\" type=\"system\">\n"));
+  CHECK(ros2.has("    <joint name=\"tilt\">\n      <state_interface name=\"position\"/>\n"));
+  CHECK_FALSE(ros2.has("command_interface"));
+  options.actuation = Actuation::transmission;
+  const Exported transmissions(lamp, options);
+  CHECK(transmissions.has("  <transmission name=\"tilt_transmission\">\n"));
+  CHECK_FALSE(transmissions.has("hinge_transmission"));
+  CHECK(transmissions.losses.find("`type` of motor") == std::string::npos);
+  const Read free(
+      replaced(kUrdf, "<transmission name=\"t\"><joint name=\"hinge\"/></transmission>", ""),
+      kAnnotations);
+  CHECK(Exported(free, options).has("hardware_interface/PositionJointInterface"));
+}
+
+TEST_CASE("sensors become those of Gazebo, once") {
+  UrdfExport options;
+  options.adds_gazebo_sensors = true;
+  CHECK(Exported(Read(kUrdf, kAnnotations), options).text == kUrdf);
+  const std::size_t begin = kUrdf.find("  <gazebo");
+  const std::size_t end = kUrdf.find("</gazebo>\n") + 10;
+  const std::string plain = kUrdf.substr(0, begin) + kUrdf.substr(end);
+  const std::string sensors =
+      "sensors:\n"
+      "- {name: s, type: NodeIMU, link: eye, id: [eye], rate: 20}\n"
+      "- {name: c, type: CameraSensor, link: eye, width: 64, height: 32, opening_width: 90,\n"
+      "   position_offset: {x: 1, y: 2, z: 3}, orientation_offset: {roll: 0, pitch: 0, yaw: 90}}\n"
+      "- {name: p, type: JointPosition, id: [hinge]}\n";
+  const Exported exported(Read(plain, sensors), options);
+  CHECK(exported.has("  <gazebo reference=\"eye\">\n    <sensor name=\"s\" type=\"imu\">\n"
+                     "      <update_rate>50</update_rate>\n    </sensor>\n  </gazebo>\n"));
+  CHECK(exported.has("<pose>1 2 3 0 0 1.570796"));
+  CHECK(exported.has("<horizontal_fov>1.570796"));
+  CHECK(exported.losses == "SML8001 sensor `p` has no place in a URDF\n");
 }
 
 TEST_CASE("mesh addresses") {

@@ -60,6 +60,9 @@ int main(int argc, char** argv) {
   prepare_streams();
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
+  if (!options.shown_preset.empty()) {
+    return write_output(kTool, {}, preset_text(options.shown_preset)) ? kDone : kFailed;
+  }
   if (const std::string problem = problem_of(options); !problem.empty()) {
     complain(kTool, problem);
     return kFailed;

@@ -33,6 +33,62 @@ Setter append_items(std::vector<std::string>& list) {
   };
 }
 
+/// What the readers need, as the options that a preset stands for.
+struct Preset {
+  std::string_view name;
+  std::string_view options;
+  void (*set)(UrdfExport& wanted);
+};
+
+constexpr Preset kPresets[] = {
+    // Comments have broken spawners that pass the text on as a parameter.
+    {"ros2", "--apply limits,mimic --actuation ros2_control --comments strip",
+     [](UrdfExport& wanted) {
+       wanted.apply.limits = wanted.apply.mimic = true;
+       wanted.actuation = Actuation::ros2_control;
+       wanted.strips_comments = true;
+     }},
+    {"gazebo", "--apply all --sensors gazebo --comments strip",
+     [](UrdfExport& wanted) {
+       wanted.apply = {true, true, true, true};
+       wanted.adds_gazebo_sensors = true;
+       wanted.strips_comments = true;
+     }},
+    // None of these three knows packages without being told their folders.
+    {"mujoco", "--apply limits,dynamics,materials --mesh-uri relative --vendor strip",
+     [](UrdfExport& wanted) {
+       wanted.apply.limits = wanted.apply.dynamics = wanted.apply.materials = true;
+       wanted.mesh_uri = MeshUri::relative;
+       wanted.strips_extensions = true;
+     }},
+    {"pybullet", "--apply limits,dynamics,materials --mesh-uri relative",
+     [](UrdfExport& wanted) {
+       wanted.apply.limits = wanted.apply.dynamics = wanted.apply.materials = true;
+       wanted.mesh_uri = MeshUri::relative;
+     }},
+    {"drake", "--apply all --mesh-uri relative --actuation transmission",
+     [](UrdfExport& wanted) {
+       wanted.apply = {true, true, true, true};
+       wanted.mesh_uri = MeshUri::relative;
+       wanted.actuation = Actuation::transmission;
+     }},
+};
+
+std::vector<std::string_view> preset_names() {
+  std::vector<std::string_view> names;
+  for (const Preset& preset : kPresets) names.push_back(preset.name);
+  return names;
+}
+
+Setter set_preset(UrdfExport& wanted) {
+  return [&wanted](std::string_view value) -> std::optional<std::string> {
+    for (const Preset& preset : kPresets) {
+      if (preset.name == value) preset.set(wanted);
+    }
+    return std::nullopt;
+  };
+}
+
 std::vector<Option> content_options(UrdfExport& wanted) {
   return {{.name = "apply",
            .metavar = "LIST",
@@ -40,6 +96,19 @@ std::vector<Option> content_options(UrdfExport& wanted) {
                    "(colours, textures), limits (of motors: effort, speed, range), dynamics "
                    "(damping, friction), mimic (of motors), all.",
            .set = set_apply(wanted.apply)},
+          {.name = "actuation",
+           .metavar = "FORM",
+           .help = "Write motors as ros2_control or transmission (of ros_control), for joints that "
+                   "no extension of the URDF drives yet.",
+           .values = {"none", "ros2_control", "transmission"},
+           .set = choose<Actuation>(wanted.actuation, {{"none", Actuation::none},
+                                                       {"ros2_control", Actuation::ros2_control},
+                                                       {"transmission", Actuation::transmission}})},
+          {.name = "sensors",
+           .metavar = "FORM",
+           .help = "Write sensors as those of gazebo, where it has the like; none is the default.",
+           .values = {"none", "gazebo"},
+           .set = choose<bool>(wanted.adds_gazebo_sensors, {{"none", false}, {"gazebo", true}})},
           {.name = "collapse-fixed",
            .help = "Make links on fixed joints part of the link that carries them. What an "
                    "extension or a mimic names stays a link.",
@@ -103,7 +172,19 @@ std::vector<Option> form_options(UrdfExport& wanted) {
 }
 
 std::vector<Option> run_options(Options& options) {
-  return {{.name = "loss-report",
+  return {{.name = "preset",
+           .metavar = "READER",
+           .help =
+               "The options that a reader needs: ros2, gazebo, mujoco, pybullet, drake. Options "
+               "after it win.",
+           .values = preset_names(),
+           .set = set_preset(options.conversion)},
+          {.name = "show-preset",
+           .metavar = "READER",
+           .help = "Print the options that a preset stands for, and end.",
+           .values = preset_names(),
+           .set = set_text(options.shown_preset)},
+          {.name = "loss-report",
            .metavar = "FILE",
            .help = "Write what the URDF cannot say to FILE, as JSON.",
            .set = set_text(options.loss_report)},
@@ -129,6 +210,13 @@ void add(Command& command, std::string_view group, std::vector<Option> options) 
 }
 
 }  // namespace
+
+std::string preset_text(std::string_view name) {
+  for (const Preset& preset : kPresets) {
+    if (preset.name == name) return std::string(preset.options) + "\n";
+  }
+  return {};
+}
 
 Command make_command(Options& options) {
   Command command;

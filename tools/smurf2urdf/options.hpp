@@ -14,6 +14,7 @@ struct Options {
   std::string model;
   UrdfExport conversion;
   std::string loss_report;
+  std::string shown_preset;
   bool fails_on_loss = false;
   bool force = false;
   bool prove = false;
@@ -21,6 +22,9 @@ struct Options {
 };
 
 Command make_command(Options& options);
+
+/// The options that a preset stands for, as a line of text.
+std::string preset_text(std::string_view name);
 
 /// What is wrong with the options as a whole; "" when nothing is. Fills in the folders.
 std::string problem_of(Options& options);

@@ -24,6 +24,9 @@ enum class MeshUri : std::uint8_t {
 
 enum class BaseJoint : std::uint8_t { as_is, fixed, floating };
 
+/// What motors are written as.
+enum class Actuation : std::uint8_t { none, ros2_control, transmission };
+
 /// Values of annotations that take the place of the URDF's.
 struct AppliedAnnotations {
   bool materials = false;  ///< colours, and textures where the URDF has none
@@ -40,6 +43,8 @@ struct UrdfExport {
   MeshUri mesh_uri = MeshUri::rebase;
   std::string package_name{}, package_folder{};  ///< of MeshUri::package; the folder is absolute
   AppliedAnnotations apply{};
+  Actuation actuation = Actuation::none;
+  bool adds_gazebo_sensors = false;
   bool strips_extensions = false;  ///< what URDF does not define
   bool strips_comments = false;
   bool collapses_fixed = false;

@@ -101,14 +101,15 @@ class Comparison {
   void same_masses() {
     const MassProperties a = total(source_, forward_kinematics(source_, {}));
     const MassProperties b = total(result_, forward_kinematics(result_, {}));
-    proof_.mass = relative_difference(a.mass, b.mass);
+    proof_.mass = a.mass == b.mass ? 0 : std::fabs(a.mass - b.mass) / std::fabs(a.mass);
     proof_.center_of_mass = (a.center - b.center).norm();
-    proof_.inertia = (a.inertia - b.inertia).norm() / std::max(1.0, a.inertia.norm());
-    if (proof_.mass > kTolerance) note("the total mass differs");
+    const double difference = (a.inertia - b.inertia).norm();
+    proof_.inertia = difference == 0 ? 0 : difference / a.inertia.norm();
+    if (!(proof_.mass <= kTolerance)) note("the total mass differs");
     if (proof_.center_of_mass > kTolerance * std::max(1.0, a.center.norm())) {
       note("the centre of mass differs");
     }
-    if (proof_.inertia > kTolerance) note("the inertia differs");
+    if (!(proof_.inertia <= kTolerance)) note("the inertia differs");
   }
 
   JointPositions draw(std::mt19937& random) const {

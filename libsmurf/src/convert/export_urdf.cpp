@@ -75,6 +75,10 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
   steps.edit([&](XmlEdits& edits) {
     passes::apply_annotations(model, options, sink, edits);
     passes::rewrite_paths(model, options, edits);
+    if (options.actuation != Actuation::none) {
+      passes::add_actuation(model, options.actuation, edits);
+    }
+    if (options.adds_gazebo_sensors) passes::add_gazebo_sensors(model, edits);
   });
   if (options.strips_extensions) {
     steps.edit([&](XmlEdits& edits) { passes::strip_extensions(steps.model(), edits); });

@@ -26,7 +26,7 @@ class LossReport {
     for (const MaterialAnnotation& material : all.materials) of_material(material);
     for (const Motor& motor : all.motors) of_motor(motor);
     for (const JointAnnotation& joint : all.joints) of_joint(joint);
-    whole_entries(all.sensors, "sensor");
+    for (const Sensor& sensor : all.sensors) of_sensor(sensor);
     whole_entries(all.controllers, "controller");
     whole_entries(all.poses, "joint pose set");
     whole_entries(all.lights, "light");
@@ -120,6 +120,8 @@ class LossReport {
           is_one_of(key.key(), {"maxEffort", "motorMaxForce", "maxSpeed", "maximumVelocity",
                                 "minValue", "maxValue", "minPosition", "maxPosition"});
       const bool is_mimic = key.key().starts_with("mimic_");
+      if (key.key() == "type" && joint != nullptr && options_.actuation != Actuation::none)
+        continue;
       if (joint == nullptr || (!is_limit && !is_mimic)) {
         lose_key(motor, "motor", key);
       } else if (is_limit && !options_.apply.limits && !values_.says_limit(motor, key.key())) {
@@ -128,6 +130,14 @@ class LossReport {
         not_requested(motor, "motor", key, "mimic");
       }
     }
+  }
+
+  void of_sensor(const Sensor& sensor) {
+    const bool can_say = !passes::gazebo_type(sensor).empty();
+    if (can_say && options_.adds_gazebo_sensors) return;
+    const Rule& rule = can_say ? rules::sml8002_not_requested : rules::sml8001_not_expressible;
+    lose(rule, sensor.name ? sensor.name.span : sensor.span, title(sensor, "sensor"),
+         can_say ? "is not written; see --sensors gazebo" : "has no place in a URDF");
   }
 
   void of_joint(const JointAnnotation& entry) {

@@ -16,6 +16,12 @@ namespace smurf::passes {
 /// Annotations into the URDF; reports SML8003.
 void apply_annotations(const LinkedModel& model, const UrdfExport& options, DiagnosticSink& sink,
                        XmlEdits& edits);
+/// Motors whose joints no extension drives yet, as an extension that does.
+void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edits);
+/// Sensors as <gazebo><sensor>, those that Gazebo has and the URDF does not name yet.
+void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits);
+/// Gazebo's type of a sensor; "" when it has none.
+std::string_view gazebo_type(const Sensor& sensor);
 /// Mesh and texture paths, as options.mesh_uri wants them.
 void rewrite_paths(const LinkedModel& model, const UrdfExport& options, XmlEdits& edits);
 
