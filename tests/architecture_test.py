@@ -13,12 +13,13 @@ SOURCE = ROOT / "libsmurf" / "src"
 PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
 
 # Each stage and the stages it may include besides itself. An include points left only:
-# base < syntax < ast < link < {lint, flatten, convert} < write ; base < render.
+# base < syntax < {ast, mesh} < link < {lint, flatten, convert} < write ; base < render.
 STAGES = {
     "base": set(),
     "syntax": {"base"},
     "ast": {"base", "syntax"},
-    "link": {"base", "syntax", "ast"},
+    "mesh": {"base", "syntax"},
+    "link": {"base", "syntax", "ast", "mesh"},
     "lint": {"base", "ast", "link"},
     "flatten": {"base", "syntax", "ast", "link"},
     "convert": {"base", "syntax", "ast", "link"},

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line of smurf2urdf: bytes, re-based paths, refusals, files left alone."""
+import json
 import os
 import pathlib
 import shutil
@@ -74,6 +75,82 @@ class Result(ExportTest):
                               text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertNotIn("rror", done.stdout + done.stderr)
+
+
+class Options(ExportTest):
+    def change(self, section, old, new):
+        path = f"arm/smurf/arm_{section}.yml"
+        self.assertIn(old, self.read(path))
+        self.write(path, self.read(path).replace(old, new))
+
+    def export(self, *options):
+        self.expect(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", *options)
+        return self.read("arm/urdf/o.urdf")
+
+    def test_apply(self):
+        self.change("motors", "maxEffort: 40.0", "maxEffort: 41.5")
+        self.assertEqual(self.export("--apply", "materials,dynamics,mimic"), self.source())
+        self.assertEqual(self.export("--apply", "limits"),
+                         self.source().replace('effort="40"', 'effort="41.5"'))
+        self.expect_complaint("--apply: 'limit' is none of materials, limits, dynamics, mimic, "
+                              "all; did you mean 'limits'?", "arm/smurf/arm.smurf", "--apply",
+                              "limit")
+
+    def test_everything_at_once_is_proven(self):
+        done = self.run_with_messages(
+            0, "arm/smurf/arm.smurf", "-o", "o.urdf", "--apply", "all", "--collapse-fixed",
+            "--keep", "lidar", "--prefix", "left_", "--base", "fixed", "--comments", "strip",
+            "--vendor", "strip", "--canonical", "--urdf-version", "1.0", "--prove")
+        self.assertIn("urdfdom                     accepts", done.stderr)
+        text = self.read("o.urdf")
+        self.assertIn('<link name="left_lidar">', text)
+        self.assertNotIn("tool_flange_mount", text)
+        self.assertIn('filename="arm/meshes/upper_arm.obj"', text)
+
+    def test_packages(self):
+        self.assertIn('filename="package://arm_description/meshes/upper_arm.obj"',
+                      self.export("--mesh-uri", "package", "--package-name", "arm_description"))
+        (self.folder / "other").mkdir()
+        done = self.run_with_messages(1, "arm/smurf/arm.smurf", "--mesh-uri", "package",
+                                      "--package-name", "x", "--package", "x=other")
+        self.assertIn("outside of the package's folder", done.stderr)
+        self.expect_complaint("--mesh-uri package needs --package-name", "arm/smurf/arm.smurf",
+                              "--mesh-uri", "package")
+
+    def test_keep_must_name_something(self):
+        done = self.run_with_messages(1, "arm/smurf/arm.smurf", "--collapse-fixed", "--keep",
+                                      "lider")
+        self.assertIn("has no link or joint `lider` to keep; did you mean 'lidar'?", done.stderr)
+        self.expect_complaint("--keep goes with --collapse-fixed", "arm/smurf/arm.smurf",
+                              "--keep", "lidar")
+
+    def test_losses(self):
+        self.change("motors", "maxEffort: 40.0", "maxEffort: 41.5")
+        self.export("--loss-report", "lost.json")
+        losses = json.loads(self.read("lost.json"))["losses"]
+        classes = {loss["pointer"]: loss["class"] for loss in losses}
+        self.assertEqual(classes["/motors/0/p"], "not-expressible")
+        self.assertEqual(classes["/motors/0/maxEffort"], "not-requested")
+        self.assertNotIn("/motors/0/maxSpeed", classes)
+        self.assertEqual(classes["/sensors/0/name"], "not-expressible")
+        self.assertEqual(classes["/sensors/8/name"], "not-requested")
+        self.assertTrue(all(loss["file"].startswith("arm/smurf/arm_") for loss in losses))
+        done = self.run_with_messages(1, "arm/smurf/arm.smurf", "-o", "o.urdf", "--fail-on-loss")
+        self.assertIn("SML8002", done.stderr)
+        self.assertIn("has losses; nothing was written", done.stderr)
+        self.assertFalse((self.folder / "o.urdf").exists())
+        self.expect(0, "arm/urdf/arm.urdf", "-o", "o.urdf", "--fail-on-loss")
+
+    def test_presets_are_the_options_that_they_show(self):
+        for preset in ("ros2", "gazebo", "mujoco", "pybullet", "drake"):
+            options = self.expect(0, "--show-preset", preset).stdout.split()
+            self.assertEqual(self.export("--preset", preset), self.export(*options))
+        self.assertIn("<ros2_control", self.export("--preset", "ros2"))
+        self.assertNotIn("<ros2_control",
+                         self.export("--preset", "ros2", "--actuation", "none"))
+
+    def test_dry_run(self):
+        self.assertEqual(self.expect(0, "arm/smurf/arm.smurf", "--dry-run").stdout, "")
 
 
 class Refusal(ExportTest):

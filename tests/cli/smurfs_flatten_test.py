@@ -78,7 +78,10 @@ class Result(FlattenTest):
 
     def test_fixtures(self):
         for name, count in [("example/example", 5), ("showcase/showcase", 5)]:
-            flat = self.flat(cli.FIXTURES / f"scenes/{name}.smurfs")
+            done = self.run_tool(cli.FIXTURES / f"scenes/{name}.smurfs")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotRegex(done.stderr, r"(?m)^(warning|error)")
+            flat = json.loads(done.stdout)
             self.assertEqual(len(flat["instances"]), count)
             self.assertEqual(len({i["path"] for i in flat["instances"]}), count)
 

@@ -46,6 +46,6 @@ if(PKG_CONFIG)
   run_consumer(${WORK}/consumer)
 endif()
 
-foreach(tool smurf-lint smurf2urdf smurfs-flatten)
+foreach(tool smurf-lint smurf2urdf urdf2smurf smurfs-flatten)
   run(${WORK}/prefix/bin/${tool} --version)
 endforeach()

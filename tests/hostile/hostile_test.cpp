@@ -41,7 +41,8 @@ std::string repeat(std::string_view text, std::size_t times) {
 std::size_t check(const FileReader& files, const std::string& path, bool renders) {
   SourceMap sources;
   DiagnosticSink sink;
-  LoadContext context{sources, files, sink, {}, {}};
+  MeshLibrary meshes;
+  LoadContext context{sources, files, sink, {}, {}, {}, &meshes};
   std::vector<Diagnostic> diagnostics;
   if (path.ends_with(".smurfs")) {
     const LinkedScene scene = load_scene(path, context);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The two schemas that are written by hand say yes to what the tools write and no to near misses.
+// The schemas that are written by hand say yes to what the tools write and no to near misses.
 #include <initializer_list>
 
 #include <doctest/doctest.h>
@@ -65,6 +65,21 @@ TEST_CASE("the report of diagnostics") {
          {"/diagnostics/0/fix", R"({"edits": []})"},
          {"/diagnostics/0/fix/edits/0", R"({"end": null})"},
          {"/diagnostics/0/labels/0", R"({"message": null})"}});
+}
+
+TEST_CASE("the report of losses") {
+  const Reading reading(FileKind::annotations, "motors:\n- {name: a, joint: b, p: 3}\n");
+  DiagnosticSink sink;
+  sink.report(*find_rule("SML8001"), {SourceId{0}, 10, 12}, "`p` has no place").pointer = "/a";
+  const Json report =
+      Json::parse(render_losses_json(sink.diagnostics(), reading.sources, {"smurf2urdf", "0.1.0"}));
+  check("loss-report.schema.json", report,
+        {{"", R"({"losses": null})"},
+         {"", R"({"summary": {}})"},
+         {"/losses/0", R"({"class": "vendor"})"},
+         {"/losses/0", R"({"id": "SML3101"})"},
+         {"/losses/0", R"({"pointer": null})"},
+         {"/losses/0", R"({"line": 0})"}});
 }
 
 TEST_CASE("the flat scene") {

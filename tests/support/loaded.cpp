@@ -10,7 +10,7 @@ std::string brief(const Diagnostic& diagnostic, const SourceMap& sources) {
 }
 
 void Loaded::load(const std::string& path) {
-  LoadContext context{sources, files, sink, {}, {}};
+  LoadContext context{sources, files, sink, {}, {}, {}, &meshes};
   model = load_model(path, context);
   lint_model(model, {}, sink);
   diagnostics = sink.take();

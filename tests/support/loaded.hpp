@@ -17,6 +17,7 @@ std::string brief(const Diagnostic& diagnostic, const SourceMap& sources);
 struct Loaded {
   SourceMap sources;
   MemoryFiles files;
+  MeshLibrary meshes;
   DiagnosticSink sink;
   LinkedModel model;
   std::vector<Diagnostic> diagnostics;

@@ -52,8 +52,11 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST_CASE("an export edits mesh paths and nothing else") {
   const Read source(kUrdf);
   const auto to = [&](const std::string& folder) {
-    return export_urdf(source.model, source.sources,
-                       {.output_folder = folder, .current_folder = "/home/ada"});
+    UrdfExport options;
+    options.output_folder = folder;
+    options.current_folder = "/home/ada";
+    DiagnosticSink sink;
+    return export_urdf(source.model, source.sources, options, sink);
   };
   CHECK(to("lamp/urdf") == kUrdf);
   CHECK(to("lamp/other") == kUrdf);  // resolves from there as well

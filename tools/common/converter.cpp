@@ -48,6 +48,17 @@ std::optional<LinkedModel> Conversion::load_model(const std::string& path) {
   return smurf::load_model(*name, loading);
 }
 
+std::optional<xml::Document> Conversion::load_xml(const std::string& path) {
+  if (const auto reason = why_unreadable(path, files_)) {
+    complain(tool_, "cannot read '" + path + "': " + *reason);
+    return std::nullopt;
+  }
+  LoadContext loading = context();
+  auto document = smurf::load_xml(path, loading);
+  if (!document) complain(tool_, "'" + path + "' is not well-formed XML");
+  return document;
+}
+
 std::optional<LinkedScene> Conversion::load_scene(const std::string& path) {
   const auto name = open(path);
   if (!name) return std::nullopt;
@@ -98,6 +109,21 @@ ExitCode Conversion::write_reports(std::vector<Diagnostic> diagnostics, std::siz
     }
   }
   return summary.errors > 0 ? kFindings : judge(summary, options_.threshold);
+}
+
+bool Conversion::report_losses(const LinkedModel& model, std::vector<Diagnostic> losses,
+                               const std::string& file, bool are_refused) {
+  locate(model, losses);
+  losses = finish(std::move(losses), sources_, {});
+  if (!file.empty() &&
+      !write_output(tool_, file, render_losses_json(losses, sources_, {tool_, kVersion}))) {
+    return false;
+  }
+  if (!are_refused) return true;
+  for (const Diagnostic& loss : losses) {
+    write_error(render_concise(loss, sources_, style_for(Stream::error, options_.color)));
+  }
+  return losses.empty();
 }
 
 ExitCode Conversion::refuse(std::string_view reason) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/command.hpp"
+#include "common/input.hpp"
 #include "common/report.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
@@ -38,12 +39,18 @@ class Conversion {
 
   /// None when the file cannot be read; that has been said.
   std::optional<LinkedModel> load_model(const std::string& path);
+  std::optional<xml::Document> load_xml(const std::string& path);
   std::optional<LinkedScene> load_scene(const std::string& path);
 
   /// Runs the rules and reports. kFindings when the result is to be refused: there is an error, or
   /// something else that reaches the threshold.
   ExitCode report(const LinkedModel& model);
   ExitCode report(const LinkedScene& scene);
+
+  /// Writes the losses to `file`, when it names one. False when that fails, or when there are any
+  /// and `are_refused`, in which case they are listed.
+  bool report_losses(const LinkedModel& model, std::vector<Diagnostic> losses,
+                     const std::string& file, bool are_refused);
 
   /// "smurf2urdf: PATH reason"; kFindings.
   ExitCode refuse(std::string_view reason) const;
@@ -53,7 +60,9 @@ class Conversion {
   DiagnosticSink& sink() { return sink_; }
 
  private:
-  LoadContext context() { return {sources_, files_, sink_, {}, options_.packages}; }
+  LoadContext context() {
+    return {sources_, files_, sink_, {}, options_.packages, package_folders_of_environment()};
+  }
   std::optional<std::string> open(const std::string& path);
   ExitCode write_reports(std::vector<Diagnostic> diagnostics, std::size_t models,
                          std::size_t scenes);

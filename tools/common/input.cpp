@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
@@ -35,6 +36,17 @@ bool is_xml(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && text[first] == '<';
+}
+
+/// The entries of a list such as PATH, each followed by `suffix`.
+void append_entries(const char* variable, std::string_view suffix, std::vector<std::string>& to) {
+  const char* value = std::getenv(variable);
+  std::string_view rest = value == nullptr ? "" : value;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    if (end > 0) to.push_back(path::join(rest.substr(0, end), suffix));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
 }
 
 }  // namespace
@@ -78,6 +90,13 @@ std::optional<std::string> why_unreadable(const std::string& path, const FileRea
     return std::nullopt;
   }
   return content.reason;
+}
+
+std::vector<std::string> package_folders_of_environment() {
+  std::vector<std::string> folders;
+  append_entries("ROS_PACKAGE_PATH", ".", folders);
+  append_entries("AMENT_PREFIX_PATH", "share", folders);
+  return folders;
 }
 
 std::string identity(const std::string& path) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "smurf/file_reader.hpp"
 
@@ -24,6 +25,9 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
 /// Why the user's path cannot be checked: "No such file or directory", "is not a regular file".
 /// None when it can be read.
 std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files);
+
+/// Where ROS keeps packages on this machine: ROS_PACKAGE_PATH, then share/ of AMENT_PREFIX_PATH.
+std::vector<std::string> package_folders_of_environment();
 
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path);

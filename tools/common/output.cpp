@@ -37,13 +37,16 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-/// Writes and closes; a full disk may be noticed as late as at the end.
+}  // namespace
+
 int write_and_close(int descriptor, std::string_view text, bool sync) {
   int error = write_all(descriptor, text);
   if (error == 0 && sync && ::fsync(descriptor) != 0 && errno != EINVAL) error = errno;
   if (::close(descriptor) != 0 && error == 0) error = errno;
   return error;
 }
+
+namespace {
 
 int write_directly(const std::string& path, std::string_view text) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);

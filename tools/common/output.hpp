@@ -4,7 +4,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "smurf/new_model.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf::tools {
@@ -24,6 +26,15 @@ void write_error(std::string_view text);
 /// A file is written beside its place and renamed, with the mode of the file it replaces, so that a
 /// failed run leaves the old one; links are followed; devices and pipes are written directly.
 bool write_output(std::string_view tool, const std::string& path, std::string_view text);
+
+/// Writes to an open file and closes it; 0 or an errno. A full disk may be noticed as late as at
+/// the end.
+int write_and_close(int descriptor, std::string_view text, bool sync);
+
+/// Writes all files or none, and complains if it cannot. Paths start from `folder`; folders that
+/// are missing are made. Existing files are an error unless `overwrite`.
+bool write_files(std::string_view tool, const std::string& folder,
+                 const std::vector<TextFile>& files, bool overwrite);
 
 enum class ColorChoice { automatic, always, never };
 

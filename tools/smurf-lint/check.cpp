@@ -85,7 +85,7 @@ class Checker {
   }
 
   LoadContext make_context(DiagnosticSink& sink) {
-    return {checked_.sources, files_, sink, {}, options_.packages};
+    return {checked_.sources, files_, sink, {}, options_.packages, package_folders_, &meshes_};
   }
 
   template <class Loaded>
@@ -117,6 +117,8 @@ class Checker {
   const LintOptions& options_;
   const FileReader& files_;
   Checked& checked_;
+  const std::vector<std::string> package_folders_ = package_folders_of_environment();
+  MeshLibrary meshes_;
   std::vector<Diagnostic> diagnostics_;
   Suppressions suppressions_;
   std::set<std::string> models_, scenes_, read_;  ///< by identity

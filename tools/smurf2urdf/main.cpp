@@ -5,6 +5,7 @@
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "smurf/convert.hpp"
+#include "smurf2urdf/options.hpp"
 #include "smurf2urdf/verify.hpp"
 
 using namespace smurf;
@@ -14,46 +15,43 @@ namespace {
 
 constexpr std::string_view kTool = "smurf2urdf";
 
-struct Options {
-  ConverterOptions common;
-  std::string model;
-  bool force = false;
-  bool prove = false;
-};
-
-Command make_command(Options& options) {
-  Command command;
-  command.name = kTool;
-  command.summary =
-      "Exports the plain URDF of a SMURF model: its own URDF, byte for byte, with mesh "
-      "paths that resolve from where it is written.";
-  command.operands = "MODEL";
-  command.details =
-      "MODEL is a .smurf or .urdf file. A model with errors is refused. The result is read again "
-      "and compared with the source before it is written: urdfdom must accept it, and every link "
-      "pose, mass, inertia and limit must be equal.";
-  command.options = converter_options(options.common, "Write the URDF to FILE; without it, or with "
-                                                      "'-', to standard output.");
-  command.options.push_back({.group = "Conversion",
-                             .name = "force",
-                             .help = "Export a model with errors as well.",
-                             .set = set_flag(options.force)});
-  command.options.push_back({.group = "Conversion",
-                             .name = "prove",
-                             .help = "Print what was compared, on standard error.",
-                             .set = set_flag(options.prove)});
-  command.set_operand = take_one_operand(options.model);
-  command.examples = {{"smurf2urdf robot.smurf -o robot.urdf", "export a model"},
-                      {"smurf2urdf robot.smurf | check_urdf /dev/stdin", "pass it on"}};
-  return command;
+/// Nearest folder above the URDF that holds a package.xml; without one, the folder above urdf/, as
+/// Phobos takes it.
+std::string package_folder(const LinkedModel& model, const Options& options) {
+  const auto given = options.common.packages.find(options.conversion.package_name);
+  const std::string& current = options.conversion.current_folder;
+  if (given != options.common.packages.end()) return path::join(current, given->second);
+  const DiskFiles disk;
+  const std::string urdf_folder(path::parent(path::join(current, model.urdf_path)));
+  for (std::string folder = urdf_folder; folder.size() > 1; folder = path::join(folder, "..")) {
+    if (disk.is_file(path::join(folder, "package.xml"))) return folder;
+  }
+  return path::join(urdf_folder, "..");
 }
 
-/// Standard output counts as the current folder.
-UrdfExport export_options(const Options& options) {
-  const std::string& output = options.common.output;
-  const bool to_stdout = output.empty() || output == "-";
-  return {.output_folder = to_stdout ? "." : std::string(path::parent(output)),
-          .current_folder = std::filesystem::current_path().generic_string()};
+/// What keeps the options from being carried out on this model; "" when nothing does.
+std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
+  if (options.base != BaseJoint::as_is) {
+    if (model.tree.roots.size() != 1) return "has no single root that --base could hold";
+    if (model.link_names.contains("world")) return "has a link `world` already; leave --base out";
+  }
+  if (options.mesh_uri == MeshUri::package) {
+    for (const MeshReference& mesh : model.meshes) {
+      const std::string target = path::join(options.current_folder, mesh.path);
+      if (!mesh.exists || !path::relative(target, options.package_folder).starts_with("..")) {
+        continue;
+      }
+      return "uses '" + mesh.filename + "', which is outside of the package's folder '" +
+             options.package_folder + "'; see --package";
+    }
+  }
+  for (const std::string& name : options.keep) {
+    if (!model.link_names.contains(name) && !model.joint_names.contains(name)) {
+      return "has no link or joint `" + name + "` to keep" +
+             did_you_mean(name, model.link_names.names());
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -62,17 +60,38 @@ int main(int argc, char** argv) {
   prepare_streams();
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
+  if (!options.shown_preset.empty()) {
+    return write_output(kTool, {}, preset_text(options.shown_preset)) ? kDone : kFailed;
+  }
+  if (const std::string problem = problem_of(options); !problem.empty()) {
+    complain(kTool, problem);
+    return kFailed;
+  }
 
   Conversion conversion(kTool, options.common);
   const auto model = conversion.load_model(options.model);
   if (!model) return conversion.fail();
   const ExitCode verdict = conversion.report(*model);
+  if (verdict == kFailed) return kFailed;
   if (!model->robot) return kFindings;
   if (verdict != kDone && !options.force) return conversion.refuse("has errors; see --force");
 
-  const std::string urdf = export_urdf(*model, conversion.sources(), export_options(options));
-  const Verification verification = verify(*model, urdf, verdict == kDone);
+  UrdfExport& wanted = options.conversion;
+  if (wanted.mesh_uri == MeshUri::package) wanted.package_folder = package_folder(*model, options);
+  if (const std::string problem = problem_of(*model, wanted); !problem.empty()) {
+    return conversion.refuse(problem);
+  }
+  DiagnosticSink losses;
+  report_losses(*model, wanted, losses);
+  const std::string urdf = export_urdf(*model, conversion.sources(), wanted, losses);
+  const Verification verification =
+      verify(*model, conversion.sources(), urdf, wanted, verdict == kDone);
   if (options.prove) write_error(describe(verification));
   if (!verification.holds()) return conversion.refuse(verification.problem);
+  if (!conversion.report_losses(*model, losses.take(), options.loss_report,
+                                options.fails_on_loss)) {
+    return options.fails_on_loss ? conversion.refuse("has losses") : kFailed;
+  }
+  if (options.dry_run) return kDone;
   return write_output(kTool, options.common.output, urdf) ? kDone : kFailed;
 }

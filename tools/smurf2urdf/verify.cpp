@@ -6,19 +6,47 @@
 
 namespace smurf::tools {
 
-Verification verify(const LinkedModel& model, const std::string& urdf, bool is_sound) {
-  Verification verification;
+namespace {
+
+/// A URDF read on its own.
+struct Plain {
   SourceMap sources;
   MemoryFiles files;
   DiagnosticSink sink;
-  files.add("result.urdf", urdf);
-  LoadContext context{sources, files, sink, {}, {}};
-  const LinkedModel result = load_model("result.urdf", context);
+  LinkedModel model;
+
+  explicit Plain(std::string_view urdf) {
+    files.add("plain.urdf", std::string(urdf));
+    LoadContext context{sources, files, sink, {}, {}};
+    model = load_model("plain.urdf", context);
+  }
+
+  /// Where mimics were asked to change, all joints are compared as independent ones.
+  void forget_mimics() {
+    if (!model.robot) return;
+    for (urdf::Joint& joint : model.robot->joints) joint.mimic.reset();
+  }
+};
+
+}  // namespace
+
+Verification verify(const LinkedModel& model, const SourceMap& sources, const std::string& urdf,
+                    const UrdfExport& options, bool is_sound) {
+  Verification verification;
+  Plain plain(urdf);
+  LinkedModel& result = plain.model;
   if (!result.robot) {
     verification.problem = "the result cannot be read again; this is a defect of this tool";
     return verification;
   }
-  verification.proof = compare_models(model, result);
+  if (options.apply.mimic) {
+    Plain source(sources.text(model.robot->document.source));
+    source.forget_mimics();
+    plain.forget_mimics();
+    verification.proof = compare_models(source.model, result, proof_scope(options));
+  } else {
+    verification.proof = compare_models(model, result, proof_scope(options));
+  }
   if (!verification.proof.holds()) {
     verification.problem = "the result is another robot: " + verification.proof.difference;
   }

@@ -18,7 +18,8 @@ struct Verification {
 
 /// Reads `urdf` again and compares it with the model it came from. urdfdom is asked only about the
 /// export of a model without errors, because it crashes on some broken ones.
-Verification verify(const LinkedModel& model, const std::string& urdf, bool is_sound);
+Verification verify(const LinkedModel& model, const SourceMap& sources, const std::string& urdf,
+                    const UrdfExport& options, bool is_sound);
 
 /// The figures, a line each.
 std::string describe(const Verification& verification);

@@ -1,26 +1,96 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SMURF models to plain URDF, with the proof that the result is the same robot.
+// SMURF models to plain URDF and back, with the proof that the result is the same robot.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/linked.hpp"
+#include "smurf/new_model.hpp"
 
 namespace smurf {
+
+/// How meshes and textures are named.
+enum class MeshUri : std::uint8_t {
+  rebase,    ///< relative paths resolve from the output folder; others stay
+  relative,  ///< all that exist
+  package,   ///< package://NAME/...
+  absolute,
+  file,  ///< file:///...
+  keep   ///< as they are written
+};
+
+enum class BaseJoint : std::uint8_t { as_is, fixed, floating };
+
+/// What motors are written as.
+enum class Actuation : std::uint8_t { none, ros2_control, transmission };
+
+/// Values of annotations that take the place of the URDF's.
+struct AppliedAnnotations {
+  bool materials = false;  ///< colours, and textures where the URDF has none
+  bool limits = false;     ///< of motors
+  bool dynamics = false;   ///< of joints
+  bool mimic = false;      ///< of motors
+};
 
 struct UrdfExport {
   /// Folder the URDF is written to; mesh and texture paths are re-based so that they resolve there.
   std::string output_folder = ".";
   /// Absolute path that relative paths start from.
   std::string current_folder = "/";
+  MeshUri mesh_uri = MeshUri::rebase;
+  std::string package_name{}, package_folder{};  ///< of MeshUri::package; the folder is absolute
+  AppliedAnnotations apply{};
+  Actuation actuation = Actuation::none;
+  bool adds_gazebo_sensors = false;
+  bool strips_extensions = false;  ///< what URDF does not define
+  bool strips_comments = false;
+  bool collapses_fixed = false;
+  std::vector<std::string> keep{};  ///< links and joints that are not collapsed
+  std::string prefix{};             ///< of names
+  BaseJoint base = BaseJoint::as_is;
+  std::string version{};  ///< that the URDF claims; empty: as it is
+  bool is_canonical = false;
 };
 
 /// The model's own URDF, byte for byte but for relative mesh and texture paths that would not
-/// resolve from the output folder. Precondition: model.robot is set.
+/// resolve from the output folder, and what the options ask for. Reports what is ambiguous
+/// (SML8003). Preconditions: model.robot is set; with a base, the tree has one root and no link is
+/// called `world`.
 std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
-                        const UrdfExport& options);
+                        const UrdfExport& options, DiagnosticSink& sink);
+
+/// Reports every annotation that the export cannot say or was not asked to say (SML8001, 8002), and
+/// every extension it leaves out (SML8004).
+void report_losses(const LinkedModel& model, const UrdfExport& options, DiagnosticSink& sink);
+
+/// Where the files of a new model stand.
+enum class SmurfLayout : std::uint8_t {
+  phobos,   ///< smurf/NAME.smurf, smurf/NAME_*.yml, urdf/NAME.urdf
+  flat,     ///< all in one folder
+  in_place  ///< the URDF stays where it is; the rest as in flat
+};
+
+/// Which joints get a motor.
+enum class MotorChoice : std::uint8_t { declared, all, none };
+
+struct UrdfImport {
+  std::string name{};  ///< of the files
+  std::string output_folder = ".";
+  /// Absolute path that relative paths start from.
+  std::string current_folder = "/";
+  SmurfLayout layout = SmurfLayout::phobos;
+  MotorChoice motors = MotorChoice::declared;
+  const xml::Document* srdf = nullptr;  ///< may be null
+};
+
+/// A SMURF model around a URDF, which stays whole: mesh paths are re-based, and an unnamed
+/// collision gets a name where a sensor must refer to it. Reports what has no section as SML8101.
+/// Precondition: model.robot is set.
+NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const UrdfImport& options,
+                     DiagnosticSink& sink);
 
 /// How far two models differ. Zero everywhere means the same robot.
 struct Proof {
@@ -37,9 +107,19 @@ struct Proof {
   bool holds() const { return difference.empty(); }
 };
 
+/// What a conversion may change without being wrong.
+struct ProofScope {
+  std::string prefix{};          ///< of all names of the result
+  bool may_merge_links = false;  ///< links on fixed joints may be gone
+  bool may_add_base = false;     ///< the link `world` and its joint may be new
+  bool may_change_limits = false;
+};
+ProofScope proof_scope(const UrdfExport& options);
+
 /// Compares kinematics at zero and at seeded random joint positions, masses and limits, by names.
 /// Links and joints that only one of the two has are a difference.
-Proof compare_models(const LinkedModel& source, const LinkedModel& result);
+Proof compare_models(const LinkedModel& source, const LinkedModel& result,
+                     const ProofScope& scope = {});
 
 /// What urdfdom says of a URDF text.
 struct RefereeVerdict {

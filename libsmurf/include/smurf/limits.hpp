@@ -8,6 +8,7 @@ namespace smurf {
 
 struct Limits {
   std::uint64_t file_bytes = 256ULL << 20U;      ///< a text file that is read whole
+  std::uint64_t mesh_bytes = 128ULL << 20U;      ///< a mesh file; 2.7 million triangles of STL
   std::uint32_t yaml_depth = 100;                ///< nested lists and mappings
   std::uint64_t yaml_expanded_nodes = 20000000;  ///< nodes after aliases are followed
   std::uint32_t xml_depth = 90;                  ///< nested elements; tinyxml2 stops at 99

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "smurf/mesh.hpp"
 #include "smurf/model.hpp"
 #include "smurf/pose.hpp"
 #include "smurf/scene.hpp"
@@ -53,14 +54,32 @@ class NameTable {
   std::unordered_map<std::string_view, std::uint32_t> by_name_;
 };
 
-/// A path written in a URDF and the file it means, in the view of URDF readers (relative to the
+/// A path written in a URDF and the files it means, in the view of URDF readers (relative to the
 /// URDF's folder) and of MARS (relative to the .smurf's folder).
 struct MeshReference {
   Span span;
   std::string filename;  ///< as written
-  std::string path;      ///< resolved; empty when it cannot be (unknown package)
-  bool exists = false;
   bool is_texture = false;
+
+  std::string path;  ///< resolved; empty when it cannot be (unknown package, other scheme)
+  bool exists = false;
+  /// When nothing is at `path`: a file whose path differs only in case or in `/` for `\`.
+  std::string similar;
+  const MeshFile* file = nullptr;  ///< what is at `path`; null when it was not opened
+
+  /// What MARS opens: the .bobj of this mesh where there is one (smurf.cpp:1070-1111). Empty for
+  /// a URDF without .smurf, and for addresses, which MARS does not understand.
+  std::string mars_path;
+  bool mars_exists = false;
+  const MeshFile* mars_file = nullptr;
+};
+
+/// An image that an annotation names, relative to the .smurf (MARS MaterialData.cpp:112-115).
+struct TextureReference {
+  Span span;
+  std::string filename;  ///< as written
+  std::string path;      ///< resolved
+  bool exists = false;
 };
 
 /// A file of a model and what is known of it.
@@ -84,7 +103,8 @@ struct LinkedModel {
   KinematicTree tree;
   NameTable link_names, joint_names, visual_names, collision_names, material_names;
   NameTable motor_names, sensor_names;
-  std::vector<MeshReference> meshes;
+  std::vector<MeshReference> meshes;  ///< of the URDF, in document order
+  std::vector<TextureReference> annotation_textures;
   /// Annotation files beside the main file, named like its own, that `files` does not list.
   std::vector<std::string> unlisted_files;
   /// False when a file is missing or broken: names that seem unknown may be in it.

@@ -2,12 +2,14 @@
 // From a path to a linked model or scene.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/linked.hpp"
+#include "smurf/mesh.hpp"
 
 namespace smurf {
 
@@ -18,6 +20,9 @@ struct LoadContext {
   DiagnosticSink& sink;
   Limits limits;
   std::map<std::string, std::string> packages;  ///< package:// names to folders
+  /// Folders that hold packages: those of ROS_PACKAGE_PATH, and share/ of AMENT_PREFIX_PATH.
+  std::vector<std::string> package_folders = {};
+  MeshLibrary* meshes = nullptr;  ///< null: meshes are looked up, but not opened
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Everything wrong is reported; what could
@@ -26,5 +31,8 @@ LinkedModel load_model(const std::string& path, LoadContext& context);
 
 /// Loads a .smurfs or .smurfa with all scenes and models it names.
 LinkedScene load_scene(const std::string& path, LoadContext& context);
+
+/// Reads any XML file, an SRDF for example. None when it is missing or broken; that was reported.
+std::optional<xml::Document> load_xml(const std::string& path, LoadContext& context);
 
 }  // namespace smurf

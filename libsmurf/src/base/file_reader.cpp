@@ -107,9 +107,11 @@ std::vector<std::string> MemoryFiles::list(const std::string& folder) const {
   std::vector<std::string> names;
   if (behind_ != nullptr) names = behind_->list(folder);
   const std::string wanted = path::normalize(folder);
+  const std::string prefix = wanted == "." ? "" : wanted == "/" ? wanted : wanted + "/";
   for (const auto& [path, text] : files_) {
-    const std::string_view in = path::parent(path);
-    if ((in.empty() ? "." : in) == wanted) names.emplace_back(path::file_name(path));
+    if (!path.starts_with(prefix) || (prefix.empty() && path::is_absolute(path))) continue;
+    const std::string_view rest = std::string_view(path).substr(prefix.size());
+    names.emplace_back(rest.substr(0, rest.find('/')));
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());

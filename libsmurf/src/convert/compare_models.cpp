@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "base/numbers.hpp"
 #include "convert/mass_properties.hpp"
@@ -18,15 +19,16 @@ double relative_difference(double a, double b) {
 
 class Comparison {
  public:
-  Comparison(const LinkedModel& source, const LinkedModel& result)
-      : source_(source), result_(result) {}
+  Comparison(const LinkedModel& source, const LinkedModel& result, const ProofScope& scope)
+      : source_(source), result_(result), scope_(scope) {}
 
   Proof run() {
-    same_names("link", source_.link_names, result_.link_names);
-    same_names("joint", source_.joint_names, result_.joint_names);
+    for (const urdf::Link& link : source_.robot->links) merges(link);
+    same_names("link", source_.link_names, result_.link_names, merged_links_);
+    same_names("joint", source_.joint_names, result_.joint_names, merged_joints_);
     if (!proof_.difference.empty()) return proof_;
     proof_.links = source_.robot->links.size();
-    same_limits();
+    if (!scope_.may_change_limits) same_limits();
     same_masses();
     constexpr int kConfigurations = 5;
     std::mt19937 random(20260101);  // seeded: the same proof on every run
@@ -41,22 +43,43 @@ class Comparison {
     if (proof_.difference.empty()) proof_.difference = difference;
   }
 
-  void same_names(const std::string& kind, const NameTable& a, const NameTable& b) {
+  /// A link on a fixed joint that may be part of another one.
+  void merges(const urdf::Link& link) {
+    const auto index = link.name ? source_.link_names.find(*link.name) : std::nullopt;
+    if (!scope_.may_merge_links || !index || !source_.tree.parent_joint[*index]) return;
+    const urdf::Joint& joint = source_.joint(*source_.tree.parent_joint[*index]);
+    if (joint.type != urdf::JointType::fixed || result_.link_names.contains(renamed(*link.name))) {
+      return;
+    }
+    merged_links_.insert(*link.name);
+    if (joint.name) merged_joints_.insert(*joint.name);
+  }
+
+  std::string renamed(std::string_view name) const { return scope_.prefix + std::string(name); }
+
+  void same_names(const std::string& kind, const NameTable& a, const NameTable& b,
+                  const std::set<std::string_view>& merged) {
+    std::set<std::string> expected;
     for (const std::string_view name : a.names()) {
-      if (!b.contains(name)) note("the " + kind + " `" + std::string(name) + "` is lost");
+      if (merged.contains(name)) continue;
+      expected.insert(renamed(name));
+      if (!b.contains(renamed(name))) note("the " + kind + " `" + std::string(name) + "` is lost");
     }
     for (const std::string_view name : b.names()) {
-      if (!a.contains(name)) note("the " + kind + " `" + std::string(name) + "` is new");
+      const bool is_base = scope_.may_add_base && name.starts_with("world");
+      if (!is_base && !expected.contains(std::string(name))) {
+        note("the " + kind + " `" + std::string(name) + "` is new");
+      }
     }
   }
 
   const urdf::Joint& result_joint(const urdf::Joint& joint) const {
-    return result_.robot->joints[*result_.joint_names.find(*joint.name)];
+    return result_.robot->joints[*result_.joint_names.find(renamed(*joint.name))];
   }
 
   void same_limits() {
     for (const urdf::Joint& joint : source_.robot->joints) {
-      if (!joint.name) continue;
+      if (!joint.name || merged_joints_.contains(*joint.name)) continue;
       const urdf::Joint& other = result_joint(joint);
       const urdf::Limit a = joint.limit.value_or(urdf::Limit{});
       const urdf::Limit b = other.limit.value_or(urdf::Limit{});
@@ -78,14 +101,15 @@ class Comparison {
   void same_masses() {
     const MassProperties a = total(source_, forward_kinematics(source_, {}));
     const MassProperties b = total(result_, forward_kinematics(result_, {}));
-    proof_.mass = relative_difference(a.mass, b.mass);
+    proof_.mass = a.mass == b.mass ? 0 : std::fabs(a.mass - b.mass) / std::fabs(a.mass);
     proof_.center_of_mass = (a.center - b.center).norm();
-    proof_.inertia = (a.inertia - b.inertia).norm() / std::max(1.0, a.inertia.norm());
-    if (proof_.mass > kTolerance) note("the total mass differs");
+    const double difference = (a.inertia - b.inertia).norm();
+    proof_.inertia = difference == 0 ? 0 : difference / a.inertia.norm();
+    if (!(proof_.mass <= kTolerance)) note("the total mass differs");
     if (proof_.center_of_mass > kTolerance * std::max(1.0, a.center.norm())) {
       note("the centre of mass differs");
     }
-    if (proof_.inertia > kTolerance) note("the inertia differs");
+    if (!(proof_.inertia <= kTolerance)) note("the inertia differs");
   }
 
   JointPositions draw(std::mt19937& random) const {
@@ -108,11 +132,14 @@ class Comparison {
   void same_poses(const JointPositions& positions) {
     ++proof_.joint_positions;
     const auto a = forward_kinematics(source_, positions);
-    const auto b = forward_kinematics(result_, positions);
+    JointPositions renamed_positions;
+    for (const auto& [name, position] : positions) renamed_positions[renamed(name)] = position;
+    const auto b = forward_kinematics(result_, renamed_positions);
     for (std::size_t i = 0; i < a.size(); ++i) {
       const urdf::Link& link = source_.robot->links[i];
       if (!link.name || source_.link_names.find(*link.name) != i) continue;
-      const std::optional<Pose>& other = b[*result_.link_names.find(*link.name)];
+      if (merged_links_.contains(*link.name)) continue;
+      const std::optional<Pose>& other = b[*result_.link_names.find(renamed(*link.name))];
       if (a[i].has_value() != other.has_value()) {
         note("the link `" + *link.name + "` is connected in one model only");
         continue;
@@ -136,13 +163,23 @@ class Comparison {
 
   const LinkedModel& source_;
   const LinkedModel& result_;
+  const ProofScope& scope_;
+  std::set<std::string_view> merged_links_, merged_joints_;
   Proof proof_;
 };
 
 }  // namespace
 
-Proof compare_models(const LinkedModel& source, const LinkedModel& result) {
-  return Comparison(source, result).run();
+ProofScope proof_scope(const UrdfExport& options) {
+  return {.prefix = options.prefix,
+          .may_merge_links = options.collapses_fixed,
+          .may_add_base = options.base != BaseJoint::as_is,
+          .may_change_limits = options.apply.limits};
+}
+
+Proof compare_models(const LinkedModel& source, const LinkedModel& result,
+                     const ProofScope& scope) {
+  return Comparison(source, result, scope).run();
 }
 
 }  // namespace smurf

@@ -1,34 +1,111 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The export edits bytes; it never prints a tree (urdfdom's own export loses names, extensions,
-// comments and digits).
+// The export edits bytes; it never prints a tree unless asked for the canonical form (urdfdom's own
+// export loses names, extensions, comments and digits). Each step works on what the step before it
+// wrote, read again, so that no step has to know of another.
+#include <functional>
+#include <memory>
+
 #include "base/edits.hpp"
 #include "base/path.hpp"
-#include "smurf/convert.hpp"
+#include "convert/passes.hpp"
+#include "convert/rebase.hpp"
+#include "smurf/load.hpp"
 
 namespace smurf {
 namespace {
 
-bool is_relative_path(std::string_view filename) {
-  return !filename.empty() && !path::is_absolute(filename) &&
-         filename.find("://") == std::string_view::npos;
-}
+/// A text between two steps, with its model.
+class Stepper {
+ public:
+  Stepper(const LinkedModel& model, std::string_view text) : model_(&model), text_(text) {}
+
+  const LinkedModel& model() const { return *model_; }
+  const std::string& text() const { return text_; }
+  bool is_sound() const { return model_->robot.has_value(); }
+
+  void edit(const std::function<void(XmlEdits&)>& step) {
+    if (!is_sound()) return;
+    XmlEdits edits(model_->robot->document, text_);
+    step(edits);
+    if (!edits.empty()) take(edits.apply());
+  }
+
+  void take(std::string text) {
+    text_ = std::move(text);
+    read_ = std::make_unique<Read>();
+    read_->files.add("step.urdf", text_);
+    LoadContext context{read_->sources, read_->files, read_->sink, {}, {}};
+    read_->model = load_model("step.urdf", context);
+    model_ = &read_->model;
+  }
+
+ private:
+  struct Read {
+    SourceMap sources;
+    MemoryFiles files;
+    DiagnosticSink sink;
+    LinkedModel model;
+  };
+
+  const LinkedModel* model_;
+  std::string text_;
+  std::unique_ptr<Read> read_;
+};
 
 }  // namespace
 
-std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
-                        const UrdfExport& options) {
-  const auto absolute = [&](std::string_view path) {
-    return path::join(options.current_folder, path);
-  };
-  const std::string output_folder = absolute(options.output_folder);
+std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& folder,
+                               const std::string& current_folder) {
   std::vector<Edit> edits;
   for (const MeshReference& mesh : model.meshes) {
-    if (!is_relative_path(mesh.filename)) continue;
-    const std::string target = absolute(mesh.path);
-    if (path::join(output_folder, mesh.filename) == target) continue;  // resolves as it is written
-    edits.push_back({mesh.span, escape_xml(path::relative(target, output_folder))});
+    const bool is_relative = !mesh.filename.empty() && !path::is_absolute(mesh.filename) &&
+                             mesh.filename.find("://") == std::string_view::npos;
+    if (!is_relative) continue;
+    const std::string target = path::join(current_folder, mesh.path);
+    if (path::join(folder, mesh.filename) == target) continue;  // resolves as it is written
+    edits.push_back({mesh.span, escape_xml(path::relative(target, folder))});
   }
-  return apply_edits(sources.text(model.robot->document.source), edits);
+  return edits;
+}
+
+std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
+                        const UrdfExport& options, DiagnosticSink& sink) {
+  Stepper steps(model, sources.text(model.robot->document.source));
+  // Both need the annotations and files around the URDF, so they come first.
+  steps.edit([&](XmlEdits& edits) {
+    passes::apply_annotations(model, options, sink, edits);
+    passes::rewrite_paths(model, options, edits);
+    if (options.actuation != Actuation::none) {
+      passes::add_actuation(model, options.actuation, edits);
+    }
+    if (options.adds_gazebo_sensors) passes::add_gazebo_sensors(model, edits);
+  });
+  if (options.strips_extensions) {
+    steps.edit([&](XmlEdits& edits) { passes::strip_extensions(steps.model(), edits); });
+  }
+  if (options.strips_comments) {
+    steps.edit([&](XmlEdits& edits) { passes::strip_comments(steps.model(), edits); });
+  }
+  if (options.collapses_fixed) {
+    steps.edit([&](XmlEdits& edits) {
+      passes::collapse_fixed(steps.model(), steps.text(), options, edits);
+    });
+  }
+  if (!options.prefix.empty()) {
+    steps.edit([&](XmlEdits& edits) { passes::add_prefix(steps.model(), options.prefix, edits); });
+  }
+  if (options.base != BaseJoint::as_is) {
+    steps.edit([&](XmlEdits& edits) { passes::add_base(steps.model(), options.base, edits); });
+  }
+  if (!options.version.empty()) {
+    steps.edit([&](XmlEdits& edits) {
+      edits.set_attribute(steps.model().robot->document.view(), "version", options.version);
+    });
+  }
+  if (options.is_canonical && steps.is_sound()) {
+    steps.take(canonical_urdf(steps.model(), steps.text()));
+  }
+  return steps.text();
 }
 
 }  // namespace smurf

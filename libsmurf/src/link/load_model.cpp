@@ -162,6 +162,7 @@ class ModelLoader {
   void link() {
     name_all(model_.annotations.motors, model_.motor_names);
     name_all(model_.annotations.sensors, model_.sensor_names);
+    resolve_resources(model_, context_);
     if (!model_.robot) return;
     const urdf::Robot& robot = *model_.robot;
     name_all(robot.links, model_.link_names);
@@ -181,7 +182,6 @@ class ModelLoader {
       }
     }
     model_.tree = build_tree(model_);
-    model_.meshes = resolve_resources(model_, context_);
   }
 
   LoadContext& context_;
@@ -192,6 +192,12 @@ class ModelLoader {
 
 LinkedModel load_model(const std::string& path, LoadContext& context) {
   return ModelLoader(context).load(path);
+}
+
+std::optional<xml::Document> load_xml(const std::string& path, LoadContext& context) {
+  const auto source = read_source(path, {}, rules::sml0001_unreadable_file, context);
+  if (!source) return std::nullopt;
+  return parse_xml(context.sources, *source, context.limits, context.sink);
 }
 
 namespace rules {

@@ -1,86 +1,141 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths are looked up, files are never opened.
+// Where readers look for meshes and textures. They do not agree: URDF readers start at the URDF,
+// MARS at the .smurf.
 #include "link/resources.hpp"
 
-#include <map>
+#include <algorithm>
 
 #include "base/path.hpp"
+#include "link/packages.hpp"
 
 namespace smurf {
 namespace {
 
 class Resolver {
  public:
-  Resolver(std::string_view urdf_folder, const LoadContext& context)
-      : folder_(urdf_folder), context_(context) {}
+  Resolver(const LinkedModel& model, const LoadContext& context)
+      : context_(context),
+        index_(context.files),
+        urdf_folder_(path::parent(model.urdf_path)),
+        main_folder_(path::parent(model.path)),
+        has_main_(model.has_main),
+        packages_(context, urdf_folder_, index_) {}
 
-  MeshReference resolve(const Field<std::string>& filename, bool is_texture) {
+  MeshReference mesh(const Field<std::string>& filename, bool is_texture) {
     MeshReference reference;
     reference.span = filename.span;
     reference.filename = *filename;
     reference.is_texture = is_texture;
     reference.path = find(*filename);
-    reference.exists = !reference.path.empty() && exists(reference.path);
+    reference.exists = !reference.path.empty() && index_.exists(reference.path);
+    if (!reference.exists) reference.similar = find_similar(reference);
+    if (has_main_ && !filename->empty() && !is_address(*filename)) see_as_mars(reference);
+    if (context_.meshes == nullptr || is_texture) return reference;
+    if (reference.exists) reference.file = open(reference.path);
+    if (reference.mars_exists) reference.mars_file = open(reference.mars_path);
     return reference;
   }
 
+  void texture(const Field<std::string>& filename, std::vector<TextureReference>& to) {
+    if (!filename || filename->empty() || !has_main_) return;
+    std::string path = path::join(main_folder_, *filename);
+    const bool exists = index_.exists(path);
+    to.push_back({filename.span, *filename, std::move(path), exists});
+  }
+
  private:
+  static bool is_address(std::string_view filename) {
+    return filename.find("://") != std::string_view::npos;
+  }
+
   std::string find(const std::string& filename) {
     constexpr std::string_view kPackage = "package://";
     constexpr std::string_view kFile = "file://";
-    if (filename.starts_with(kPackage)) return find_in_package(filename.substr(kPackage.size()));
+    if (filename.starts_with(kPackage)) return packages_.find(filename.substr(kPackage.size()));
     if (filename.starts_with(kFile)) return path::normalize(filename.substr(kFile.size()));
-    if (filename.find("://") != std::string::npos || filename.empty()) return {};
-    return path::join(folder_, filename);
+    if (is_address(filename) || filename.empty()) return {};
+    return path::join(urdf_folder_, filename);
   }
 
-  /// NAME/REST: the folder given for the package; else the nearest folder upward that is called
-  /// NAME or that holds REST itself (Phobos takes the parent of the urdf/ folder, whatever its
-  /// name).
-  std::string find_in_package(const std::string& uri) {
-    const std::size_t slash = uri.find('/');
-    if (slash == std::string::npos || slash == 0) return {};
-    const std::string name = uri.substr(0, slash);
-    const std::string rest = uri.substr(slash + 1);
-    if (const auto given = context_.packages.find(name); given != context_.packages.end()) {
-      return path::join(given->second, rest);
+  std::string find_similar(const MeshReference& reference) {
+    std::string path = reference.path;
+    if (reference.filename.find('\\') != std::string::npos) {
+      std::string slashes = reference.filename;
+      std::replace(slashes.begin(), slashes.end(), '\\', '/');
+      path = find(slashes);
+      if (!path.empty() && index_.exists(path)) return path;
     }
-    constexpr int kLevels = 8;
-    std::string folder = path::normalize(folder_.empty() ? "." : folder_);
-    for (int level = 0; level < kLevels; ++level) {
-      for (const std::string& candidate :
-           {path::join(folder, name + "/" + rest), path::join(folder, rest)}) {
-        if (exists(candidate)) return candidate;
-      }
-      folder = path::join(folder, "..");
+    if (path.empty()) return {};
+    const auto other = index_.in_other_case(path);
+    return other && index_.exists(*other) ? *other : std::string();
+  }
+
+  void see_as_mars(MeshReference& reference) {
+    reference.mars_path = path::join(main_folder_, reference.filename);
+    const std::string extension = path::to_lower(path::extension(reference.filename));
+    if (!reference.is_texture && (extension == ".obj" || extension == ".stl")) {
+      if (const auto bobj = find_bobj(reference.mars_path, extension)) reference.mars_path = *bobj;
     }
-    return {};
+    reference.mars_exists = index_.exists(reference.mars_path);
   }
 
-  bool exists(const std::string& path) {
-    const auto known = known_.find(path);
-    if (known != known_.end()) return known->second;
-    return known_[path] = context_.files.is_file(path);
+  /// Beside the mesh, or in a folder bobj/ that takes the place of the mesh's. MARS replaces every
+  /// occurrence of the folder's name in the path (misc.cpp:241); so do we.
+  std::optional<std::string> find_bobj(const std::string& mesh, std::string_view extension) {
+    const std::string bobj = mesh.substr(0, mesh.size() - path::extension(mesh).size()) + ".bobj";
+    if (index_.exists(bobj)) return bobj;
+    const std::string_view folders[] = {"stl/", "mars_obj/", "obj/"};
+    for (const std::string_view folder : folders) {
+      if ((folder == "stl/") != (extension == ".stl")) continue;
+      if (bobj.find(folder) == std::string::npos) continue;
+      const std::string parallel = replace_all(bobj, folder, "bobj/");
+      if (index_.exists(parallel)) return parallel;
+    }
+    return std::nullopt;
   }
 
-  std::string folder_;
+  static std::string replace_all(std::string_view text, std::string_view from,
+                                 std::string_view to) {
+    std::string result;
+    while (true) {
+      const std::size_t at = text.find(from);
+      if (at == std::string_view::npos) break;
+      result.append(text.substr(0, at)).append(to);
+      text.remove_prefix(at + from.size());
+    }
+    return result.append(text);
+  }
+
+  const MeshFile* open(const std::string& path) {
+    return &context_.meshes->read(path, context_.files, context_.limits);
+  }
+
   const LoadContext& context_;
-  std::map<std::string, bool> known_;
+  FileIndex index_;
+  std::string urdf_folder_;
+  std::string main_folder_;
+  bool has_main_;
+  Packages packages_;
 };
 
 }  // namespace
 
-std::vector<MeshReference> resolve_resources(const LinkedModel& model, const LoadContext& context) {
-  Resolver resolver(path::parent(model.urdf_path), context);
-  std::vector<MeshReference> references;
+void resolve_resources(LinkedModel& model, const LoadContext& context) {
+  Resolver resolver(model, context);
+  for (const MaterialAnnotation& material : model.annotations.materials) {
+    resolver.texture(material.diffuse_texture, model.annotation_textures);
+    resolver.texture(material.normal_texture, model.annotation_textures);
+    resolver.texture(material.displacement_texture, model.annotation_textures);
+  }
+  if (!model.robot) return;
   const auto add_shape = [&](const urdf::Geometry& geometry) {
     const auto* mesh = std::get_if<urdf::Mesh>(&geometry.shape);
     if (mesh != nullptr && mesh->filename) {
-      references.push_back(resolver.resolve(mesh->filename, false));
+      model.meshes.push_back(resolver.mesh(mesh->filename, false));
     }
   };
   const auto add_texture = [&](const urdf::Material& material) {
-    if (material.texture) references.push_back(resolver.resolve(material.texture, true));
+    if (material.texture) model.meshes.push_back(resolver.mesh(material.texture, true));
   };
   for (const urdf::Material& material : model.robot->materials) add_texture(material);
   for (const urdf::Link& link : model.robot->links) {
@@ -90,7 +145,9 @@ std::vector<MeshReference> resolve_resources(const LinkedModel& model, const Loa
     }
     for (const urdf::Collision& collision : link.collisions) add_shape(collision.geometry);
   }
-  return references;
+  std::stable_sort(
+      model.meshes.begin(), model.meshes.end(),
+      [](const MeshReference& a, const MeshReference& b) { return a.span.begin < b.span.begin; });
 }
 
 }  // namespace smurf

@@ -4,9 +4,11 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "ast/keys.hpp"
 #include "ast/scene_reader.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "base/suggest.hpp"
 #include "link/read_file.hpp"
 #include "link/scene_link.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -63,6 +65,7 @@ class SceneExpander {
       auto scene = file.document ? read_scene(*file.document, context_.sink) : std::nullopt;
       if (scene) file.scene = std::move(*scene);
       if (!scene) lose_scene();
+      if (scene) check_world_files(file, context_);
       index = SceneIndex{static_cast<std::uint32_t>(scene_.scenes.size())};
       scene_.scenes.push_back(std::move(file));
     } else {
@@ -161,8 +164,7 @@ class SceneExpander {
     if (known->second) return;
     Diagnostic& diagnostic = context_.sink.report(rules::sml5006_missing_entity_file, reference,
                                                   "there is no file `" + path + "`");
-    const bool is_old_scene = type == "scn" || type == "scene" || type == "yml";
-    if (!is_old_scene) diagnostic.severity = Severity::warning;
+    if (!is_old_scene(type)) diagnostic.severity = Severity::warning;
     if (!is_new) return;
     if (const auto similar = similar_file(path, context_.files)) {
       diagnostic.help = "did you mean `" + *similar + "`?";
@@ -226,16 +228,16 @@ class SceneExpander {
   /// What every kind needs: a file of the right sort. One finding at most.
   bool check_kind(const Entity& entity, const std::string& type, const std::string& path) {
     const EntityKind kind = kind_of(type);
-    const bool is_old_scene = type == "scn" || type == "scene" || type == "yml";
     if (entity.file.written && !entity.file && !entity.uri) return false;  // reported by the reader
     if (entity.type.written && !entity.type) return false;
-    if (type.empty() || (path.empty() && (kind != EntityKind::other || is_old_scene))) {
+    if (type.empty() || (path.empty() && (kind != EntityKind::other || is_old_scene(type)))) {
       Diagnostic& diagnostic =
           context_.sink.report(rules::sml5005_entity_without_file, place_of(entity),
                                path.empty() ? "this entity has no `file`"
                                             : "this entity has no `type`, and `" + path +
                                                   "` has no extension that tells it");
       diagnostic.help = "name the .smurf, .urdf or .smurfs that the entity stands for";
+      if (path.empty()) suggest_file(entity, diagnostic);
       return false;
     }
     const std::string extension = path::to_lower(path::extension(path));
@@ -255,6 +257,19 @@ class SceneExpander {
       return false;
     }
     return true;
+  }
+
+  /// A slip of the pen (`fiel`) is then the place.
+  static void suggest_file(const Entity& entity, Diagnostic& diagnostic) {
+    constexpr std::string_view kFile[] = {"file"};
+    for (const CustomSection& key : entity.extra) {
+      if (!nearest(key.name.value, kFile)) continue;
+      diagnostic.span = key.name.span;
+      diagnostic.help = "did you mean `file` by `" + key.name.value + "`?";
+      diagnostic.fixes.push_back(
+          {Applicability::unsafe, {{without_quotes(key.name.span, key.name.value), "file"}}});
+      return;
+    }
   }
 
   /// "outer/name"; repeated and missing names get a number.
@@ -305,6 +320,10 @@ EntityKind kind_of(std::string_view type) {
   if (lower == "smurf" || lower == "particle" || lower == "urdf") return EntityKind::model;
   if (lower == "smurfs" || lower == "smurfa") return EntityKind::scene;
   return EntityKind::other;
+}
+
+bool is_old_scene(std::string_view type) {
+  return type == "scn" || type == "scene" || type == "yml";
 }
 
 bool expand_scene(const std::string& path, LoadContext& context, LinkedScene& scene,

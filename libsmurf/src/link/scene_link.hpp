@@ -23,11 +23,16 @@ enum class EntityKind : std::uint8_t {
 /// Type as written, else the extension of the file without the dot.
 std::string entity_type(const Entity& entity);
 EntityKind kind_of(std::string_view type);
+/// scn, scene and yml: scenes of MARS before SMURF, which have loaders of their own.
+bool is_old_scene(std::string_view type);
 
 /// 1. Reads the scene, the scenes inside it and their models; fills all of `scene` but placements.
 /// False when not even the scene itself could be read.
 bool expand_scene(const std::string& path, LoadContext& context, LinkedScene& scene,
                   SceneNames& names);
+
+/// Reports files that `environment` names and MARS will hardly find.
+void check_world_files(const SceneFile& scene, LoadContext& context);
 
 /// 2. Fills the placements of uses and instances: parents, anchors, poses relative to the parent.
 void resolve_references(LoadContext& context, SceneNames& names, LinkedScene& scene);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/scene_queries.hpp"
 
+#include "base/path.hpp"
+#include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf {
@@ -21,6 +23,31 @@ void for_each_use(const LinkedScene& scene, const std::function<void(const Use&)
   for (const Instance& instance : scene.instances) {
     visit({scene, scene.entity(instance), scene.use(instance), instance.placement, &instance});
   }
+}
+
+yaml::View mapping_of(const SceneFile& file, const Entity& entity) {
+  return {*file.document, entity.node};
+}
+
+Span type_place(const Entity& entity) {
+  if (entity.type && !entity.type->empty()) return entity.type.span;
+  return entity.file && !entity.file->empty() ? entity.file.span : entity.uri.span;
+}
+
+yaml::View world_value(const SceneFile& file, std::string_view key) {
+  if (!file.document || path::extension(file.path) == ".smurfa") return {};
+  const yaml::View root = file.document->view();
+  if (!root || !root.is_mapping()) return {};
+  const yaml::View value = root.find(key);
+  return value && !value.is_null() ? value : yaml::View();
+}
+
+const CustomSection* slip_of(const Entity& entity, std::string_view key) {
+  const std::string_view known[] = {key};
+  for (const CustomSection& extra : entity.extra) {
+    if (nearest(extra.name.value, known)) return &extra;
+  }
+  return nullptr;
 }
 
 std::string title(const Entity& entity) {

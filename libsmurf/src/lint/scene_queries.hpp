@@ -37,6 +37,18 @@ void for_each_entity(const LinkedScene& scene,
 /// Calls `visit` for every use of every entity: includes first, then instances.
 void for_each_use(const LinkedScene& scene, const std::function<void(const Use&)>& visit);
 
+/// The keys and values of an entity as written.
+yaml::View mapping_of(const SceneFile& file, const Entity& entity);
+
+/// Where the type is said: `type`, else the file whose extension tells it.
+Span type_place(const Entity& entity);
+
+/// The value of a top-level key that MARS reads here; none in an assembly, where it reads no world.
+yaml::View world_value(const SceneFile& file, std::string_view key);
+
+/// A key of the entity that is nearly `key`, which it does not have; null when there is none.
+const CustomSection* slip_of(const Entity& entity, std::string_view key);
+
 /// "entity `Eve`", or "this entity".
 std::string title(const Entity& entity);
 

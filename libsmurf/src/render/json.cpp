@@ -68,6 +68,23 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
   return dump(report);
 }
 
+std::string render_losses_json(std::span<const Diagnostic> losses, const SourceMap& sources,
+                               const ToolName& tool) {
+  Json report;
+  report["schema_version"] = "1.0";
+  report["tool"] = {{"name", text(tool.name)}, {"version", text(tool.version)}};
+  Json list = Json::array();
+  for (const Diagnostic& loss : losses) {
+    Json entry = {
+        {"class", text(loss.rule->name)}, {"id", text(loss.rule->id)}, {"message", loss.message}};
+    add_place(entry, loss.span, sources);
+    entry["pointer"] = loss.pointer;
+    list.push_back(std::move(entry));
+  }
+  report["losses"] = std::move(list);
+  return dump(report);
+}
+
 std::string render_rule_list_json(std::span<const Rule* const> rules) {
   Json list = Json::array();
   for (const Rule* rule : rules) {

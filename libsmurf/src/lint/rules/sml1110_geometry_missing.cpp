@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-void check_geometry(const LinkedModel& model, const urdf::Link& link, std::string_view what,
-                    xml::ElementId element, const urdf::Geometry& geometry, Findings& findings) {
-  if (geometry.shape_element != xml::kNoElement) return;
-  const bool is_empty = geometry.element != xml::kNoElement;
-  findings.report(tag_name(model, is_empty ? geometry.element : element),
-                  "a " + std::string(what) + " of " + title(link) +
-                      (is_empty ? " has an empty geometry" : " has no geometry"));
-}
-
 void check(const LinkedModel& model, Findings& findings) {
-  for_each_link(model, [&](const urdf::Link& link) {
-    for (const urdf::Visual& visual : link.visuals) {
-      check_geometry(model, link, "visual", visual.element, visual.geometry, findings);
-    }
-    for (const urdf::Collision& collision : link.collisions) {
-      check_geometry(model, link, "collision", collision.element, collision.geometry, findings);
-    }
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    if (use.geometry.shape_element != xml::kNoElement) return;
+    const bool is_empty = use.geometry.element != xml::kNoElement;
+    findings.report(tag_name(model, is_empty ? use.geometry.element : use.element),
+                    "a " + std::string(to_string(use.role)) + " of " + title(use.link) +
+                        (is_empty ? " has an empty geometry" : " has no geometry"));
   });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
-#include "lint/queries.hpp"
+#include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -32,12 +32,8 @@ void check_shape(const urdf::Shape& shape, Findings& findings) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  for_each_link(model, [&](const urdf::Link& link) {
-    for (const urdf::Visual& visual : link.visuals) check_shape(visual.geometry.shape, findings);
-    for (const urdf::Collision& collision : link.collisions) {
-      check_shape(collision.geometry.shape, findings);
-    }
-  });
+  for_each_geometry(model,
+                    [&](const GeometryUse& use) { check_shape(use.geometry.shape, findings); });
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "lint/queries.hpp"
+#include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -23,13 +23,8 @@ void check_geometry(const LinkedModel& model, const urdf::Link& link,
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  for_each_link(model, [&](const urdf::Link& link) {
-    for (const urdf::Visual& visual : link.visuals) {
-      check_geometry(model, link, visual.geometry, findings);
-    }
-    for (const urdf::Collision& collision : link.collisions) {
-      check_geometry(model, link, collision.geometry, findings);
-    }
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    check_geometry(model, use.link, use.geometry, findings);
   });
 }
 

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-void check_shape(const urdf::Shape& shape, Findings& findings) {
-  const auto* mesh = std::get_if<urdf::Mesh>(&shape);
-  if (mesh == nullptr || !mesh->scale) return;
-  for (const double component : *mesh->scale) {
-    if (!(component == 0)) continue;
-    findings.report(mesh->scale.span, "the mesh is flat in one direction: its scale has a 0");
-    return;
-  }
-}
-
 void check(const LinkedModel& model, Findings& findings) {
-  for_each_link(model, [&](const urdf::Link& link) {
-    for (const urdf::Visual& visual : link.visuals) check_shape(visual.geometry.shape, findings);
-    for (const urdf::Collision& collision : link.collisions) {
-      check_shape(collision.geometry.shape, findings);
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    const urdf::Mesh* mesh = use.mesh();
+    if (mesh == nullptr || !mesh->scale) return;
+    for (const double component : *mesh->scale) {
+      if (!(component == 0)) continue;
+      findings.report(mesh->scale.span, "the mesh is flat in one direction: its scale has a 0");
+      return;
     }
   });
 }

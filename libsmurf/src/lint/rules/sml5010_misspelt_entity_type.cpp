@@ -17,7 +17,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     const auto near = nearest(type, kTypes);
     if (!near) return;
     const bool is_written = entity.type && !entity.type->empty();
-    const Span place = is_written ? entity.type.span : entity.file.span;
+    const Span place = type_place(entity);
     Diagnostic& diagnostic =
         findings.report(place, "the type of " + title(entity) + " is " + quoted(type) +
                                    ", which MARS does not know");

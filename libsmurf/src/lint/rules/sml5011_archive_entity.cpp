@@ -10,8 +10,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     const std::string type = entity_type(entity);
     if (type != "zsmurf" && type != "zsmurfs" && type != "zsmurfa") return;
-    const bool is_written = entity.type && !entity.type->empty();
-    findings.report(is_written ? entity.type.span : entity.file.span,
+    findings.report(type_place(entity),
                     title(entity) + " is an archive, of which MARS loads nothing");
   });
 }

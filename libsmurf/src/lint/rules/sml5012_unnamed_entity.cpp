@@ -11,6 +11,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (entity.name ? !entity.name->empty() : entity.name.written) return;
     // An include is no entity; its name is never used.
     if (kind_of(entity_type(entity)) == EntityKind::scene) return;
+    if (!entity.name.written && slip_of(entity, "name") != nullptr) return;  // misspelt-scene-key
     findings.report(place_of(entity), "this entity has no name");
   });
 }

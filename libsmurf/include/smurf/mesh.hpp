@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a mesh file is and how large its content is, without its triangles.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+#include "smurf/limits.hpp"
+#include "smurf/pose.hpp"
+
+namespace smurf {
+
+/// What the bytes are, whatever the file is called.
+enum class MeshFormat : std::uint8_t {
+  unknown,
+  stl_binary,
+  stl_ascii,
+  obj,
+  collada,
+  bobj,  ///< MARS: records of vertices, normals and triangles
+  gltf,  ///< JSON or binary; recognised, not read
+  lfs_pointer
+};
+/// "binary STL".
+std::string_view to_string(MeshFormat format);
+
+/// Axis-aligned: every point is between `low` and `high`, both included.
+struct Box {
+  Vector3 low{}, high{};
+
+  Vector3 size() const { return {high[0] - low[0], high[1] - low[1], high[2] - low[2]}; }
+  Vector3 center() const {
+    return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
+  }
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+/// The first place where a mesh file is not what its format asks for.
+struct MeshDefect {
+  std::string what;          ///< "the file ends inside a facet"
+  std::uint64_t offset = 0;  ///< byte
+  std::uint32_t line = 0;    ///< 1-based; 0 in a binary file
+};
+
+/// Another file that a mesh names.
+struct MeshDependency {
+  std::string filename;  ///< as written
+  bool is_texture = false;
+  std::uint32_t line = 0;  ///< 1-based
+};
+
+/// All lengths are in the file's own unit and axes, before any scale of the URDF.
+struct MeshFacts {
+  MeshFormat format = MeshFormat::unknown;
+  std::uint64_t bytes = 0;
+  std::uint64_t triangles = 0;  ///< polygons count as the triangles they fall into
+  std::uint64_t vertices = 0;   ///< as stored: binary STL stores three a triangle
+  /// Of all vertices; COLLADA: of the scene, node transforms applied, and around the turned boxes
+  /// of turned nodes. Absent when there are none or they cannot be placed.
+  std::optional<Box> box;
+  /// What the surface encloses; negative when the triangles face inward. Only for a surface that
+  /// looks closed: its area vectors add up to zero. Never for COLLADA.
+  std::optional<double> volume;
+  std::optional<double> unit_meters;  ///< COLLADA: metres a unit, when written
+  char up_axis = '\0';                ///< COLLADA: 'X', 'Y' or 'Z', when written
+  bool named_solid = false;           ///< binary STL whose header begins like an ASCII one
+  std::vector<std::string> extras;    ///< COLLADA: "lights", "cameras", "animations" that it holds
+  std::vector<MeshDependency> dependencies;
+  std::optional<MeshDefect> defect;
+};
+
+/// A mesh file that was opened.
+struct MeshFile {
+  ReadStatus status = ReadStatus::not_found;
+  std::string reason;  ///< for a person, when status is not ok
+  MeshFacts facts;     ///< when status is ok
+  /// Textures and material libraries that it names and that are not there.
+  std::vector<MeshDependency> lost;
+};
+
+/// The meshes of a run: each file is read once, however many models use it. What it returns stays
+/// valid while it lives.
+class MeshLibrary {
+ public:
+  const MeshFile& read(const std::string& path, const FileReader& files, const Limits& limits);
+
+ private:
+  std::map<std::string, MeshFile> files_;
+};
+
+}  // namespace smurf

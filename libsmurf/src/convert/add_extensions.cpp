@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Motors as ros2_control or transmissions, sensors as those of Gazebo: the way back of
+// import_motors.cpp and import_sensors.cpp. What the URDF has already is not written twice.
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "base/edits.hpp"
+#include "base/numbers.hpp"
+#include "convert/annotation_values.hpp"
+#include "convert/passes.hpp"
+
+namespace smurf::passes {
+namespace {
+
+/// Names of <element name="..."> below the robot's extensions.
+std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::string_view element) {
+  std::set<std::string_view> names;
+  const auto visit = [&](const auto& self, xml::View view) -> void {
+    const xml::Attribute* name = view.attribute("name");
+    if (view.name() == element && name != nullptr) names.insert(name->value);
+    for (const xml::View child : view) self(self, child);
+  };
+  for (const xml::ElementId id : model.robot->extensions) {
+    visit(visit, xml::View(model.robot->document, id));
+  }
+  return names;
+}
+
+std::string leaf(std::string_view name, std::string_view text) {
+  return "<" + std::string(name) + ">" + escape_xml(text) + "</" + std::string(name) + ">";
+}
+
+std::string leaf(std::string_view name, double number) { return leaf(name, format_number(number)); }
+
+/// "position", "velocity" or "effort".
+std::string_view interface_of(const Motor& motor) {
+  const std::string type = motor.type.value_or("PID");
+  for (const char* name : {"DC", "generic_dc", "velocity", "2"}) {
+    if (type == name) return "velocity";
+  }
+  for (const char* name : {"PID", "generic_bldc", "position", "1"}) {
+    if (type == name) return "position";
+  }
+  return "effort";
+}
+
+std::string range_params(std::optional<double> low, std::optional<double> high) {
+  const auto param = [](const char* name, double value) {
+    return "\n      <param name=\"" + std::string(name) + "\">" + format_number(value) + "</param>";
+  };
+  return (low ? param("min", *low) : "") + (high ? param("max", *high) : "");
+}
+
+std::string ros2_joint(const urdf::Joint& joint, const Motor& motor) {
+  std::string text = "  <joint name=\"" + escape_xml(*joint.name) + "\">\n";
+  const std::string interface(interface_of(motor));
+  // A joint that mimics is not commanded; ros2_control reads <mimic> itself.
+  if (!motor.mimic_motor) {
+    std::optional<double> low = limit_of(motor, LimitValue::lower);
+    std::optional<double> high = limit_of(motor, LimitValue::upper);
+    const auto bound =
+        limit_of(motor, interface == "effort" ? LimitValue::effort : LimitValue::velocity);
+    if (interface != "position") {
+      high = bound;
+      low = bound ? std::optional<double>(-*bound) : std::nullopt;
+    }
+    text += "    <command_interface name=\"" + interface + "\">" + range_params(low, high) +
+            "\n    </command_interface>\n";
+  }
+  return text +
+         "    <state_interface name=\"position\"/>\n    <state_interface name=\"velocity\"/>\n"
+         "  </joint>\n";
+}
+
+std::string transmission(const urdf::Joint& joint, const Motor& motor) {
+  std::string interface(interface_of(motor));
+  interface.front() = static_cast<char>(interface.front() - 'a' + 'A');
+  const std::string hardware =
+      leaf("hardwareInterface", "hardware_interface/" + interface + "JointInterface");
+  const std::string name = escape_xml(motor.name ? *motor.name : *joint.name);
+  return "<transmission name=\"" + name + "_transmission\">\n" +
+         "  <type>transmission_interface/SimpleTransmission</type>\n  <joint name=\"" +
+         escape_xml(*joint.name) + "\">\n    " + hardware + "\n  </joint>\n  <actuator name=\"" +
+         name + "_actuator\">\n    <mechanicalReduction>1</mechanicalReduction>\n  </actuator>\n" +
+         "</transmission>";
+}
+
+/// One sensor of Gazebo from the keys of an annotation.
+class GazeboSensor {
+ public:
+  GazeboSensor(const Sensor& sensor, yaml::View keys) : sensor_(sensor), keys_(keys) {}
+
+  /// The lines inside <sensor>; "" when Gazebo has no such sensor.
+  std::string content(std::string_view type) const {
+    std::string text;
+    if (sensor_.rate && *sensor_.rate > 0) {
+      text += "    " + leaf("update_rate", 1000 / *sensor_.rate) + "\n";
+    }
+    if (type == "CameraSensor") return text + camera();
+    if (type == "RotatingRaySensor") return text + lidar();
+    if (type == "NodeContact") return text + contact();
+    return text;
+  }
+
+ private:
+  double number(std::string_view key, double fallback) const {
+    const yaml::View value = keys_.find(key);
+    return value ? value.number().value_or(fallback) : fallback;
+  }
+
+  double part(std::string_view key, std::string_view component, double fallback) const {
+    const yaml::View mapping = keys_.find(key);
+    const yaml::View value =
+        mapping && mapping.is_mapping() ? mapping.find(component) : yaml::View();
+    return value ? value.number().value_or(fallback) : fallback;
+  }
+
+  /// A quaternion, or roll, pitch, yaw in degrees.
+  Vector3 rotation(std::string_view key) const {
+    const yaml::View mapping = keys_.find(key);
+    if (mapping && mapping.is_mapping() && mapping.find("roll")) {
+      constexpr double kRadians = std::numbers::pi / 180;
+      return {part(key, "roll", 0) * kRadians, part(key, "pitch", 0) * kRadians,
+              part(key, "yaw", 0) * kRadians};
+    }
+    const Quaternion q{part(key, "w", 1), part(key, "x", 0), part(key, "y", 0), part(key, "z", 0)};
+    return norm(q) > 0 ? to_rpy(normalized(q)) : Vector3{0, 0, 0};
+  }
+
+  static std::string pose(const Vector3& position, const Vector3& rpy) {
+    return "    " + leaf("pose", numbers_text(position) + " " + numbers_text(rpy)) + "\n";
+  }
+
+  std::string camera() const {
+    const double degrees = number("opening_angle", number("opening_width", 90));
+    const Vector3 position{part("position_offset", "x", 0), part("position_offset", "y", 0),
+                           part("position_offset", "z", 0)};
+    return pose(position, rotation("orientation_offset")) + "    <camera>\n      " +
+           leaf("horizontal_fov", degrees * std::numbers::pi / 180) + "\n      <image>\n        " +
+           leaf("width", number("width", 640)) + "\n        " +
+           leaf("height", number("height", 480)) + "\n      </image>\n    </camera>\n";
+  }
+
+  std::string lidar() const {
+    const auto fan = [](const char* name, double samples, double middle, double opening) {
+      return "        <" + std::string(name) + ">\n          " + leaf("samples", samples) +
+             "\n          " + leaf("min_angle", middle - opening / 2) + "\n          " +
+             leaf("max_angle", middle + opening / 2) + "\n        </" + name + ">\n";
+    };
+    const double width = number("opening_width", 2 * std::numbers::pi);
+    const double step = number("horizontal_resolution", std::numbers::pi / 180);
+    const double samples = step > 0 ? std::max(1.0, std::round(width / step)) : 1;
+    return pose({0, 0, 0}, rotation("rotation_offset")) + "    <lidar>\n      <scan>\n" +
+           fan("horizontal", samples, number("horizontal_offset", 0), width) +
+           fan("vertical", number("lasers", 32), -number("vertical_offset", 0.18622663118779495),
+               number("opening_height", 40 * std::numbers::pi / 180)) +
+           "      </scan>\n      <range>\n        " + leaf("min", number("min_distance", 0.01)) +
+           "\n        " + leaf("max", number("max_distance", 100)) +
+           "\n      </range>\n    </lidar>\n";
+  }
+
+  std::string contact() const {
+    std::string text = "    <contact>\n";
+    for (const Field<NameList>* list : {&sensor_.id, &sensor_.collisions}) {
+      for (const Spanned<std::string>& name : list->value_or(NameList{})) {
+        text += "      " + leaf("collision", name.value) + "\n";
+      }
+    }
+    return text + "    </contact>\n";
+  }
+
+  const Sensor& sensor_;
+  yaml::View keys_;
+};
+
+}  // namespace
+
+std::string_view gazebo_type(const Sensor& sensor) {
+  constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
+      {"CameraSensor", "camera"},
+      {"RotatingRaySensor", "gpu_lidar"},
+      {"NodeIMU", "imu"},
+      {"NodeContact", "contact"},
+      {"Joint6DOF", "force_torque"}};
+  for (const auto& [type, of_gazebo] : kTypes) {
+    if (sensor.type && *sensor.type == type) return of_gazebo;
+  }
+  return {};
+}
+
+void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edits) {
+  const AnnotationValues values(model);
+  std::set<std::string_view> driven = names_in_extensions(model, "joint");
+  std::string joints;
+  for (const Motor& motor : model.annotations.motors) {
+    const urdf::Joint* joint = values.joint_of(motor);
+    if (joint == nullptr || !driven.insert(*joint->name).second) continue;
+    if (actuation == Actuation::ros2_control) {
+      joints += ros2_joint(*joint, motor);
+    } else {
+      edits.add_child(model.robot->document.view(), transmission(*joint, motor));
+    }
+  }
+  if (joints.empty()) return;
+  const std::string name = escape_xml(model.robot->name.value_or("robot"));
+  edits.add_child(model.robot->document.view(),
+                  "<ros2_control name=\"" + name + "\" type=\"system\">\n  <hardware>\n" +
+                      "    <plugin>mock_components/GenericSystem</plugin>\n  </hardware>\n" +
+                      joints + "</ros2_control>");
+}
+
+void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits) {
+  std::set<std::string_view> known = names_in_extensions(model, "sensor");
+  for (const Sensor& sensor : model.annotations.sensors) {
+    const std::string_view type = gazebo_type(sensor);
+    const yaml::Document* document = model.document(sensor.span.source);
+    if (type.empty() || document == nullptr || !sensor.name || !known.insert(*sensor.name).second) {
+      continue;
+    }
+    std::string carrier = sensor.link.value_or("");
+    if (type == "force_torque") carrier = sensor.joint.value_or("");
+    if (type == "imu" && carrier.empty() && sensor.id && !sensor.id->empty()) {
+      carrier = sensor.id->front().value;
+    }
+    if (carrier.empty()) continue;
+    const GazeboSensor content(sensor, yaml::View(*document, sensor.node));
+    edits.add_child(model.robot->document.view(),
+                    "<gazebo reference=\"" + escape_xml(carrier) + "\">\n  <sensor name=\"" +
+                        escape_xml(*sensor.name) + "\" type=\"" + std::string(type) + "\">\n" +
+                        content.content(*sensor.type) + "  </sensor>\n</gazebo>");
+  }
+}
+
+}  // namespace smurf::passes

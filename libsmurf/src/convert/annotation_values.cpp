@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convert/annotation_values.hpp"
+
+namespace smurf {
+
+AnnotationValues::AnnotationValues(const LinkedModel& model) : model_(model) {
+  const auto add = [&](const urdf::Material& material) {
+    if (!material.name) return;
+    // A definition is worth more than a use; the first definition counts.
+    const urdf::Material*& known = materials_[*material.name];
+    const bool is_definition = material.rgba || material.texture;
+    if (known == nullptr || (is_definition && !known->rgba && !known->texture)) known = &material;
+  };
+  for (const urdf::Material& material : model.robot->materials) add(material);
+  for (const urdf::Link& link : model.robot->links) {
+    for (const urdf::Visual& visual : link.visuals) {
+      if (visual.material) add(*visual.material);
+    }
+  }
+}
+
+const urdf::Material* AnnotationValues::definition(std::string_view name) const {
+  const auto found = materials_.find(name);
+  return found == materials_.end() ? nullptr : found->second;
+}
+
+bool AnnotationValues::defines(const MaterialAnnotation& entry) const {
+  return entry.name && definition(*entry.name) != nullptr;
+}
+
+bool AnnotationValues::says_color(const MaterialAnnotation& entry) const {
+  const urdf::Material* material = entry.name ? definition(*entry.name) : nullptr;
+  if (!entry.diffuse_color) return true;  // unreadable or an old name, judged elsewhere
+  return material != nullptr && material->rgba && *material->rgba == rgba_of(*entry.diffuse_color);
+}
+
+bool AnnotationValues::says_texture(const MaterialAnnotation& entry) const {
+  const urdf::Material* material = entry.name ? definition(*entry.name) : nullptr;
+  if (!entry.diffuse_texture) return true;
+  return material != nullptr && material->texture.value.has_value();
+}
+
+const urdf::Joint* AnnotationValues::joint_of(const Motor& motor) const {
+  if (!motor.joint) return nullptr;
+  const auto index = model_.joint_names.find(*motor.joint);
+  if (!index || !model_.robot->joints[*index].has_one_axis()) return nullptr;
+  return &model_.robot->joints[*index];
+}
+
+const urdf::Joint* AnnotationValues::leader_of(const Motor& motor) const {
+  if (!motor.mimic_motor) return nullptr;
+  if (const auto leader = model_.motor_names.find(*motor.mimic_motor)) {
+    return joint_of(model_.annotations.motors[*leader]);
+  }
+  const auto joint = model_.joint_names.find(*motor.mimic_motor);  // as Phobos writes it
+  return joint ? &model_.robot->joints[*joint] : nullptr;
+}
+
+bool AnnotationValues::says_limit(const Motor& motor, std::string_view key) const {
+  const urdf::Joint* joint = joint_of(motor);
+  const auto value = limit_value(key);
+  if (joint == nullptr || !value) return true;
+  const bool is_bound = *value == LimitValue::lower || *value == LimitValue::upper;
+  if (is_bound && joint->type == urdf::JointType::continuous) return true;  // it has no bounds
+  const auto wanted = limit_of(motor, *value);
+  if (!wanted) return true;
+  // Bounds that are not written are 0 to the readers of URDF.
+  const urdf::Limit limit = joint->limit.value_or(urdf::Limit{});
+  const Field<double>& written = limit_field(limit, *value);
+  return written ? *written == *wanted : is_bound && *wanted == 0;
+}
+
+bool AnnotationValues::says_mimic(const Motor& motor) const {
+  const urdf::Joint* joint = joint_of(motor);
+  const urdf::Joint* leader = leader_of(motor);
+  if (joint == nullptr || leader == nullptr || !leader->name) return true;
+  if (!joint->mimic || !joint->mimic->joint) return false;
+  return *joint->mimic->joint == *leader->name &&
+         joint->mimic->multiplier.value_or(1) == motor.mimic_multiplier.value_or(0) &&
+         joint->mimic->offset.value_or(0) == motor.mimic_offset.value_or(0);
+}
+
+const urdf::Joint* AnnotationValues::joint_of(const JointAnnotation& entry) const {
+  const auto index = entry.name ? model_.joint_names.find(*entry.name) : std::nullopt;
+  return index ? &model_.robot->joints[*index] : nullptr;
+}
+
+std::optional<bool> AnnotationValues::says_dynamics(const JointAnnotation& entry,
+                                                    yaml::View key) const {
+  const auto value = dynamics_value(key.key());
+  const urdf::Joint* joint = joint_of(entry);
+  if (!value || joint == nullptr || !key.number()) return std::nullopt;
+  const urdf::Dynamics dynamics = joint->dynamics.value_or(urdf::Dynamics{});
+  const Field<double>& field =
+      *value == DynamicsValue::damping ? dynamics.damping : dynamics.friction;
+  return field.value_or(0) == *key.number();
+}
+
+std::array<double, 4> rgba_of(const Color& color) {
+  return {color.r.value_or(0), color.g.value_or(0), color.b.value_or(0), color.a.value_or(1)};
+}
+
+std::optional<LimitValue> limit_value(std::string_view key) {
+  if (key == "minValue" || key == "minPosition") return LimitValue::lower;
+  if (key == "maxValue" || key == "maxPosition") return LimitValue::upper;
+  if (key == "maxEffort") return LimitValue::effort;
+  if (key == "maxSpeed") return LimitValue::velocity;
+  return std::nullopt;
+}
+
+const Field<double>& limit_field(const urdf::Limit& limit, LimitValue value) {
+  switch (value) {
+  case LimitValue::lower: return limit.lower;
+  case LimitValue::upper: return limit.upper;
+  case LimitValue::effort: return limit.effort;
+  case LimitValue::velocity: break;
+  }
+  return limit.velocity;
+}
+
+std::optional<double> limit_of(const Motor& motor, LimitValue value) {
+  const auto first = [](const Field<double>& newer, const Field<double>& older) {
+    return newer ? newer.value : older.value;
+  };
+  switch (value) {
+  case LimitValue::lower: return first(motor.min_position, motor.min_value);
+  case LimitValue::upper: return first(motor.max_position, motor.max_value);
+  case LimitValue::effort: return motor.max_effort.value;
+  case LimitValue::velocity: break;
+  }
+  return motor.max_speed.value;
+}
+
+std::optional<DynamicsValue> dynamics_value(std::string_view key) {
+  if (key == "springDamping" || key == "damping_const_constraint_axis1" || key == "damping") {
+    return DynamicsValue::damping;
+  }
+  if (key == "friction") return DynamicsValue::friction;
+  return std::nullopt;
+}
+
+}  // namespace smurf

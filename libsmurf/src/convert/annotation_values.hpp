@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Annotations and the values of the URDF that they repeat or contradict.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "smurf/convert.hpp"
+
+namespace smurf {
+
+/// What is applied and what is lost is decided by the same comparisons.
+class AnnotationValues {
+ public:
+  explicit AnnotationValues(const LinkedModel& model);
+
+  /// The URDF defines or uses the material.
+  bool defines(const MaterialAnnotation& entry) const;
+  /// Null when no definition of the material has a colour (texture).
+  const urdf::Material* definition(std::string_view name) const;
+  bool says_color(const MaterialAnnotation& entry) const;
+  bool says_texture(const MaterialAnnotation& entry) const;
+
+  /// The movable joint that the motor drives; null when there is none.
+  const urdf::Joint* joint_of(const Motor& motor) const;
+  /// The joint of the motor that this one mimics.
+  const urdf::Joint* leader_of(const Motor& motor) const;
+  bool says_limit(const Motor& motor, std::string_view key) const;
+  bool says_mimic(const Motor& motor) const;
+
+  const urdf::Joint* joint_of(const JointAnnotation& entry) const;
+  /// None when the key is no damping or friction.
+  std::optional<bool> says_dynamics(const JointAnnotation& entry, yaml::View key) const;
+
+ private:
+  const LinkedModel& model_;
+  std::map<std::string_view, const urdf::Material*> materials_;
+};
+
+/// Of a colour; absent components as Phobos takes them: black, opaque.
+std::array<double, 4> rgba_of(const Color& color);
+
+enum class LimitValue : std::uint8_t { lower, upper, effort, velocity };
+/// The URDF value that a key of a motor is about.
+std::optional<LimitValue> limit_value(std::string_view key);
+const Field<double>& limit_field(const urdf::Limit& limit, LimitValue value);
+/// What the motor says of it; the newer of two names wins, as in MARS.
+std::optional<double> limit_of(const Motor& motor, LimitValue value);
+
+enum class DynamicsValue : std::uint8_t { damping, friction };
+std::optional<DynamicsValue> dynamics_value(std::string_view key);
+
+}  // namespace smurf

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One way to write a URDF, so that two versions differ where the robots differ: materials, then
+// links and joints in the order of the tree, then extensions as they stand; attributes in the order
+// of the specification; the shortest numbers; no comments.
+#include <algorithm>
+#include <map>
+#include <span>
+
+#include "base/edits.hpp"
+#include "base/numbers.hpp"
+#include "convert/passes.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::string_view kAttributes[] = {
+    "name", "type",  "version", "link",  "xyz",    "rpy",      "joint",   "multiplier",
+    "ixx",  "ixy",   "ixz",     "iyy",   "iyz",    "izz",      "radius",  "length",
+    "size", "scale", "lower",   "upper", "effort", "velocity", "damping", "friction"};
+constexpr std::string_view kChildren[] = {
+    "origin",   "mass",        "inertia",  "inertial", "visual", "collision",
+    "geometry", "material",    "color",    "texture",  "parent", "child",
+    "axis",     "calibration", "dynamics", "limit",    "mimic",  "safety_controller"};
+
+std::size_t rank(std::span<const std::string_view> order, std::string_view name) {
+  return static_cast<std::size_t>(std::find(order.begin(), order.end(), name) - order.begin());
+}
+
+/// Numbers in their shortest form, one blank between them; any other text as it is.
+std::string canonical_value(std::string_view value) {
+  std::string text;
+  std::string_view rest = value;
+  while (!rest.empty()) {
+    const std::size_t begin = rest.find_first_not_of(' ');
+    if (begin == std::string_view::npos) break;
+    const std::size_t end = std::min(rest.find(' ', begin), rest.size());
+    const auto number = parse_number(rest.substr(begin, end - begin));
+    if (!number) return std::string(value);
+    text += (text.empty() ? "" : " ") + format_number(*number);
+    rest.remove_prefix(end);
+  }
+  return text.empty() ? std::string(value) : text;
+}
+
+class CanonicalWriter {
+ public:
+  CanonicalWriter(const LinkedModel& model, std::string_view text) : model_(model), text_(text) {}
+
+  std::string write() {
+    const xml::View robot = model_.robot->document.view();
+    out_ = "<?xml version=\"1.0\"?>\n";
+    open(robot, 0, ">\n");
+    for (const xml::View child : robot) {
+      if (child.name() == "material") element(child, 1);
+    }
+    for (const LinkIndex link : model_.tree.order) {
+      if (const auto joint = model_.tree.parent_joint[to_size(link)]) {
+        element(view(model_.joint(*joint).element), 1);
+      }
+      element(view(model_.link(link).element), 1);
+    }
+    for (const xml::View child : robot) {
+      if (!written_[static_cast<std::size_t>(child.id())]) raw_or_element(child);
+    }
+    return out_ + "</robot>\n";
+  }
+
+ private:
+  xml::View view(xml::ElementId id) const { return {model_.robot->document, id}; }
+
+  void indent(int depth) { out_.append(static_cast<std::size_t>(depth) * 2, ' '); }
+
+  void open(xml::View element, int depth, std::string_view end) {
+    std::vector<const xml::Attribute*> attributes;
+    for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
+         ++one) {
+      attributes.push_back(one);
+    }
+    std::sort(attributes.begin(), attributes.end(),
+              [](const xml::Attribute* a, const xml::Attribute* b) {
+                const std::size_t i = rank(kAttributes, a->name);
+                const std::size_t j = rank(kAttributes, b->name);
+                return i != j ? i < j : a->name < b->name;
+              });
+    indent(depth);
+    out_ += "<" + std::string(element.name());
+    for (const xml::Attribute* one : attributes) {
+      const bool is_text = one->name == "name" || one->name == "filename" || one->name == "link" ||
+                           one->name == "joint" || one->name == "version";
+      const std::string value = is_text ? std::string(one->value) : canonical_value(one->value);
+      out_ += " " + std::string(one->name) + "=\"" + escape_xml(value) + "\"";
+    }
+    out_ += end;
+  }
+
+  void element(xml::View element, int depth) {
+    bool& is_written = written_[static_cast<std::size_t>(element.id())];
+    if (is_written) return;
+    is_written = true;
+    std::vector<xml::View> children;
+    for (const xml::View child : element) children.push_back(child);
+    std::stable_sort(children.begin(), children.end(), [](xml::View a, xml::View b) {
+      return rank(kChildren, a.name()) < rank(kChildren, b.name());
+    });
+    const bool has_text =
+        element.element().text.find_first_not_of(" \t\r\n") != std::string_view::npos;
+    if (has_text) {  // an extension: what its blanks mean is not known here
+      indent(depth);
+      out_ += std::string(
+                  text_.substr(element.span().begin, element.span().end - element.span().begin)) +
+              "\n";
+      return;
+    }
+    if (children.empty()) return open(element, depth, "/>\n");
+    open(element, depth, ">\n");
+    for (const xml::View child : children) this->element(child, depth + 1);
+    indent(depth);
+    out_ += "</" + std::string(element.name()) + ">\n";
+  }
+
+  /// Links and joints outside the tree like the others, extensions byte for byte.
+  void raw_or_element(xml::View child) {
+    if (child.name() == "link" || child.name() == "joint") return element(child, 1);
+    indent(1);
+    out_ += std::string(text_.substr(child.span().begin, child.span().end - child.span().begin));
+    out_ += "\n";
+  }
+
+  const LinkedModel& model_;
+  std::string_view text_;
+  std::string out_;
+  std::map<std::size_t, bool> written_;  ///< by element
+};
+
+}  // namespace
+
+std::string canonical_urdf(const LinkedModel& model, std::string_view text) {
+  return CanonicalWriter(model, text).write();
+}
+
+}  // namespace smurf

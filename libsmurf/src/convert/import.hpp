@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of a SMURF model that are made from a URDF, a section each.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/convert.hpp"
+
+namespace smurf::import {
+
+/// What the parts share. Names that are given to unnamed collisions are collected as edits.
+struct Context {
+  const LinkedModel& model;
+  const SourceMap& sources;
+  const UrdfImport& options;
+  DiagnosticSink& sink;
+  std::vector<Edit> edits{};
+
+  const urdf::Robot& robot() const { return *model.robot; }
+  std::string line_of(Span span) const;  ///< "arm.urdf:12"
+  /// Reports SML8101: it has no section, `why`.
+  void keep_as_text(Span span, const std::string& what, const std::string& why);
+};
+
+/// A section's file, or none when there is nothing to say.
+using Part = std::optional<NewFile>;
+Part motors(Context& context);
+Part sensors(Context& context);
+Part materials(Context& context);
+Part joints(Context& context);
+Part poses(Context& context);
+Part urdf_extensions(Context& context);
+Part srdf_extensions(Context& context);
+
+/// A texture's path from the folder of the main file.
+std::string texture_path(const UrdfImport& options, std::string_view path);
+
+/// Text inside an element without blanks around it.
+std::string_view text_of(xml::View element);
+/// The text of a child; "" when there is none.
+std::string_view child_text(xml::View element, std::string_view child);
+std::string_view attribute_of(xml::View element, std::string_view name);
+/// The robot's children of this name that URDF does not define.
+std::vector<xml::View> extensions_of(const Context& context, std::string_view name);
+
+/// Gives each name once: "arm", "arm_2".
+class UniqueNames {
+ public:
+  void take(const std::string& name) { taken_.insert(name); }
+  std::string make(const std::string& wish);
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, int> counts_;  ///< so that many equal wishes stay linear
+};
+
+}  // namespace smurf::import

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The URDF stays whole: annotations are added beside it. What becomes an entry of a section stands
+// in the URDF as well, and what no section can say is repeated as text, so that readers of the
+// annotations miss nothing.
+#include "base/edits.hpp"
+#include "base/path.hpp"
+#include "base/rules.hpp"
+#include "convert/import.hpp"
+#include "convert/rebase.hpp"
+
+namespace smurf {
+namespace import {
+
+std::string Context::line_of(Span span) const {
+  return std::string(path::file_name(sources.path(span.source))) + ":" +
+         std::to_string(sources.line_of(span.source, span.begin));
+}
+
+void Context::keep_as_text(Span span, const std::string& what, const std::string& why) {
+  Diagnostic& diagnostic = sink.report(rules::sml8101_kept_as_text, span,
+                                       what + " becomes no entry of a section: " + why);
+  diagnostic.notes.emplace_back("its text is kept in the section of extensions");
+}
+
+std::string_view text_of(xml::View element) {
+  std::string_view text = element ? element.element().text : std::string_view();
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::string_view child_text(xml::View element, std::string_view child) {
+  return element ? text_of(element.child(child)) : std::string_view();
+}
+
+std::string_view attribute_of(xml::View element, std::string_view name) {
+  const xml::Attribute* attribute = element ? element.attribute(name) : nullptr;
+  return attribute != nullptr ? attribute->value : std::string_view();
+}
+
+std::vector<xml::View> extensions_of(const Context& context, std::string_view name) {
+  std::vector<xml::View> found;
+  for (const xml::ElementId id : context.robot().extensions) {
+    const xml::View element(context.robot().document, id);
+    if (element.name() == name) found.push_back(element);
+  }
+  return found;
+}
+
+}  // namespace import
+
+namespace {
+
+struct Folders {
+  std::string main;  ///< of the .smurf, from the folder of the output
+  std::string urdf;  ///< of the written URDF
+};
+
+Folders folders_of(SmurfLayout layout) {
+  return layout == SmurfLayout::phobos ? Folders{"smurf", "urdf"} : Folders{".", "."};
+}
+
+}  // namespace
+
+std::string import::texture_path(const UrdfImport& options, std::string_view path) {
+  const std::string folder = path::join(path::join(options.current_folder, options.output_folder),
+                                        folders_of(options.layout).main);
+  return path::relative(path::join(options.current_folder, path), folder);
+}
+
+NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const UrdfImport& options,
+                     DiagnosticSink& sink) {
+  import::Context context{model, sources, options, sink};
+  NewModel result;
+  for (const auto part : {import::motors, import::sensors, import::materials, import::joints,
+                          import::poses, import::urdf_extensions, import::srdf_extensions}) {
+    if (import::Part file = part(context)) result.files.push_back(std::move(*file));
+  }
+  const Folders folders = folders_of(options.layout);
+  const auto absolute = [&](std::string_view path) {
+    return path::join(path::join(options.current_folder, options.output_folder), path);
+  };
+  result.modelname = model.robot->name.value_or(options.name);
+  result.main_path = path::join(folders.main, options.name + ".smurf");
+  result.source = path::file_name(model.urdf_path);
+  if (options.layout == SmurfLayout::in_place) {
+    const std::string urdf = path::join(options.current_folder, model.urdf_path);
+    result.urdf_entry = path::relative(urdf, absolute(folders.main));
+    return result;
+  }
+  result.urdf_path = path::join(folders.urdf, options.name + ".urdf");
+  result.urdf_entry = path::relative(absolute(result.urdf_path), absolute(folders.main));
+  std::vector<Edit> edits = rebase_paths(model, absolute(folders.urdf), options.current_folder);
+  edits.insert(edits.end(), context.edits.begin(), context.edits.end());
+  result.urdf = apply_edits(sources.text(model.robot->document.source), edits);
+  return result;
+}
+
+namespace rules {
+
+constinit const Rule sml8101_kept_as_text{
+    .id = "SML8101",
+    .name = "kept-as-text",
+    .severity = Severity::info,
+    .summary = "Something in a URDF or SRDF becomes no entry of a SMURF section.",
+    .why = "urdf2smurf makes entries only where SMURF has a section that says the same. The rest "
+           "is kept as text in the sections `urdf_extensions` and `srdf_extensions`, which "
+           "simulators of SMURF do not act on.",
+    .remedy = "Add an entry by hand where a simulator needs it.",
+    .sources = "Sections and types that MARS reads: smurf.cpp:257-485, SensorManager.cpp:351."};
+
+}  // namespace rules
+}  // namespace smurf

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a URDF cannot say of a model. What it says already is no loss, and neither are the names by
+// which annotations refer to it.
+#include <algorithm>
+
+#include "base/rules.hpp"
+#include "convert/annotation_values.hpp"
+#include "convert/passes.hpp"
+
+namespace smurf {
+namespace {
+
+using Names = std::initializer_list<std::string_view>;
+
+bool is_one_of(std::string_view name, Names names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+class LossReport {
+ public:
+  LossReport(const LinkedModel& model, const UrdfExport& options, DiagnosticSink& sink)
+      : model_(model), options_(options), sink_(sink), values_(model) {}
+
+  void run() {
+    const Annotations& all = model_.annotations;
+    for (const MaterialAnnotation& material : all.materials) of_material(material);
+    for (const Motor& motor : all.motors) of_motor(motor);
+    for (const JointAnnotation& joint : all.joints) of_joint(joint);
+    for (const Sensor& sensor : all.sensors) of_sensor(sensor);
+    whole_entries(all.controllers, "controller");
+    whole_entries(all.poses, "joint pose set");
+    whole_entries(all.lights, "light");
+    whole_entries(all.graphics, "graphics entry");
+    whole_entries(all.nodes, "node");
+    whole_entries(all.submechanisms, "submechanism");
+    whole_entries(all.exoskeletons, "exoskeleton");
+    whole_entries(all.interfaces, "interface");
+    whole_entries(all.submodels, "submodel");
+    for (const CollisionAnnotation& entry : all.collisions) of_keys(entry, "collision");
+    for (const VisualAnnotation& entry : all.visuals) of_keys(entry, "visual");
+    for (const LinkAnnotation& entry : all.links) of_keys(entry, "link");
+    for (const CustomSection& section : all.custom) of_custom(section);
+    for (const CustomSection& key : model_.main.extra) of_custom(key);
+    if (options_.strips_extensions) {
+      for (const xml::View element : passes::extension_elements(*model_.robot)) {
+        lose(rules::sml8004_vendor_extension, element.name_span(),
+             "`" + std::string(element.name()) + "`", "is left out");
+      }
+    }
+  }
+
+ private:
+  void lose(const Rule& rule, Span span, const std::string& what, const std::string& why) {
+    sink_.report(rule, span, what + " " + why);
+  }
+
+  static std::string title(const Annotation& entry, std::string_view kind) {
+    return std::string(kind) + (entry.name ? " `" + *entry.name + "`" : "");
+  }
+
+  yaml::View view(const Annotation& entry) const {
+    const yaml::Document* document = model_.document(entry.span.source);
+    return document == nullptr ? yaml::View() : yaml::View(*document, entry.node);
+  }
+
+  template <class Entries>
+  void whole_entries(const Entries& entries, std::string_view kind) {
+    for (const Annotation& entry : entries) {
+      const Span place = entry.name ? entry.name.span : entry.span;
+      lose(rules::sml8001_not_expressible, place, title(entry, kind), "has no place in a URDF");
+    }
+  }
+
+  void of_custom(const CustomSection& section) {
+    // Their text stands in the URDF, from which urdf2smurf took it.
+    if (section.name.value == "urdf_extensions") return;
+    lose(rules::sml8001_not_expressible, section.name.span, "`" + section.name.value + "`",
+         "has no place in a URDF");
+  }
+
+  /// All keys but those that say which element the entry is about.
+  void of_keys(const Annotation& entry, std::string_view kind) {
+    for (const yaml::View key : view(entry)) {
+      if (is_one_of(key.key(), {"name", "link"}) || key.is_null()) continue;
+      lose_key(entry, kind, key);
+    }
+  }
+
+  void lose_key(const Annotation& entry, std::string_view kind, yaml::View key) {
+    lose(rules::sml8001_not_expressible, key.key_span(),
+         "`" + std::string(key.key()) + "` of " + title(entry, kind), "has no place in a URDF");
+  }
+
+  void not_requested(const Annotation& entry, std::string_view kind, yaml::View key,
+                     std::string_view option) {
+    lose(rules::sml8002_not_requested, key.key_span(),
+         "`" + std::string(key.key()) + "` of " + title(entry, kind),
+         "differs from the URDF, which is kept; see --apply " + std::string(option));
+  }
+
+  void of_material(const MaterialAnnotation& entry) {
+    for (const yaml::View key : view(entry)) {
+      if (key.key() == "name" || key.is_null()) continue;
+      const bool is_color = is_one_of(key.key(), {"diffuseColor", "diffuseFront"});
+      const bool is_texture = is_one_of(key.key(), {"diffuseTexture", "texturename"});
+      if ((!is_color && !is_texture) || !values_.defines(entry)) {
+        lose_key(entry, "material", key);
+      } else if (!options_.apply.materials &&
+                 !(is_color ? values_.says_color(entry) : values_.says_texture(entry))) {
+        not_requested(entry, "material", key, "materials");
+      }
+    }
+  }
+
+  void of_motor(const Motor& motor) {
+    const urdf::Joint* joint = values_.joint_of(motor);
+    for (const yaml::View key : view(motor)) {
+      if (is_one_of(key.key(), {"name", "joint"}) || key.is_null()) continue;
+      const bool is_limit =
+          is_one_of(key.key(), {"maxEffort", "motorMaxForce", "maxSpeed", "maximumVelocity",
+                                "minValue", "maxValue", "minPosition", "maxPosition"});
+      const bool is_mimic = key.key().starts_with("mimic_");
+      if (key.key() == "type" && joint != nullptr && options_.actuation != Actuation::none)
+        continue;
+      if (joint == nullptr || (!is_limit && !is_mimic)) {
+        lose_key(motor, "motor", key);
+      } else if (is_limit && !options_.apply.limits && !values_.says_limit(motor, key.key())) {
+        not_requested(motor, "motor", key, "limits");
+      } else if (is_mimic && !options_.apply.mimic && !values_.says_mimic(motor)) {
+        not_requested(motor, "motor", key, "mimic");
+      }
+    }
+  }
+
+  void of_sensor(const Sensor& sensor) {
+    const bool can_say = !passes::gazebo_type(sensor).empty();
+    if (can_say && options_.adds_gazebo_sensors) return;
+    const Rule& rule = can_say ? rules::sml8002_not_requested : rules::sml8001_not_expressible;
+    lose(rule, sensor.name ? sensor.name.span : sensor.span, title(sensor, "sensor"),
+         can_say ? "is not written; see --sensors gazebo" : "has no place in a URDF");
+  }
+
+  void of_joint(const JointAnnotation& entry) {
+    for (const yaml::View key : view(entry)) {
+      if (is_one_of(key.key(), {"name", "type", "parent", "child"}) || key.is_null()) continue;
+      const bool is_spring =
+          is_one_of(key.key(), {"springStiffness", "spring_const_constraint_axis1"});
+      if (is_spring && key.number() == 0.0) continue;  // no spring, as in a URDF
+      const auto said = values_.says_dynamics(entry, key);
+      if (!said) {
+        lose_key(entry, "joint", key);
+      } else if (!*said && !options_.apply.dynamics) {
+        not_requested(entry, "joint", key, "dynamics");
+      }
+    }
+  }
+
+  const LinkedModel& model_;
+  const UrdfExport& options_;
+  DiagnosticSink& sink_;
+  AnnotationValues values_;
+};
+
+}  // namespace
+
+void report_losses(const LinkedModel& model, const UrdfExport& options, DiagnosticSink& sink) {
+  if (model.robot) LossReport(model, options, sink).run();
+}
+
+namespace rules {
+
+constinit const Rule sml8001_not_expressible{
+    .id = "SML8001",
+    .name = "not-expressible",
+    .severity = Severity::info,
+    .summary = "An annotation has no counterpart in a URDF.",
+    .why = "A program that reads the exported URDF does not know of it: gains of motors, sensors, "
+           "bitmasks, joint pose sets and the like.",
+    .remedy = "Hand it over in another way, or use a reader of SMURF.",
+    .sources = "The elements of URDF: urdfdom 3.0.1 and 5.1."};
+
+constinit const Rule sml8002_not_requested{
+    .id = "SML8002",
+    .name = "not-requested",
+    .severity = Severity::info,
+    .summary = "An annotation differs from the URDF, and the export keeps what the URDF says.",
+    .why =
+        "MARS simulates with the annotation, a reader of the exported URDF with the other value: "
+        "the same robot behaves differently.",
+    .remedy = "Export with `--apply`, which takes the values of the annotations.",
+    .sources = "MARS smurf.cpp:902 (limits of the URDF are not used), MaterialData.cpp:47-118."};
+
+constinit const Rule sml8003_ambiguous{
+    .id = "SML8003",
+    .name = "ambiguous",
+    .severity = Severity::info,
+    .summary = "Several annotations say different things about one value of the URDF.",
+    .why = "Only one of them can be written; which one a simulator would use depends on its order "
+           "of loading.",
+    .remedy = "Leave one of them.",
+    .sources = "Two motors of one joint in MARS: smurf.cpp:257-270."};
+
+constinit const Rule sml8004_vendor_extension{
+    .id = "SML8004",
+    .name = "vendor-extension",
+    .severity = Severity::info,
+    .summary = "An extension of the URDF is left out of the export.",
+    .why = "Programs that read the extension, Gazebo or ros2_control for example, miss it.",
+    .remedy = "Export with `--vendor keep`.",
+    .sources = "sdformat 12.3 parser_urdf.cc; ros2_control hardware_interface."};
+
+}  // namespace rules
+}  // namespace smurf

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convert/passes.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "base/edits.hpp"
+#include "base/numbers.hpp"
+#include "base/path.hpp"
+
+namespace smurf::passes {
+namespace {
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_urdf_child(std::string_view parent, std::string_view child) {
+  if (parent == "robot") return is_one_of(child, {"link", "joint", "material"});
+  if (parent == "link") return is_one_of(child, {"inertial", "visual", "collision"});
+  return is_one_of(child, {"origin", "parent", "child", "axis", "limit", "dynamics", "mimic",
+                           "safety_controller", "calibration"});
+}
+
+bool is_relative_path(std::string_view filename) {
+  return !filename.empty() && !path::is_absolute(filename) &&
+         filename.find("://") == std::string_view::npos;
+}
+
+/// Renames inside one element and all below it.
+class Prefixer {
+ public:
+  Prefixer(const LinkedModel& model, const std::string& prefix, XmlEdits& edits)
+      : model_(model), prefix_(prefix), edits_(edits) {}
+
+  void run() {
+    const xml::View robot = model_.robot->document.view();
+    for (const xml::View child : robot) {
+      if (is_one_of(child.name(), {"link", "joint", "material"})) {
+        urdf(child);
+      } else {
+        rename(child, "name");
+        extension(child);
+      }
+    }
+  }
+
+ private:
+  void rename(xml::View element, std::string_view attribute) {
+    const xml::Attribute* name = element.attribute(attribute);
+    if (name == nullptr || name->value.empty()) return;
+    edits_.set_attribute(element, attribute, prefix_ + std::string(name->value));
+  }
+
+  void urdf(xml::View element) {
+    if (is_one_of(element.name(), {"link", "joint", "material"})) rename(element, "name");
+    for (const xml::View child : element) {
+      if (is_one_of(child.name(), {"parent", "child"})) rename(child, "link");
+      if (child.name() == "mimic") rename(child, "joint");
+      if (child.name() == "material") rename(child, "name");
+      if (child.name() == "visual") urdf(child);
+    }
+  }
+
+  bool is_name(std::string_view text) const {
+    return model_.link_names.contains(text) || model_.joint_names.contains(text);
+  }
+
+  /// Whatever an extension calls it: an attribute or a text that is the name of a link or joint.
+  void extension(xml::View element) {
+    for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
+         ++one) {
+      const bool refers = is_one_of(one->name, {"reference", "link", "joint", "link1", "link2"}) ||
+                          (one->name == "name" && element.name() == "joint");
+      if (refers && is_name(one->value)) rename(element, one->name);
+    }
+    const bool is_leaf = element.begin() == element.end();
+    if (is_leaf && is_name(element.element().text)) {
+      Span place = element.element().text_span;
+      place.end = place.begin;
+      edits_.replace(place, escape_xml(prefix_));
+    }
+    for (const xml::View child : element) extension(child);
+  }
+
+  const LinkedModel& model_;
+  const std::string& prefix_;
+  XmlEdits& edits_;
+};
+
+}  // namespace
+
+std::string new_element(std::string_view name, const Attributes& attributes) {
+  std::string text = "<" + std::string(name);
+  for (const auto& [key, value] : attributes) {
+    text += " " + std::string(key) + "=\"" + escape_xml(value) + "\"";
+  }
+  return text + "/>";
+}
+
+std::string numbers_text(const Vector3& vector) {
+  return format_number(vector[0]) + " " + format_number(vector[1]) + " " + format_number(vector[2]);
+}
+
+Attributes origin_attributes(const Pose& pose) {
+  return {{"xyz", numbers_text(pose.position)}, {"rpy", numbers_text(to_rpy(pose.orientation))}};
+}
+
+std::vector<xml::View> extension_elements(const urdf::Robot& robot) {
+  std::vector<xml::View> found;
+  for (const xml::View child : robot.document.view()) {
+    if (!is_urdf_child("robot", child.name())) {
+      found.push_back(child);
+    } else if (child.name() != "material") {
+      for (const xml::View inner : child) {
+        if (!is_urdf_child(child.name(), inner.name())) found.push_back(inner);
+      }
+    }
+  }
+  return found;
+}
+
+void strip_comments(const LinkedModel& model, XmlEdits& edits) {
+  for (const Span comment : model.robot->document.comments) edits.remove(comment);
+}
+
+void strip_extensions(const LinkedModel& model, XmlEdits& edits) {
+  for (const xml::View element : extension_elements(*model.robot)) edits.remove(element);
+}
+
+void add_prefix(const LinkedModel& model, const std::string& prefix, XmlEdits& edits) {
+  Prefixer(model, prefix, edits).run();
+}
+
+void add_base(const LinkedModel& model, BaseJoint base, XmlEdits& edits) {
+  const urdf::Link& root = model.link(model.tree.roots.front());
+  const xml::View robot = model.robot->document.view();
+  const std::string type = base == BaseJoint::fixed ? "fixed" : "floating";
+  edits.add_child(robot, "<link name=\"world\"/>");
+  edits.add_child(robot, "<joint name=\"world_to_" + escape_xml(*root.name) + "\" type=\"" + type +
+                             "\">\n  <parent link=\"world\"/>\n  <child link=\"" +
+                             escape_xml(*root.name) + "\"/>\n</joint>");
+}
+
+void rewrite_paths(const LinkedModel& model, const UrdfExport& options, XmlEdits& edits) {
+  if (options.mesh_uri == MeshUri::keep) return;
+  const std::string folder = path::join(options.current_folder, options.output_folder);
+  for (const MeshReference& mesh : model.meshes) {
+    const bool is_relative = is_relative_path(mesh.filename);
+    // What leads nowhere is left alone, unless it is relative: then it leads to the same nowhere.
+    if (!is_relative && (options.mesh_uri == MeshUri::rebase || !mesh.exists)) continue;
+    const std::string target = path::join(options.current_folder, mesh.path);
+    std::string uri = path::relative(target, folder);
+    if (options.mesh_uri == MeshUri::absolute) uri = target;
+    if (options.mesh_uri == MeshUri::file) uri = "file://" + target;
+    if (options.mesh_uri == MeshUri::package) {
+      const std::string inside = path::relative(target, options.package_folder);
+      if (inside.starts_with("..")) continue;  // found by meshes_outside_package()
+      uri = "package://" + options.package_name + "/" + inside;
+    }
+    const bool is_right = is_relative && path::join(folder, mesh.filename) == target;
+    const bool may_stay =
+        options.mesh_uri == MeshUri::rebase || options.mesh_uri == MeshUri::relative;
+    if (mesh.filename == uri || (is_right && may_stay)) continue;
+    edits.replace(mesh.span, escape_xml(uri));
+  }
+}
+
+}  // namespace smurf::passes

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convert/xml_edits.hpp"
+
+#include <algorithm>
+
+#include "base/edits.hpp"
+#include "base/numbers.hpp"
+
+namespace smurf {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+}  // namespace
+
+void XmlEdits::set_attribute(xml::View element, std::string_view name, std::string_view value) {
+  if (const xml::Attribute* attribute = element.attribute(name)) {
+    if (attribute->value != value) replace(attribute->value_span, escape_xml(value));
+    return;
+  }
+  Span place = element.name_span();
+  if (element.attributes_begin() != element.attributes_end()) {
+    place = (element.attributes_end() - 1)->span;
+  }
+  place.begin = place.end;
+  replace(place, " " + std::string(name) + "=\"" + escape_xml(value) + "\"");
+}
+
+void XmlEdits::set_number(xml::View element, std::string_view name, double value) {
+  const xml::Attribute* attribute = element.attribute(name);
+  if (attribute != nullptr && parse_number(attribute->value) == value) return;
+  set_attribute(element, name, format_number(value));
+}
+
+void XmlEdits::add_child(xml::View element, std::string_view child) {
+  const auto known = std::find_if(children_.begin(), children_.end(), [&](const Children& one) {
+    return one.element.id() == element.id();
+  });
+  if (known == children_.end()) {
+    children_.push_back({element, std::string(child)});
+  } else {
+    known->text.append("\n").append(child);
+  }
+}
+
+void XmlEdits::remove(Span span) {
+  std::uint32_t begin = span.begin;
+  while (begin > 0 && is_blank(text_[begin - 1])) --begin;
+  std::uint32_t end = span.end;
+  while (end < text_.size() && is_blank(text_[end])) ++end;
+  const bool is_alone = (begin == 0 || text_[begin - 1] == '\n') &&
+                        (end == text_.size() || text_[end] == '\n' || text_[end] == '\r');
+  if (!is_alone) {
+    replace(span, "");
+    return;
+  }
+  if (end < text_.size() && text_[end] == '\r') ++end;
+  if (end < text_.size() && text_[end] == '\n') ++end;
+  replace({span.source, begin, end}, "");
+}
+
+std::string_view XmlEdits::indentation(Span span) const {
+  std::size_t begin = span.begin;
+  while (begin > 0 && text_[begin - 1] != '\n') --begin;
+  std::size_t end = begin;
+  while (end < span.begin && is_blank(text_[end])) ++end;
+  return text_.substr(begin, end - begin);
+}
+
+std::string_view XmlEdits::line_end() const {
+  const std::size_t line = text_.find('\n');
+  return line != std::string_view::npos && line > 0 && text_[line - 1] == '\r' ? "\r\n" : "\n";
+}
+
+std::string XmlEdits::indented(std::string_view text, std::string_view indentation) const {
+  std::string result;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    result.append(text.substr(0, end)).append(line_end()).append(indentation);
+    text.remove_prefix(end + 1);
+  }
+  return result.append(text);
+}
+
+void XmlEdits::replace_element(xml::View element, std::string_view text) {
+  replace(element.span(), indented(text, indentation(element.span())));
+}
+
+void XmlEdits::close(const Children& children, std::vector<Edit>& edits) const {
+  const xml::View element = children.element;
+  const std::string outer(indentation(element.span()));
+  std::string inner = outer + "  ";
+  for (const xml::View child : element) inner = indentation(child.span());
+  std::string text = std::string(line_end()) + inner + indented(children.text, inner);
+  const Span tag = element.tag_span();
+  if (tag.end == element.span().end) {  // <a/>
+    Span slash{tag.source, tag.end - 2, tag.end};
+    while (is_blank(text_[slash.begin - 1])) --slash.begin;
+    edits.push_back({slash, ">" + text + std::string(line_end()) + outer + "</" +
+                                std::string(element.name()) + ">"});
+    return;
+  }
+  Span place = tag;
+  for (const xml::View child : element) place = child.span();
+  place.begin = place.end;
+  const bool ends_on_this_line = text_.substr(place.end).starts_with("</");
+  if (ends_on_this_line) text += std::string(line_end()) + outer;
+  edits.push_back({place, text});
+}
+
+std::string XmlEdits::apply() const {
+  std::vector<Edit> edits = edits_;
+  for (const Children& children : children_) close(children, edits);
+  return apply_edits(text_, edits);
+}
+
+}  // namespace smurf

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/file_index.hpp"
+
+#include "base/path.hpp"
+
+namespace smurf {
+
+bool FileIndex::exists(const std::string& path) {
+  const auto [place, is_new] = known_.try_emplace(path);
+  if (is_new) place->second = files_.is_file(path);
+  return place->second;
+}
+
+const std::vector<std::string>& FileIndex::list(const std::string& folder) {
+  const auto [place, is_new] = lists_.try_emplace(folder);
+  if (is_new) place->second = files_.list(folder);
+  return place->second;
+}
+
+std::optional<std::string> FileIndex::in_other_case(const std::string& path, int most_folders) {
+  std::string folder(path::parent(path));
+  if (list(folder).empty()) {
+    if (folder.empty() || folder == "/" || most_folders == 0) return std::nullopt;
+    const auto other = in_other_case(folder, most_folders - 1);
+    if (!other) return std::nullopt;
+    folder = *other;
+  }
+  const std::string wanted = path::to_lower(path::file_name(path));
+  for (const std::string& name : list(folder)) {
+    if (path::to_lower(name) == wanted) return path::join(folder, name);
+  }
+  return std::nullopt;
+}
+
+}  // namespace smurf

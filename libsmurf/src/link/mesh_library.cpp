@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mesh files and the files that these name in turn.
+#include <algorithm>
+#include <set>
+
+#include "base/path.hpp"
+#include "mesh/mesh_reader.hpp"
+#include "smurf/mesh.hpp"
+
+namespace smurf {
+namespace {
+
+/// `%20` is a blank in COLLADA; a name with scheme `file://` is a path.
+std::string decoded(std::string_view uri) {
+  constexpr std::string_view kFile = "file://";
+  if (uri.starts_with(kFile)) uri.remove_prefix(kFile.size());
+  std::string name;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool is_blank = uri.substr(i, 3) == "%20";
+    name += is_blank ? ' ' : uri[i];
+    if (is_blank) i += 2;
+  }
+  return name;
+}
+
+class Dependencies {
+ public:
+  Dependencies(const std::string& mesh_path, const FileReader& files)
+      : folder_(path::parent(mesh_path)), files_(files) {}
+
+  std::vector<MeshDependency> lost(const std::vector<MeshDependency>& dependencies) {
+    for (const MeshDependency& dependency : dependencies) check(dependency);
+    return std::move(lost_);
+  }
+
+ private:
+  void check(const MeshDependency& dependency) {
+    if (!seen_.insert(dependency.filename).second) return;
+    const std::string path = path::join(folder_, decoded(dependency.filename));
+    if (!files_.is_file(path)) {
+      lost_.push_back(dependency);
+    } else if (!dependency.is_texture) {
+      constexpr std::uint64_t kMostBytes = 1U << 20U;
+      const FileContent library = files_.read(path, kMostBytes);
+      for (const MeshDependency& texture : read_material_library(library.text)) check(texture);
+    }
+  }
+
+  std::string folder_;
+  const FileReader& files_;
+  std::set<std::string> seen_;
+  std::vector<MeshDependency> lost_;
+};
+
+}  // namespace
+
+const MeshFile& MeshLibrary::read(const std::string& path, const FileReader& files,
+                                  const Limits& limits) {
+  const auto [place, is_new] = files_.try_emplace(path::normalize(path));
+  MeshFile& file = place->second;
+  if (!is_new) return file;
+  const FileContent content = files.read(path, limits.mesh_bytes);
+  file.status = content.status;
+  file.reason = content.reason;
+  if (content.status != ReadStatus::ok) return file;
+  file.facts = read_mesh(content.text, path::extension(path));
+  file.lost = Dependencies(path, files).lost(file.facts.dependencies);
+  return file;
+}
+
+}  // namespace smurf

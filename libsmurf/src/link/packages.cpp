@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/packages.hpp"
+
+#include "base/path.hpp"
+
+namespace smurf {
+
+Packages::Packages(const LoadContext& context, std::string_view urdf_folder, FileIndex& index)
+    : context_(context), index_(index) {
+  constexpr int kLevels = 8;
+  std::string folder = path::normalize(urdf_folder.empty() ? "." : urdf_folder);
+  for (int level = 0; level < kLevels; ++level) {
+    folders_.push_back(folder);
+    folder = path::join(folder, "..");
+  }
+}
+
+std::string Packages::find(const std::string& name_and_rest) {
+  const std::size_t slash = name_and_rest.find('/');
+  if (slash == std::string::npos || slash == 0) return {};
+  const std::string name = name_and_rest.substr(0, slash);
+  const std::string rest = name_and_rest.substr(slash + 1);
+  if (const auto given = context_.packages.find(name); given != context_.packages.end()) {
+    return path::join(given->second, rest);
+  }
+  for (const std::string& folder : folders_) {
+    for (const std::string& candidate :
+         {path::join(folder, name + "/" + rest), path::join(folder, rest)}) {
+      if (index_.exists(candidate)) return candidate;
+    }
+  }
+  for (const std::string& folder : folders_) {
+    if (package_name(folder) == name) return path::join(folder, rest);
+  }
+  for (const std::string& folder : context_.package_folders) {
+    const std::string package = path::file_name(folder) == name ? folder : path::join(folder, name);
+    if (!index_.list(package).empty()) return path::join(package, rest);
+  }
+  return {};
+}
+
+const std::string& Packages::package_name(const std::string& folder) {
+  const auto [place, is_new] = names_.try_emplace(folder);
+  if (!is_new) return place->second;
+  constexpr std::uint64_t kMostBytes = 1U << 20U;
+  const std::string text = index_.files().read(path::join(folder, "package.xml"), kMostBytes).text;
+  constexpr std::string_view kTag = "<name>";
+  const std::size_t begin = text.find(kTag);
+  const std::size_t end = text.find("</name>");
+  if (begin != std::string::npos && end != std::string::npos && begin < end) {
+    const std::string_view written =
+        std::string_view(text).substr(begin + kTag.size(), end - begin - kTag.size());
+    const std::size_t first = written.find_first_not_of(" \t\r\n");
+    const std::size_t last = written.find_last_not_of(" \t\r\n");
+    if (first != std::string_view::npos) place->second = written.substr(first, last - first + 1);
+  }
+  return place->second;
+}
+
+}  // namespace smurf

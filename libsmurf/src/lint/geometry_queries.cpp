@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/geometry_queries.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace smurf {
+
+std::string_view to_string(GeometryRole role) {
+  return role == GeometryRole::visual ? "visual" : "collision";
+}
+
+namespace {
+
+Box centered(double x, double y, double z) {
+  return {{-x / 2, -y / 2, -z / 2}, {x / 2, y / 2, z / 2}};
+}
+
+/// Components as they are in metres with z up.
+Vector3 upright(const Vector3& point, const MeshFacts& facts) {
+  const double unit = facts.unit_meters.value_or(1);
+  const Vector3 p{point[0] * unit, point[1] * unit, point[2] * unit};
+  if (facts.format != MeshFormat::collada || facts.up_axis == 'Z') return p;
+  if (facts.up_axis == 'X') return {-p[1], p[2], p[0]};
+  return {p[0], -p[2], p[1]};
+}
+
+std::optional<Box> mesh_box(const LinkedModel& model, const urdf::Mesh& mesh) {
+  const MeshFacts* facts = find_facts(model, mesh);
+  if (facts == nullptr || !facts->box || (mesh.scale.written && !mesh.scale)) return std::nullopt;
+  const Vector3 scale = mesh.scale.value_or({1, 1, 1});
+  const Vector3 a = upright(facts->box->low, *facts);
+  const Vector3 b = upright(facts->box->high, *facts);
+  Box box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.low[i] = std::min(a[i] * scale[i], b[i] * scale[i]);
+    box.high[i] = std::max(a[i] * scale[i], b[i] * scale[i]);
+  }
+  return box;
+}
+
+std::optional<Box> box_of(const LinkedModel& model, const urdf::Shape& shape) {
+  if (const auto* mesh = std::get_if<urdf::Mesh>(&shape)) return mesh_box(model, *mesh);
+  if (const auto* box = std::get_if<urdf::Box>(&shape)) {
+    if (!box->size) return std::nullopt;
+    return centered((*box->size)[0], (*box->size)[1], (*box->size)[2]);
+  }
+  if (const auto* sphere = std::get_if<urdf::Sphere>(&shape)) {
+    if (!sphere->radius) return std::nullopt;
+    return centered(2 * *sphere->radius, 2 * *sphere->radius, 2 * *sphere->radius);
+  }
+  if (const auto* cylinder = std::get_if<urdf::Cylinder>(&shape)) {
+    if (!cylinder->radius || !cylinder->length) return std::nullopt;
+    return centered(2 * *cylinder->radius, 2 * *cylinder->radius, *cylinder->length);
+  }
+  if (const auto* capsule = std::get_if<urdf::Capsule>(&shape)) {
+    if (!capsule->radius || !capsule->length) return std::nullopt;
+    return centered(2 * *capsule->radius, 2 * *capsule->radius,
+                    *capsule->length + 2 * *capsule->radius);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& mesh) {
+  const auto found =
+      std::lower_bound(model.meshes.begin(), model.meshes.end(), mesh.filename.span.begin,
+                       [](const MeshReference& reference, std::uint32_t begin) {
+                         return reference.span.begin < begin;
+                       });
+  const bool is_there = found != model.meshes.end() && found->span == mesh.filename.span;
+  return mesh.filename && is_there ? &*found : nullptr;
+}
+
+const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh) {
+  const MeshReference* reference = find_reference(model, mesh);
+  if (reference == nullptr || reference->file == nullptr) return nullptr;
+  return reference->file->status == ReadStatus::ok ? &reference->file->facts : nullptr;
+}
+
+std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry) {
+  const std::optional<Box> box = box_of(model, geometry.shape);
+  if (!box) return std::nullopt;
+  for (std::size_t i = 0; i < 3; ++i) {
+    // Also false for what is not a number.
+    if (!(std::isfinite(box->low[i]) && box->high[i] >= box->low[i])) return std::nullopt;
+  }
+  return box;
+}
+
+void for_each_geometry(const LinkedModel& model,
+                       const std::function<void(const GeometryUse&)>& visit) {
+  for_each_link(model, [&](const urdf::Link& link) {
+    for (const urdf::Visual& visual : link.visuals) {
+      visit({GeometryRole::visual, link, visual.element, visual.origin, visual.geometry});
+    }
+    for (const urdf::Collision& collision : link.collisions) {
+      visit(
+          {GeometryRole::collision, link, collision.element, collision.origin, collision.geometry});
+    }
+  });
+}
+
+}  // namespace smurf

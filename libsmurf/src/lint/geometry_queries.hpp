@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shapes of a robot: every visual and collision of every link, walked in one place.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "lint/queries.hpp"
+
+namespace smurf {
+
+enum class GeometryRole : std::uint8_t { visual, collision };
+std::string_view to_string(GeometryRole role);
+
+/// A visual or collision and the link it belongs to. Valid as long as the model.
+struct GeometryUse {
+  GeometryRole role;
+  const urdf::Link& link;
+  xml::ElementId element;  ///< the visual or collision
+  const urdf::Origin& origin;
+  const urdf::Geometry& geometry;
+
+  /// Null when the shape is another.
+  const urdf::Mesh* mesh() const { return std::get_if<urdf::Mesh>(&geometry.shape); }
+};
+
+/// The file that a mesh of the URDF means; null when it names none.
+const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& mesh);
+/// What is known of that file's content; null when it was not opened or could not be.
+const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
+
+/// The box of a shape in its own frame, in metres, with the mesh's scale. COLLADA is taken as most
+/// readers take it: in the unit and with the axes that the file says. None when the size is unknown
+/// or not finite.
+std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry);
+
+/// Calls `visit` for every visual and collision, in document order within each kind of a link.
+void for_each_geometry(const LinkedModel& model,
+                       const std::function<void(const GeometryUse&)>& visit);
+
+}  // namespace smurf

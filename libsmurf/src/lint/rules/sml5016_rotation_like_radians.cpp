@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Angles that people write as fractions of pi, in degrees.
+constexpr double kAngles[] = {30, 45, 60, 90, 120, 135, 150, 180, 270, 360};
+/// As near as three written digits of pi bring them.
+constexpr double kRelativeTolerance = 1.2e-3;
+
+/// The degrees that a number would be as radians, when it is one of those angles.
+std::optional<double> as_degrees(double number) {
+  for (const double degrees : kAngles) {
+    const double radians = degrees * std::numbers::pi / 180;
+    if (std::fabs(std::fabs(number) - radians) > kRelativeTolerance * radians) continue;
+    return std::copysign(degrees, number);
+  }
+  return std::nullopt;
+}
+
+/// The numbers of a rotation as they are written.
+std::vector<yaml::View> numbers_of(yaml::View rotation) {
+  std::vector<yaml::View> numbers;
+  if (!rotation.is_sequence()) return {rotation};
+  for (const yaml::View number : rotation) numbers.push_back(number);
+  return numbers;
+}
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
+    const RotationForm form = entity.rotation.form;
+    if (form != RotationForm::yaw && form != RotationForm::euler) return;
+    std::vector<Edit> edits;
+    for (const yaml::View number : numbers_of(mapping_of(file, entity).find("rotation"))) {
+      const double value = *number.number();
+      if (value == 0) continue;
+      const std::optional<double> degrees = as_degrees(value);
+      if (!degrees) return;
+      edits.push_back({number.span(), format_number(*degrees)});
+    }
+    if (edits.empty()) return;
+    Diagnostic& diagnostic = findings.report(
+        edits.size() == 1 ? edits.front().span : entity.rotation.span,
+        title(entity) + " is turned by so few degrees that radians seem to be meant");
+    diagnostic.help = "in degrees:";
+    for (const Edit& edit : edits) {
+      diagnostic.help += (&edit == &edits.front() ? " " : ", ") + edit.text;
+    }
+    diagnostic.fixes.push_back({Applicability::unsafe, std::move(edits)});
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml5016_rotation_like_radians{
+    .id = "SML5016",
+    .name = "rotation-like-radians",
+    .severity = Severity::warning,
+    .summary = "The angles of a rotation are fractions of pi, but scenes take degrees.",
+    .why = "MARS and MARS 2 read the angles of a scene as degrees: 1.5708 is a turn by one and a "
+           "half degrees. Phobos 2 reads and writes them as radians, as URDF does.",
+    .remedy = "Write degrees: 90 instead of 1.5708.",
+    .sources = "MARS mathUtils.cpp:133-152, SimEntity.cpp:405-416; Phobos representation.py "
+               "(Pose.rotation).",
+    .check_scene = check};
+
+}  // namespace smurf::rules

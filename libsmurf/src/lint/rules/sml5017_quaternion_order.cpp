@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr double kZero = 1e-6;
+
+/// As w, x, y, z these numbers are a half turn about a slanting axis, or the one half turn that is
+/// no rotation at all as x, y, z, w; as x, y, z, w they turn about one axis of the frame at most.
+bool looks_like_xyzw(const std::array<double, 4>& numbers) {
+  const auto is_zero = [&](std::size_t i) { return std::fabs(numbers[i]) < kZero; };
+  return is_zero(0) && !is_zero(3) && (is_zero(1) || is_zero(2));
+}
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
+    const Rotation& rotation = entity.rotation;
+    if (rotation.form != RotationForm::quaternion || rotation.is_mapping) return;
+    if (!looks_like_xyzw(rotation.values)) return;
+    Diagnostic& diagnostic =
+        findings.report(rotation.span, "the quaternion of " + title(entity) +
+                                           " is a half turn as w, x, y, z; are "
+                                           "these x, y, z, w?");
+    std::vector<Span> places;
+    std::vector<std::string> texts;
+    for (const yaml::View number : mapping_of(file, entity).find("rotation")) {
+      places.push_back(number.span());
+      texts.emplace_back(number.text());
+    }
+    diagnostic.help = "then write [" + texts[3] + ", " + texts[0] + ", " + texts[1] + ", " +
+                      texts[2] + "]; a half turn about z is [180]";
+    Fix& fix = diagnostic.fixes.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) fix.edits.push_back({places[i], texts[(i + 3) % 4]});
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml5017_quaternion_order{
+    .id = "SML5017",
+    .name = "quaternion-order",
+    .severity = Severity::warning,
+    .summary = "Four numbers of a rotation make more sense as x, y, z, w than as w, x, y, z.",
+    .why = "MARS and MARS 2 read a list of four as w, x, y, z; Phobos 2, as most mathematics "
+           "libraries, as x, y, z, w. [0, 0, 0, 1] is no rotation to one and a half turn to the "
+           "other.",
+    .remedy = "Put w first, or write {w: , x: , y: , z: }, which both read alike.",
+    .sources = "MARS SimEntity.cpp:416-421; Phobos representation.py (Pose.rotation).",
+    .check_scene = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <set>
+
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for (const SceneFile& file : scene.scenes) {
+    if (!file.document) continue;
+    std::set<yaml::NodeId> without_file;  // entity-uri says what becomes of them
+    for (const Entity& entity : file.scene.entities) {
+      if (!entity.file || entity.file->empty()) without_file.insert(entity.node);
+    }
+    for (const yaml::Node& node : file.document->nodes) {
+      if (node.key != "URI" || without_file.contains(node.parent)) continue;
+      Diagnostic& diagnostic = findings.report(
+          node.key_span, "MARS puts the keys of this file in the place of `URI`, over those "
+                         "written here");
+      diagnostic.help = "write the keys of that file here";
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml5018_uri_in_scene{
+    .id = "SML5018",
+    .name = "uri-in-scene",
+    .severity = Severity::warning,
+    .summary = "A mapping of a scene has the key `URI`, which only MARS expands.",
+    .why = "MARS merges the named file into the mapping at any depth, and its keys win over those "
+           "written beside `URI`, though the documentation says the reverse; absolute paths do "
+           "not work, and a circle overflows the stack. MARS 2, Phobos and this tool ignore the "
+           "key.",
+    .remedy = "Write the keys in place, or nest a scene with `file`.",
+    .sources = "configmaps ConfigMap.cpp:607-638 (run); MARS SMURFLoader.cpp:420.",
+    .check_scene = check};
+
+}  // namespace smurf::rules

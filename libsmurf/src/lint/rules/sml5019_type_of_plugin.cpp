@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "link/scene_link.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kPhobosTypes[] = {"light", "heightmap", "mesh", "generic"};
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
+    const std::string type = entity_type(entity);
+    if (std::find(std::begin(kPhobosTypes), std::end(kPhobosTypes), type) ==
+        std::end(kPhobosTypes)) {
+      return;
+    }
+    findings.report(type_place(entity), "MARS has no plug-in of its own for entities of type " +
+                                            quoted(type) + " and leaves this one out");
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml5019_type_of_plugin{
+    .id = "SML5019",
+    .name = "type-of-plugin",
+    .severity = Severity::info,
+    .summary = "An entity has a type that Phobos writes but MARS does not know.",
+    .why = "Phobos up to 1.0 writes entities of the types light, heightmap, mesh and generic; "
+           "MARS leaves them out with a message on the console unless a plug-in takes them.",
+    .remedy = "Load a plug-in for the type, or say the same with `lights`, a primitive or a URDF.",
+    .sources = "MARS EntityFactoryManager.cpp:70-90.",
+    .check_scene = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "ast/keys.hpp"
+#include "base/suggest.hpp"
+#include "link/scene_link.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kShapes[] = {"plane", "box", "sphere", "cylinder", "capsule"};
+
+void report_shape(yaml::View shape, Findings& findings) {
+  Diagnostic& diagnostic =
+      findings.report(shape.place(), quoted(shape.text()) + " is no shape of a primitive");
+  diagnostic.help = "shapes are plane, box, sphere, cylinder and capsule";
+  if (const auto near = nearest(shape.text(), kShapes)) {
+    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe,
+         {{without_quotes(shape.span(), shape.text()), std::string(*near)}}});
+  }
+}
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
+    if (entity_type(entity) != "primitive") return;
+    const yaml::View keys = mapping_of(file, entity);
+    const yaml::View geometry = keys.find("geometry");
+    if (geometry && !geometry.is_null() && !geometry.is_mapping()) return;  // a wrong type
+    const yaml::View shape =
+        geometry && geometry.is_mapping() ? geometry.find("type") : yaml::View();
+    if (!shape || shape.is_null()) {
+      if (!keys.find("physicmode")) {
+        findings.report(place_of(entity), title(entity) + " is a primitive without a shape");
+      }
+      return;
+    }
+    const bool is_known =
+        std::find(std::begin(kShapes), std::end(kShapes), shape.text()) != std::end(kShapes);
+    if (!shape.is_scalar() || !is_known) return report_shape(shape, findings);
+    const bool has_preset = shape.text() != "cylinder" && shape.text() != "capsule";
+    if (!has_preset && !keys.find("extend")) {
+      Diagnostic& diagnostic =
+          findings.report(shape.span(), "a primitive " + std::string(shape.text()) +
+                                            " has no size unless "
+                                            "`extend` gives it one");
+      diagnostic.help = "add `extend: {x: RADIUS, y: LENGTH, z: 0}`";
+    }
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml5023_primitive_without_shape{
+    .id = "SML5023",
+    .name = "primitive-without-shape",
+    .severity = Severity::error,
+    .summary = "An entity of type primitive has no shape, an unknown one, or one without size.",
+    .why = "MARS takes the shape from `geometry: {type: ...}` and has sizes for plane, box and "
+           "sphere only. It cannot make a node without shape or size and then keeps an entity "
+           "that is nothing.",
+    .remedy = "Write `geometry: {type: box}` (plane, sphere, cylinder, capsule); give a cylinder "
+              "or capsule its `extend`.",
+    .sources = "MARS primitives.cpp:115-153 and 212, EntityFactoryManager.cpp:83.",
+    .check_scene = check};
+
+}  // namespace smurf::rules

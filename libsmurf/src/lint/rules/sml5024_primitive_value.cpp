@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ast/scene_keys.hpp"
+#include "ast/sections.hpp"
+#include "link/scene_link.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
+    if (entity_type(entity) != "primitive") return;
+    DiagnosticSink found;
+    for (const yaml::View value : mapping_of(file, entity)) {
+      if (value.is_repeated() || find_key({all_entity_keys()}, value.key())) continue;
+      const KeySpec* spec = find_key({sections::node_keys()}, value.key());
+      if (spec != nullptr) read_value(*spec, value, {}, found);
+    }
+    for (const Diagnostic& wrong : found.diagnostics()) {
+      Diagnostic& diagnostic = findings.report(wrong.span, wrong.message);
+      diagnostic.help = wrong.help;
+      diagnostic.fixes = wrong.fixes;
+    }
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml5024_primitive_value{
+    .id = "SML5024",
+    .name = "primitive-value",
+    .severity = Severity::error,
+    .summary = "A key of a primitive holds a value that a node of MARS does not take.",
+    .why = "MARS reads all keys of a primitive as those of a node: a list where it needs a "
+           "mapping is an uncaught exception, a text where it needs a number is uninitialised "
+           "memory.",
+    .remedy = "Write the kind of value that the message names.",
+    .sources = "MARS primitives.cpp:148-153, NodeData.cpp:98-286; configmaps (run).",
+    .check_scene = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for (const SceneFile& file : scene.scenes) {
+    if (!file.document) continue;
+    const yaml::View root = file.document->view();
+    if (!root || !root.is_mapping()) continue;
+    yaml::View first;  // in the order of Phobos
+    for (const std::string_view key : {"entities", "smurfa", "smurfs"}) {
+      const yaml::View list = root.find(key);
+      if (!list || !list.is_sequence() || list.size() == 0) continue;
+      if (!first) {
+        first = list;
+        continue;
+      }
+      Diagnostic& diagnostic = findings.report(
+          list.key_span(), "only MARS reads " + quoted(key) + " beside " + quoted(first.key()));
+      diagnostic.labels.push_back({first.key_span(), "Phobos reads this list only"});
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml5029_several_entity_lists{
+    .id = "SML5029",
+    .name = "several-entity-lists",
+    .severity = Severity::warning,
+    .summary = "A scene has more than one of the lists `entities`, `smurfa` and `smurfs`.",
+    .why = "MARS reads all three. Phobos takes `entities`, else `smurfa`, else `smurfs`; its "
+           "script for PyBullet `smurfs`, else `entities`; MARS 2 `entities` only.",
+    .remedy = "Put all entities into one list; nest a .smurfa for an assembly.",
+    .sources = "MARS SMURFLoader.cpp:418-450; Phobos multiple.py:188; MarsSceneLoader.cpp.",
+    .check_scene = check};
+
+}  // namespace smurf::rules

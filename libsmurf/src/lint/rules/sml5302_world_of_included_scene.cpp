@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// The scene around `use`, nearest first, that sets the key as well.
+yaml::View set_around(const LinkedScene& scene, const SceneUse& use, std::string_view key) {
+  for (auto outer = use.outer; outer;) {
+    const SceneUse& around = scene.uses[to_size(*outer)];
+    if (const yaml::View value = world_value(scene.file(around), key)) return value;
+    outer = around.outer;
+  }
+  return {};
+}
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for (const SceneUse& use : scene.uses) {
+    if (!use.outer) continue;
+    for (const std::string_view key : {"physics", "environment"}) {
+      const yaml::View inner = world_value(scene.file(use), key);
+      if (!inner) continue;
+      const yaml::View outer = set_around(scene, use, key);
+      if (!outer) continue;
+      Diagnostic& diagnostic = findings.report(
+          inner.key_span(),
+          quoted(key) + " of an included scene yields to that of the scene around it");
+      diagnostic.labels.push_back({outer.key_span(), "this one is set afterwards"});
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml5302_world_of_included_scene{
+    .id = "SML5302",
+    .name = "world-of-included-scene",
+    .severity = Severity::warning,
+    .summary = "An included scene sets physics or environment, and so does a scene around it.",
+    .why = "There is one world: MARS applies the values of the included scene to everything, and "
+           "then those of the outer scene. MARS 2 does the same without its entities, Phobos "
+           "reads neither.",
+    .remedy = "Set `physics` and `environment` in one scene, best the outermost.",
+    .sources = "MARS SMURFLoader.cpp:451-548.",
+    .check_scene = check};
+
+}  // namespace smurf::rules

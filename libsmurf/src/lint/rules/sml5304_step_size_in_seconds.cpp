@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Simulations step by 0.1 ms to 20 ms; as seconds these numbers are below this.
+constexpr double kSmallestMilliseconds = 0.05;
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for (const SceneFile& file : scene.scenes) {
+    if (!file.scene.physics || !world_value(file, "physics")) continue;
+    const Field<double>& step = file.scene.physics->step_size;
+    if (!step || *step < 0 || *step >= kSmallestMilliseconds) continue;
+    if (*step == 0) {
+      findings.report(step.span, "with a step of 0 ms time stands still");
+      continue;
+    }
+    const std::string milliseconds = format_rounded(*step * 1000, 12);
+    Diagnostic& diagnostic = findings.report(step.span, "the step is " + format_number(*step) +
+                                                            " milliseconds; are seconds meant?");
+    diagnostic.help = "in milliseconds it is " + milliseconds;
+    diagnostic.fixes.push_back({Applicability::unsafe, {{step.span, milliseconds}}});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml5304_step_size_in_seconds{
+    .id = "SML5304",
+    .name = "step-size-in-seconds",
+    .severity = Severity::warning,
+    .summary = "The step of the physics engine is so small that seconds seem to be meant.",
+    .why = "MARS takes `stepsize` as milliseconds, Phobos' script for PyBullet as seconds: a "
+           "simulation runs a thousand times slower than it should.",
+    .remedy = "Write milliseconds: 1 for a thousand steps a second.",
+    .sources = "MARS SMURFLoader.cpp:471-473, Simulator.cpp:99 and 329; Phobos "
+               "smurfs_in_pybullet.py.",
+    .check_scene = check};
+
+}  // namespace smurf::rules

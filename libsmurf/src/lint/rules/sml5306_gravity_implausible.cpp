@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Jupiter pulls with 25 m/s^2; centimetres and feet give more.
+constexpr double kStrongest = 30;
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for (const SceneFile& file : scene.scenes) {
+    if (!file.scene.physics || !world_value(file, "physics")) continue;
+    const Field<Vector3>& gravity = file.scene.physics->gravity;
+    if (!gravity) continue;
+    const auto& [x, y, z] = *gravity;
+    const double strength = std::hypot(x, y, z);
+    const yaml::View keys(*file.document, file.scene.physics->node);
+    const yaml::View up = keys.find("gravity").find("z");
+    if (strength > kStrongest) {
+      findings.report(gravity.span, "gravity is " + format_rounded(strength) +
+                                        " m/s^2; that of the earth is 9.81");
+    } else if (z > 0 && z > 0.5 * strength) {
+      Diagnostic& diagnostic = findings.report(up.span(), "gravity pulls upward");
+      diagnostic.help = "did you mean " + format_number(-z) + "?";
+      diagnostic.fixes.push_back({Applicability::unsafe, {{up.span(), format_number(-z)}}});
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml5306_gravity_implausible{
+    .id = "SML5306",
+    .name = "gravity-implausible",
+    .severity = Severity::warning,
+    .summary = "Gravity pulls upward, or more strongly than that of any planet.",
+    .why = "In SMURF scenes z points up and gravity is an acceleration in m/s^2, taken as it is: "
+           "with a positive z everything falls into the sky.",
+    .remedy = "Write {x: 0, y: 0, z: -9.81}.",
+    .sources = "MARS SMURFLoader.cpp:455-462.",
+    .check_scene = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers of binary mesh files: little-endian, wherever they lie.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string_view>
+
+namespace smurf {
+
+/// Precondition: offset + 4 <= bytes.size().
+inline std::uint32_t read_uint32(std::string_view bytes, std::size_t offset) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value |= std::uint32_t{static_cast<unsigned char>(bytes[offset + i])} << (8 * i);
+  }
+  return value;
+}
+
+inline std::int32_t read_int32(std::string_view bytes, std::size_t offset) {
+  return static_cast<std::int32_t>(read_uint32(bytes, offset));
+}
+
+inline float read_float(std::string_view bytes, std::size_t offset) {
+  return std::bit_cast<float>(read_uint32(bytes, offset));
+}
+
+}  // namespace smurf

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bytes -> MeshFacts: small readers of the formats that robots use.
+#pragma once
+
+#include <string_view>
+
+#include "smurf/mesh.hpp"
+
+namespace smurf {
+
+/// Reads a whole mesh file. What is broken is a defect of the result; nothing is reported here,
+/// as the place a person looks at is where the mesh is used. `extension` (".stl", any case) helps
+/// only when the bytes alone could be several things.
+MeshFacts read_mesh(std::string_view bytes, std::string_view extension);
+
+/// The texture files that a material library (.mtl) names.
+std::vector<MeshDependency> read_material_library(std::string_view text);
+
+}  // namespace smurf

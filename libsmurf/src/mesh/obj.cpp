@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wavefront OBJ: positions, faces and the files it names; the rest is left alone, as every reader
+// takes another part of it.
+#include <array>
+#include <vector>
+
+#include "base/numbers.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/mesh_reader.hpp"
+#include "mesh/surface.hpp"
+#include "mesh/words.hpp"
+
+namespace smurf {
+namespace {
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, MeshFacts& facts) : words_(text), facts_(facts) {}
+
+  void read() {
+    while (!facts_.defect && !words_.is_at_end()) {
+      const std::string_view keyword = words_.next();
+      line_ = words_.line();
+      offset_ = words_.offset();
+      std::string_view line = words_.rest_of_line();
+      if (!line.ends_with('\\') || keyword.starts_with('#')) {
+        statement(keyword, line);
+        continue;
+      }
+      std::string joined;  // a line that ends in a backslash goes on in the next one
+      for (; line.ends_with('\\'); line = words_.next_line()) {
+        joined += line.substr(0, line.size() - 1);
+        joined += ' ';
+      }
+      statement(keyword, joined += line);
+    }
+    facts_.vertices = points_.size();
+    facts_.box = box_.box();
+    if (facts_.defect) return;
+    if (latest_ > points_.size()) {
+      line_ = latest_line_;
+      offset_ = latest_offset_;
+      fail("a face names the vertex " + std::to_string(latest_) + " of " +
+           std::to_string(points_.size()));
+    } else if (latest_ == 0) {
+      facts_.volume = surface_.volume();
+    }
+  }
+
+ private:
+  void statement(std::string_view keyword, std::string_view line) {
+    if (keyword == "v") {
+      vertex(line);
+    } else if (keyword == "f") {
+      face(line);
+    } else if (keyword == "mtllib" && !line.empty()) {
+      facts_.dependencies.push_back({std::string(line), false, line_});
+    }
+  }
+
+  void vertex(std::string_view line) {
+    Words numbers(line);
+    Vector3 point;
+    for (double& coordinate : point) {
+      const std::string_view word = numbers.next();
+      const auto number = parse_number(word);
+      if (!number) {
+        return fail(word.empty() ? "a vertex has fewer than three coordinates"
+                                 : "the coordinate `" + std::string(word.substr(0, 20)) +
+                                       "` is not a number");
+      }
+      coordinate = *number;
+    }
+    points_.push_back(
+        {static_cast<float>(point[0]), static_cast<float>(point[1]), static_cast<float>(point[2])});
+    box_.add(point);
+  }
+
+  void face(std::string_view line) {
+    Words words(line);
+    std::optional<Vector3> first;
+    std::optional<Vector3> previous;
+    std::uint64_t corners = 0;
+    bool is_known = true;
+    while (!words.is_at_end()) {
+      const std::string_view corner = words.next();
+      const auto index = parse_integer(corner.substr(0, corner.find('/')));
+      if (!index || *index == 0) {
+        return fail("the corner `" + std::string(corner.substr(0, 20)) + "` of a face is no index");
+      }
+      ++corners;
+      const auto point = find(*index);
+      if (facts_.defect) return;
+      is_known = is_known && point.has_value();
+      if (!is_known) continue;
+      if (first && previous && corners > 2) surface_.add(*first, *previous, *point);
+      if (!first) first = point;
+      previous = point;
+    }
+    if (corners < 3) return fail("a face has fewer than three corners");
+    facts_.triangles += corners - 2;
+  }
+
+  /// None for a vertex that comes later, if at all.
+  std::optional<Vector3> find(std::int64_t index) {
+    const auto count = static_cast<std::int64_t>(points_.size());
+    if (index < -count) {
+      fail("a face names the vertex " + std::to_string(index) + ", but " + std::to_string(count) +
+           " stand before it");
+      return std::nullopt;
+    }
+    if (index > count) {
+      if (static_cast<std::uint64_t>(index) > latest_) {
+        latest_ = static_cast<std::uint64_t>(index);
+        latest_line_ = line_;
+        latest_offset_ = offset_;
+      }
+      return std::nullopt;
+    }
+    const auto& point = points_[static_cast<std::size_t>(index < 0 ? count + index : index - 1)];
+    return Vector3{point[0], point[1], point[2]};
+  }
+
+  void fail(std::string what) { facts_.defect = {std::move(what), offset_, line_}; }
+
+  Words words_;
+  MeshFacts& facts_;
+  std::uint32_t line_ = 1;
+  std::uint64_t offset_ = 0;
+  std::vector<std::array<float, 3>> points_;
+  /// The greatest vertex that a face names before it is there.
+  std::uint64_t latest_ = 0;
+  std::uint32_t latest_line_ = 0;
+  std::uint64_t latest_offset_ = 0;
+  BoxSum box_;
+  SurfaceSum surface_;
+};
+
+}  // namespace
+
+void read_obj(std::string_view text, MeshFacts& facts) { ObjReader(text, facts).read(); }
+
+std::vector<MeshDependency> read_material_library(std::string_view text) {
+  std::vector<MeshDependency> textures;
+  Words words(text);
+  while (!words.is_at_end()) {
+    const std::string_view keyword = words.next();
+    const std::uint32_t line = words.line();
+    std::string_view rest = words.rest_of_line();
+    const bool is_map = keyword.starts_with("map_") || keyword == "bump" || keyword == "disp" ||
+                        keyword == "decal" || keyword == "norm" || keyword == "refl";
+    // Options (-s 1 1 1) come first and have any number of values; such a line is not understood.
+    if (!is_map || rest.empty() || rest.front() == '-') continue;
+    textures.push_back({std::string(rest), true, line});
+  }
+  return textures;
+}
+
+}  // namespace smurf

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Binary STL: 80 bytes of header, a count, 50 bytes a triangle. ASCII STL: words.
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "base/path.hpp"
+#include "mesh/bytes.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/surface.hpp"
+#include "mesh/words.hpp"
+
+namespace smurf {
+namespace {
+
+bool is_finite(const Vector3& point) {
+  return std::all_of(point.begin(), point.end(), [](double x) { return std::isfinite(x); });
+}
+
+class AsciiStlReader {
+ public:
+  AsciiStlReader(std::string_view text, MeshFacts& facts) : words_(text), facts_(facts) {}
+
+  void read() {
+    while (!words_.is_at_end() && solid()) {
+    }
+    facts_.box = box_.box();
+    if (!facts_.defect) facts_.volume = surface_.volume();
+  }
+
+ private:
+  bool solid() {
+    if (!expect("solid")) return false;
+    words_.rest_of_line();  // a name
+    while (true) {
+      const std::string_view word = words_.next();
+      if (is(word, "endsolid")) {
+        words_.rest_of_line();
+        return true;
+      }
+      if (!is(word, "facet")) return unexpected(word, "facet");
+      if (!facet()) return false;
+    }
+  }
+
+  bool facet() {
+    if (!expect("normal")) return false;
+    // Normals are often zero or not a number, and readers compute their own.
+    for (int i = 0; i < 3; ++i) words_.next();
+    if (!expect("outer") || !expect("loop")) return false;
+    Vector3 corners[3];
+    for (Vector3& corner : corners) {
+      if (!vertex(corner)) return false;
+    }
+    if (!expect("endloop") || !expect("endfacet")) return false;
+    ++facts_.triangles;
+    surface_.add(corners[0], corners[1], corners[2]);
+    return true;
+  }
+
+  bool vertex(Vector3& point) {
+    if (!expect("vertex")) return false;
+    for (double& coordinate : point) {
+      const std::string_view word = words_.next();
+      const auto number = parse_number(word);
+      if (!number) return unexpected(word, "a number");
+      coordinate = *number;
+    }
+    ++facts_.vertices;
+    box_.add(point);
+    return true;
+  }
+
+  static bool is(std::string_view word, std::string_view keyword) {
+    return word == keyword || path::to_lower(word) == keyword;
+  }
+
+  bool expect(std::string_view keyword) {
+    const std::string_view word = words_.next();
+    return is(word, keyword) || unexpected(word, "`" + std::string(keyword) + "`");
+  }
+
+  /// Always false.
+  bool unexpected(std::string_view word, const std::string& expected) {
+    constexpr std::size_t kShown = 20;
+    const std::string found =
+        word.empty() ? "the file ends" : "`" + std::string(word.substr(0, kShown)) + "` stands";
+    facts_.defect = {found + " where " + expected + " is expected", words_.offset(), words_.line()};
+    return false;
+  }
+
+  Words words_;
+  MeshFacts& facts_;
+  BoxSum box_;
+  SurfaceSum surface_;
+};
+
+}  // namespace
+
+std::uint32_t stl_triangle_count(std::string_view bytes) {
+  return read_uint32(bytes, kStlHeaderBytes - 4);
+}
+
+void read_binary_stl(std::string_view bytes, MeshFacts& facts) {
+  facts.named_solid = bytes.starts_with("solid");
+  if (bytes.size() < kStlHeaderBytes) {
+    facts.defect = {"the file ends inside its header of " + std::to_string(kStlHeaderBytes) +
+                        " bytes",
+                    bytes.size(), 0};
+    return;
+  }
+  const std::uint64_t announced = stl_triangle_count(bytes);
+  const std::uint64_t needed = kStlHeaderBytes + announced * kStlTriangleBytes;
+  if (needed != bytes.size()) {
+    facts.defect = {"its header announces " + std::to_string(announced) +
+                        (announced == 1 ? " triangle" : " triangles") + ", which take " +
+                        std::to_string(needed) + " bytes, but the file has " +
+                        std::to_string(bytes.size()),
+                    kStlHeaderBytes - 4, 0};
+  }
+  facts.triangles =
+      std::min<std::uint64_t>(announced, (bytes.size() - kStlHeaderBytes) / kStlTriangleBytes);
+  facts.vertices = 3 * facts.triangles;
+  BoxSum box;
+  SurfaceSum surface;
+  for (std::size_t i = 0; i < facts.triangles; ++i) {
+    constexpr std::size_t kNormalBytes = 12;
+    std::size_t at = kStlHeaderBytes + i * kStlTriangleBytes + kNormalBytes;
+    Vector3 corners[3];
+    for (Vector3& corner : corners) {
+      for (double& coordinate : corner) {
+        coordinate = read_float(bytes, at);
+        at += 4;
+      }
+      if (is_finite(corner)) {
+        box.add(corner);
+      } else if (!facts.defect) {
+        facts.defect = {"a vertex of triangle " + std::to_string(i + 1) + " is not a number",
+                        at - 12, 0};
+      }
+    }
+    surface.add(corners[0], corners[1], corners[2]);
+  }
+  facts.box = box.box();
+  if (!facts.defect) facts.volume = surface.volume();
+}
+
+void read_ascii_stl(std::string_view text, MeshFacts& facts) { AsciiStlReader(text, facts).read(); }
+
+}  // namespace smurf

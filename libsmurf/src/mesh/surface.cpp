@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace smurf {
+namespace {
+
+Vector3 difference(const Vector3& a, const Vector3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+double length(const Vector3& a) { return std::sqrt(dot(a, a)); }
+
+}  // namespace
+
+void BoxSum::add(const Vector3& point) {
+  if (!box_) {
+    box_ = Box{point, point};
+    return;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    box_->low[i] = std::min(box_->low[i], point[i]);
+    box_->high[i] = std::max(box_->high[i], point[i]);
+  }
+}
+
+void BoxSum::add(const Box& box) {
+  add(box.low);
+  add(box.high);
+}
+
+void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
+  if (!origin_) origin_ = a;
+  const Vector3 area = cross(difference(b, a), difference(c, a));
+  volume_ += dot(difference(a, *origin_), area) / 6;
+  area_ += length(area);
+  for (std::size_t i = 0; i < 3; ++i) area_vector_[i] += area[i];
+}
+
+std::optional<double> SurfaceSum::volume() const {
+  // Single precision of the files leaves 1e-6 of the area; a missing triangle of a mesh of a
+  // thousand shows with 1e-3.
+  constexpr double kClosed = 1e-4;
+  if (!(area_ > 0) || !(length(area_vector_) <= kClosed * area_)) return std::nullopt;
+  return volume_;
+}
+
+}  // namespace smurf

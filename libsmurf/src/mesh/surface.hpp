@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums over the points and triangles of a surface.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "smurf/mesh.hpp"
+
+namespace smurf {
+
+class BoxSum {
+ public:
+  void add(const Vector3& point);
+  void add(const Box& box);
+  const std::optional<Box>& box() const { return box_; }
+
+ private:
+  std::optional<Box> box_;
+};
+
+/// Volume by signed tetrahedra over the first point, so that a mesh far from the origin keeps its
+/// digits.
+class SurfaceSum {
+ public:
+  void add(const Vector3& a, const Vector3& b, const Vector3& c);
+  /// None when the surface has a hole that shows in the sum of its area vectors.
+  std::optional<double> volume() const;
+
+ private:
+  std::optional<Vector3> origin_;
+  double volume_ = 0;
+  double area_ = 0;        ///< twice the area
+  Vector3 area_vector_{};  ///< sum of twice the area vectors
+};
+
+}  // namespace smurf

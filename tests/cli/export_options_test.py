@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The options of smurf2urdf on every URDF of a folder.
+
+smurf2urdf proves each result: link poses, total mass, centre of mass and inertia, and limits. So
+what is left to check is that it finds nothing to refuse, and that a second time changes nothing.
+
+Usage: export_options_test.py SMURF2URDF FOLDER
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+OPTIONS = [
+    ["--collapse-fixed"],
+    ["--canonical"],
+    ["--vendor", "strip", "--comments", "strip"],
+    ["--collapse-fixed", "--vendor", "strip", "--comments", "strip", "--canonical"],
+]
+ONCE = [["--prefix", "p_"]]  # add up when they are repeated
+
+
+def export(tool, source, target, options):
+    """None, or what went wrong."""
+    done = subprocess.run([tool, str(source), "-o", str(target), "--force", "--quiet", *options],
+                          capture_output=True, text=True, timeout=60, check=False)
+    return None if done.returncode == 0 else f"{source} {options}: {done.stderr[-300:]}"
+
+
+def main():
+    tool, root = sys.argv[1], pathlib.Path(sys.argv[2])
+    if not root.is_dir():
+        print(f"skipped: there is no {root}")
+        sys.exit(77)
+    failures, count = [], 0
+    with tempfile.TemporaryDirectory() as name:
+        first, second = pathlib.Path(name, "first.urdf"), pathlib.Path(name, "second.urdf")
+        for source in sorted(root.rglob("*.urdf")):
+            if export(tool, source, first, []) is not None:
+                continue  # it cannot be read
+            count += 1
+            for options in OPTIONS + ONCE:
+                failure = export(tool, source, first, options)
+                if failure is None and options not in ONCE:
+                    failure = export(tool, first, second, options)
+                    if failure is None and first.read_bytes() != second.read_bytes():
+                        failure = f"{source} {options}: a second time changes the result"
+                if failure is not None:
+                    failures.append(failure)
+    print(f"{count} URDFs, {len(OPTIONS) + len(ONCE)} exports of each")
+    if count == 0:
+        failures.append("no URDF was tried")
+    sys.exit("\n".join(failures) or 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of urdf2smurf: layouts, refusals, and all files or none."""
+import os
+import pathlib
+import resource
+import shutil
+import signal
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+ARM_FILES = ["smurf/arm.smurf", "smurf/arm_joint.yml", "smurf/arm_materials.yml", "urdf/arm.urdf"]
+
+
+class ImportTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(cli.FIXTURES / "models" / "arm" / "urdf", self.folder / "in" / "urdf")
+        shutil.copytree(cli.FIXTURES / "models" / "arm" / "meshes", self.folder / "in" / "meshes")
+
+    def files(self, folder):
+        root = self.folder / folder
+        return sorted(str(p.relative_to(root)) for p in root.rglob("*") if p.is_file())
+
+
+class Layout(ImportTest):
+    def test_a_folder_as_phobos_makes_it(self):
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out/deep")
+        self.assertEqual(self.files("out/deep"), ARM_FILES)
+        self.assertIn("- ../urdf/arm.urdf\n", self.read("out/deep/smurf/arm.smurf"))
+        urdf = self.read("out/deep/urdf/arm.urdf")
+        self.assertIn('filename="../../../in/meshes/upper_arm.obj"', urdf)
+        self.assertEqual(urdf.replace("../../../in/meshes/", "../meshes/"),
+                         self.read("in/urdf/arm.urdf"))
+
+    def test_flat(self):
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--flat")
+        self.assertEqual(self.files("out"), sorted(pathlib.Path(f).name for f in ARM_FILES))
+
+    def test_in_place(self):
+        before = self.read("in/urdf/arm.urdf")
+        self.expect(0, "in/urdf/arm.urdf", "--in-place")
+        self.assertEqual(self.files("in/urdf"), sorted(pathlib.Path(f).name for f in ARM_FILES))
+        self.assertEqual(self.read("in/urdf/arm.urdf"), before)
+
+    def test_in_place_with_annotations_elsewhere(self):
+        self.expect(0, "in/urdf/arm.urdf", "--in-place", "-o", "smurf")
+        self.assertIn("- ../in/urdf/arm.urdf\n", self.read("smurf/arm.smurf"))
+
+    def test_standard_input(self):
+        text = self.read("in/urdf/arm.urdf").replace("../meshes", "in/meshes")
+        self.expect(0, "-", "--name", "bot", "-o", "out", stdin=text)
+        self.assertIn("smurf/bot.smurf", self.files("out"))
+
+    def test_dry_run_names_the_files(self):
+        done = self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--dry-run")
+        self.assertEqual(sorted(done.stdout.split()), ["out/" + file for file in ARM_FILES])
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_motors_for_all_joints_and_poses_from_an_srdf(self):
+        self.write("arm.srdf", '<robot name="arm"><group_state name="up" group="arm">'
+                               '<joint name="joint1_waist" value="1"/></group_state></robot>')
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--motors", "all", "--srdf", "arm.srdf")
+        self.assertIn("- name: joint1_waist\n", self.read("out/smurf/arm_motors.yml"))
+        self.assertIn("- name: up\n  joints:\n    joint1_waist: 1\n",
+                      self.read("out/smurf/arm_poses.yml"))
+
+    def test_twice_gives_the_same_bytes(self):
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out")
+        first = {file: self.read("out/" + file) for file in self.files("out")}
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--overwrite")
+        self.assertEqual(first, {file: self.read("out/" + file) for file in self.files("out")})
+
+
+class Refusal(ImportTest):
+    def complain(self, code, text, *arguments, **keywords):
+        done = self.run_tool(*arguments, **keywords)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertIn(text, done.stderr)
+        self.assertEqual(done.stdout, "")
+
+    def test_options_that_make_no_sense(self):
+        self.expect_complaint("say where to write with -o DIR, or use --in-place",
+                              "in/urdf/arm.urdf")
+        self.expect_complaint("--flat and --in-place exclude each other", "in/urdf/arm.urdf",
+                              "--flat", "--in-place")
+        self.expect_complaint("--name is the name of a file, without folder", "in/urdf/arm.urdf",
+                              "-o", "out", "--name", "../x")
+        self.expect_complaint("a model is several files: -o names a folder", "in/urdf/arm.urdf",
+                              "-o", "-")
+
+    def test_input(self):
+        self.expect_complaint("cannot read 'no.urdf': No such file or directory", "no.urdf", "-o",
+                              "out")
+        self.write("a.smurf", "modelname: a\nfiles: [in/urdf/arm.urdf]\n")
+        self.expect_complaint("'a.smurf' is no URDF", "a.smurf", "-o", "out")
+        self.write("a.yml", "motors: []\n")
+        self.expect_complaint("'a.yml' is no URDF", "a.yml", "-o", "out")
+        self.write("bad.srdf", "<robot>")
+        self.expect_complaint("'bad.srdf' is not well-formed XML", "in/urdf/arm.urdf", "-o", "out",
+                              "--srdf", "bad.srdf")
+
+    def test_errors_and_missing_meshes(self):
+        (self.folder / "in" / "meshes" / "forearm.obj").unlink()
+        self.complain(1, "SML1604", "in/urdf/arm.urdf", "-o", "out")
+        self.assertFalse((self.folder / "out").exists())
+        self.complain(0, "SML1604", "in/urdf/arm.urdf", "-o", "out", "--force")
+        self.assertEqual(self.files("out"), ARM_FILES)
+
+    def test_existing_files_stay(self):
+        self.write("out/smurf/arm_joint.yml", "mine\n")
+        self.complain(2, "cannot write 'out/smurf/arm_joint.yml': File exists; see --overwrite; "
+                         "nothing was written", "in/urdf/arm.urdf", "-o", "out")
+        self.assertEqual(self.files("out"), ["smurf/arm_joint.yml"])
+        self.assertEqual(self.read("out/smurf/arm_joint.yml"), "mine\n")
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--overwrite")
+        self.assertEqual(self.files("out"), ARM_FILES)
+
+    def test_a_folder_in_the_way_takes_everything_back(self):
+        self.write("out/smurf/arm.smurf/x", "")
+        self.write("out/urdf/arm.urdf", "old\n")
+        self.complain(2, "Is a directory", "in/urdf/arm.urdf", "-o", "out", "--overwrite")
+        self.assertEqual(self.files("out"), ["smurf/arm.smurf/x", "urdf/arm.urdf"])
+        self.assertEqual(self.read("out/urdf/arm.urdf"), "old\n")
+
+    def test_a_file_where_a_folder_must_be(self):
+        self.write("out", "")
+        self.complain(2, "Not a directory", "in/urdf/arm.urdf", "-o", "out/deeper")
+
+    def test_a_disk_that_fills_up(self):
+        def small_files_only():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))
+
+        self.complain(2, "nothing was written", "in/urdf/arm.urdf", "-o", "out",
+                      preexec_fn=small_files_only)
+        self.assertFalse((self.folder / "out").exists())
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_read_only_folder(self):
+        (self.folder / "locked").mkdir(mode=0o500)
+        self.complain(2, "Permission denied", "in/urdf/arm.urdf", "-o", "locked")
+
+
+if __name__ == "__main__":
+    cli.main()

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf2urdf/options.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/path.hpp"
+
+namespace smurf::tools {
+namespace {
+
+Setter set_apply(AppliedAnnotations& apply) {
+  return [&apply](std::string_view value) -> std::optional<std::string> {
+    constexpr std::string_view kKnown[] = {"materials", "limits", "dynamics", "mimic", "all"};
+    for (const std::string_view item : split_items(value)) {
+      if (std::find(std::begin(kKnown), std::end(kKnown), item) == std::end(kKnown)) {
+        return none_of(item, kKnown);
+      }
+      const bool is_all = item == "all";
+      apply.materials |= is_all || item == "materials";
+      apply.limits |= is_all || item == "limits";
+      apply.dynamics |= is_all || item == "dynamics";
+      apply.mimic |= is_all || item == "mimic";
+    }
+    return std::nullopt;
+  };
+}
+
+Setter append_items(std::vector<std::string>& list) {
+  return [&list](std::string_view value) -> std::optional<std::string> {
+    for (const std::string_view item : split_items(value)) list.emplace_back(item);
+    return std::nullopt;
+  };
+}
+
+/// What the readers need, as the options that a preset stands for.
+struct Preset {
+  std::string_view name;
+  std::string_view options;
+  void (*set)(UrdfExport& wanted);
+};
+
+constexpr Preset kPresets[] = {
+    // Comments have broken spawners that pass the text on as a parameter.
+    {"ros2", "--apply limits,mimic --actuation ros2_control --comments strip",
+     [](UrdfExport& wanted) {
+       wanted.apply.limits = wanted.apply.mimic = true;
+       wanted.actuation = Actuation::ros2_control;
+       wanted.strips_comments = true;
+     }},
+    {"gazebo", "--apply all --sensors gazebo --comments strip",
+     [](UrdfExport& wanted) {
+       wanted.apply = {true, true, true, true};
+       wanted.adds_gazebo_sensors = true;
+       wanted.strips_comments = true;
+     }},
+    // None of these three knows packages without being told their folders.
+    {"mujoco", "--apply limits,dynamics,materials --mesh-uri relative --vendor strip",
+     [](UrdfExport& wanted) {
+       wanted.apply.limits = wanted.apply.dynamics = wanted.apply.materials = true;
+       wanted.mesh_uri = MeshUri::relative;
+       wanted.strips_extensions = true;
+     }},
+    {"pybullet", "--apply limits,dynamics,materials --mesh-uri relative",
+     [](UrdfExport& wanted) {
+       wanted.apply.limits = wanted.apply.dynamics = wanted.apply.materials = true;
+       wanted.mesh_uri = MeshUri::relative;
+     }},
+    {"drake", "--apply all --mesh-uri relative --actuation transmission",
+     [](UrdfExport& wanted) {
+       wanted.apply = {true, true, true, true};
+       wanted.mesh_uri = MeshUri::relative;
+       wanted.actuation = Actuation::transmission;
+     }},
+};
+
+std::vector<std::string_view> preset_names() {
+  std::vector<std::string_view> names;
+  for (const Preset& preset : kPresets) names.push_back(preset.name);
+  return names;
+}
+
+Setter set_preset(UrdfExport& wanted) {
+  return [&wanted](std::string_view value) -> std::optional<std::string> {
+    for (const Preset& preset : kPresets) {
+      if (preset.name == value) preset.set(wanted);
+    }
+    return std::nullopt;
+  };
+}
+
+std::vector<Option> content_options(UrdfExport& wanted) {
+  return {{.name = "apply",
+           .metavar = "LIST",
+           .help = "Values of annotations that replace the URDF's, comma-separated: materials "
+                   "(colours, textures), limits (of motors: effort, speed, range), dynamics "
+                   "(damping, friction), mimic (of motors), all.",
+           .set = set_apply(wanted.apply)},
+          {.name = "actuation",
+           .metavar = "FORM",
+           .help = "Write motors as ros2_control or transmission (of ros_control), for joints that "
+                   "no extension of the URDF drives yet.",
+           .values = {"none", "ros2_control", "transmission"},
+           .set = choose<Actuation>(wanted.actuation, {{"none", Actuation::none},
+                                                       {"ros2_control", Actuation::ros2_control},
+                                                       {"transmission", Actuation::transmission}})},
+          {.name = "sensors",
+           .metavar = "FORM",
+           .help = "Write sensors as those of gazebo, where it has the like; none is the default.",
+           .values = {"none", "gazebo"},
+           .set = choose<bool>(wanted.adds_gazebo_sensors, {{"none", false}, {"gazebo", true}})},
+          {.name = "collapse-fixed",
+           .help = "Make links on fixed joints part of the link that carries them. What an "
+                   "extension or a mimic names stays a link.",
+           .set = set_flag(wanted.collapses_fixed)},
+          {.name = "keep",
+           .metavar = "NAMES",
+           .help = "Links or joints that --collapse-fixed leaves alone, comma-separated.",
+           .set = append_items(wanted.keep)},
+          {.name = "prefix",
+           .metavar = "TEXT",
+           .help = "Put TEXT before the names of links, joints, materials and transmissions, and "
+                   "into all that refers to them.",
+           .set = set_text(wanted.prefix)},
+          {.name = "base",
+           .metavar = "HOW",
+           .help = "as-is (the default); fixed or floating: add a link `world` and a joint of that "
+                   "type to the root.",
+           .values = {"as-is", "fixed", "floating"},
+           .set = choose<BaseJoint>(wanted.base, {{"as-is", BaseJoint::as_is},
+                                                  {"fixed", BaseJoint::fixed},
+                                                  {"floating", BaseJoint::floating}})}};
+}
+
+std::vector<Option> form_options(UrdfExport& wanted) {
+  return {{.name = "mesh-uri",
+           .metavar = "FORM",
+           .help = "How meshes and textures are named: relative, package (with --package-name), "
+                   "absolute, file, keep. Without it, relative paths are made to resolve from the "
+                   "output and others are left.",
+           .values = {"relative", "package", "absolute", "file", "keep"},
+           .set = choose<MeshUri>(wanted.mesh_uri, {{"relative", MeshUri::relative},
+                                                    {"package", MeshUri::package},
+                                                    {"absolute", MeshUri::absolute},
+                                                    {"file", MeshUri::file},
+                                                    {"keep", MeshUri::keep}})},
+          {.name = "package-name",
+           .metavar = "NAME",
+           .help = "Package of --mesh-uri package. Its folder is that of --package NAME=DIR, else "
+                   "the nearest one above the URDF with a package.xml, else the one above urdf/.",
+           .set = set_text(wanted.package_name)},
+          {.name = "vendor",
+           .metavar = "HOW",
+           .help = "keep (the default) or strip what URDF does not define: gazebo, transmission, "
+                   "ros2_control and the like.",
+           .values = {"keep", "strip"},
+           .set = choose<bool>(wanted.strips_extensions, {{"keep", false}, {"strip", true}})},
+          {.name = "comments",
+           .metavar = "HOW",
+           .help = "keep (the default) or strip.",
+           .values = {"keep", "strip"},
+           .set = choose<bool>(wanted.strips_comments, {{"keep", false}, {"strip", true}})},
+          {.name = "canonical",
+           .help = "Write the URDF anew: links and joints in the order of the tree, attributes in "
+                   "a fixed order, the shortest numbers, no comments.",
+           .set = set_flag(wanted.is_canonical)},
+          {.name = "urdf-version",
+           .metavar = "VERSION",
+           .help = "Set the version that the URDF claims: 1.0, 1.1 or 1.2.",
+           .values = {"1.0", "1.1", "1.2"},
+           .set = set_text(wanted.version)}};
+}
+
+std::vector<Option> run_options(Options& options) {
+  return {{.name = "preset",
+           .metavar = "READER",
+           .help =
+               "The options that a reader needs: ros2, gazebo, mujoco, pybullet, drake. Options "
+               "after it win.",
+           .values = preset_names(),
+           .set = set_preset(options.conversion)},
+          {.name = "show-preset",
+           .metavar = "READER",
+           .help = "Print the options that a preset stands for, and end.",
+           .values = preset_names(),
+           .set = set_text(options.shown_preset)},
+          {.name = "loss-report",
+           .metavar = "FILE",
+           .help = "Write what the URDF cannot say to FILE, as JSON.",
+           .set = set_text(options.loss_report)},
+          {.name = "fail-on-loss",
+           .help = "Refuse to write when there is such a loss.",
+           .set = set_flag(options.fails_on_loss)},
+          {.name = "force",
+           .help = "Export a model with errors as well.",
+           .set = set_flag(options.force)},
+          {.name = "prove",
+           .help = "Print what was compared, on standard error.",
+           .set = set_flag(options.prove)},
+          {.name = "dry-run",
+           .help = "Do everything but write the URDF.",
+           .set = set_flag(options.dry_run)}};
+}
+
+void add(Command& command, std::string_view group, std::vector<Option> options) {
+  for (Option& option : options) {
+    option.group = group;
+    command.options.push_back(std::move(option));
+  }
+}
+
+}  // namespace
+
+std::string preset_text(std::string_view name) {
+  for (const Preset& preset : kPresets) {
+    if (preset.name == name) return std::string(preset.options) + "\n";
+  }
+  return {};
+}
+
+Command make_command(Options& options) {
+  Command command;
+  command.name = "smurf2urdf";
+  command.summary =
+      "Exports the plain URDF of a SMURF model: its own URDF, byte for byte, with mesh "
+      "paths that resolve from where it is written.";
+  command.operands = "MODEL";
+  command.details =
+      "MODEL is a .smurf or .urdf file. A model with errors is refused. The result is read again "
+      "and compared with the source before it is written: urdfdom must accept it, and every link "
+      "pose, mass and inertia must be equal, and every limit that was not asked to change.";
+  command.options = converter_options(options.common, "Write the URDF to FILE; without it, or with "
+                                                      "'-', to standard output.");
+  add(command, "Conversion", run_options(options));
+  add(command, "Content", content_options(options.conversion));
+  add(command, "Form", form_options(options.conversion));
+  command.set_operand = take_one_operand(options.model);
+  command.examples = {
+      {"smurf2urdf robot.smurf -o robot.urdf", "export a model"},
+      {"smurf2urdf robot.smurf | check_urdf /dev/stdin", "pass it on"},
+      {"smurf2urdf robot.smurf --apply all --loss-report lost.json -o robot.urdf",
+       "take over what the annotations say, and list what is lost"},
+      {"smurf2urdf robot.smurf --collapse-fixed --keep camera -o robot.urdf", "fewer links"}};
+  return command;
+}
+
+std::string problem_of(Options& options) {
+  UrdfExport& wanted = options.conversion;
+  if (wanted.mesh_uri == MeshUri::package && wanted.package_name.empty()) {
+    return "--mesh-uri package needs --package-name";
+  }
+  if (wanted.mesh_uri != MeshUri::package && !wanted.package_name.empty()) {
+    return "--package-name goes with --mesh-uri package";
+  }
+  if (!wanted.keep.empty() && !wanted.collapses_fixed) return "--keep goes with --collapse-fixed";
+  const std::string& output = options.common.output;
+  const bool to_stdout = output.empty() || output == "-";
+  // Standard output counts as the current folder.
+  wanted.output_folder = to_stdout ? "." : std::string(path::parent(output));
+  wanted.current_folder = std::filesystem::current_path().generic_string();
+  return {};
+}
+
+}  // namespace smurf::tools

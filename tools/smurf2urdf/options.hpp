@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of smurf2urdf.
+#pragma once
+
+#include <string>
+
+#include "common/converter.hpp"
+#include "smurf/convert.hpp"
+
+namespace smurf::tools {
+
+struct Options {
+  ConverterOptions common;
+  std::string model;
+  UrdfExport conversion;
+  std::string loss_report;
+  std::string shown_preset;
+  bool fails_on_loss = false;
+  bool force = false;
+  bool prove = false;
+  bool dry_run = false;
+};
+
+Command make_command(Options& options);
+
+/// The options that a preset stands for, as a line of text.
+std::string preset_text(std::string_view name);
+
+/// What is wrong with the options as a whole; "" when nothing is. Fills in the folders.
+std::string problem_of(Options& options);
+
+}  // namespace smurf::tools

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// urdf2smurf: a SMURF model around a URDF, checked before it is written.
+#include <filesystem>
+
+#include "base/path.hpp"
+#include "common/converter.hpp"
+#include "smurf/convert.hpp"
+#include "smurf/write.hpp"
+
+using namespace smurf;
+using namespace smurf::tools;
+
+namespace {
+
+constexpr std::string_view kTool = "urdf2smurf";
+
+struct Options {
+  ConverterOptions common;
+  std::string urdf;
+  std::string name;
+  std::string srdf;
+  bool in_place = false;
+  bool flat = false;
+  MotorChoice motors = MotorChoice::declared;
+  bool force = false;
+  bool overwrite = false;
+  bool dry_run = false;
+};
+
+std::vector<Option> own_options(Options& options) {
+  std::vector<Option> own = {
+      {.name = "in-place",
+       .help = "Leave the URDF where it is and write the SMURF files beside it, or to the folder "
+               "of -o.",
+       .set = set_flag(options.in_place)},
+      {.name = "flat",
+       .help = "Write all files into one folder, not into smurf/ and urdf/.",
+       .set = set_flag(options.flat)},
+      {.name = "name",
+       .metavar = "NAME",
+       .help = "Name of the files; that of the URDF file unless given.",
+       .set = set_text(options.name)},
+      {.name = "motors",
+       .metavar = "WHICH",
+       .help = "Joints that get a motor: declared (the default) are those of transmissions and "
+               "ros2_control, and those that mimic them; all; none.",
+       .values = {"declared", "all", "none"},
+       .set = choose<MotorChoice>(options.motors, {{"declared", MotorChoice::declared},
+                                                   {"all", MotorChoice::all},
+                                                   {"none", MotorChoice::none}})},
+      {.name = "srdf",
+       .metavar = "FILE",
+       .help = "Take named joint positions from an SRDF, and keep its text.",
+       .set = set_text(options.srdf)},
+      {.name = "force",
+       .help = "Convert a URDF with errors as well.",
+       .set = set_flag(options.force)},
+      {.name = "overwrite",
+       .help = "Replace files that exist.",
+       .set = set_flag(options.overwrite)},
+      {.name = "dry-run",
+       .help = "Do everything but write; name the files on standard output.",
+       .set = set_flag(options.dry_run)}};
+  for (Option& option : own) option.group = "Conversion";
+  return own;
+}
+
+Command make_command(Options& options) {
+  Command command;
+  command.name = kTool;
+  command.summary =
+      "Makes a SMURF model around a URDF: motors from transmissions and ros2_control, sensors from "
+      "Gazebo's, materials from colours.";
+  command.operands = "URDF";
+  command.details =
+      "Writes DIR/smurf/NAME.smurf, DIR/smurf/NAME_*.yml and DIR/urdf/NAME.urdf; all of them or, "
+      "when something goes wrong, none. The URDF stays whole; what has no section in SMURF is "
+      "repeated as text, so that nothing is lost. A URDF with errors is refused.";
+  command.options = converter_options(options.common, "Write into the folder DIR.");
+  for (Option& option : command.options) {
+    if (option.name == "output") option.metavar = "DIR";
+  }
+  for (Option& option : own_options(options)) command.options.push_back(std::move(option));
+  command.set_operand = take_one_operand(options.urdf);
+  command.examples = {{"urdf2smurf robot.urdf -o robot", "make a folder as Phobos does"},
+                      {"urdf2smurf robot.urdf --in-place", "put the SMURF files beside the URDF"},
+                      {"xacro robot.xacro | urdf2smurf - --name robot -o robot", "from a pipe"}};
+  return command;
+}
+
+/// What is wrong with the options as a whole; empty when nothing is.
+std::string problem_of(const Options& options) {
+  if (options.in_place && options.flat) return "--flat and --in-place exclude each other";
+  if (options.in_place && options.urdf == "-") return "--in-place needs a file, not standard input";
+  if (!options.in_place && options.common.output.empty()) {
+    return "say where to write with -o DIR, or use --in-place";
+  }
+  if (options.common.output == "-") return "a model is several files: -o names a folder";
+  if (options.name.find('/') != std::string::npos || options.name == "." || options.name == "..") {
+    return "--name is the name of a file, without folder";
+  }
+  return {};
+}
+
+std::string file_name_of(const Options& options, const LinkedModel& model) {
+  if (!options.name.empty()) return options.name;
+  if (options.urdf != "-" || !options.common.stdin_filename.empty()) {
+    return std::string(path::stem(model.urdf_path));
+  }
+  return "robot";
+}
+
+/// The last look at the model before it is written: read again, it must be the same robot, and no
+/// error may be new. What is wrong, or "".
+std::string verify(const LinkedModel& source, const std::string& folder,
+                   const std::vector<TextFile>& texts, const ConverterOptions& options,
+                   bool source_is_sound) {
+  DiskFiles disk;
+  MemoryFiles files(&disk);
+  for (const TextFile& file : texts) files.add(path::join(folder, file.path), file.text);
+  SourceMap sources;
+  DiagnosticSink sink;
+  LoadContext context{sources, files, sink, {}, options.packages};
+  const LinkedModel result = load_model(path::join(folder, texts.back().path), context);
+  if (!result.robot) return "the result cannot be read again; this is a defect of this tool";
+  const Proof proof = compare_models(source, result);
+  if (!proof.holds()) return "the result is another robot: " + proof.difference;
+  if (!source_is_sound) return {};
+  lint_model(result, {}, sink);
+  for (const Diagnostic& diagnostic : sink.diagnostics()) {
+    if (diagnostic.severity != Severity::error) continue;
+    return "the result would have an error, which is a defect of this tool: " +
+           std::string(diagnostic.rule->id) + " " + diagnostic.message;
+  }
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  prepare_streams();
+  Options options;
+  if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
+  if (const std::string problem = problem_of(options); !problem.empty()) {
+    complain(kTool, problem);
+    return kFailed;
+  }
+
+  Conversion conversion(kTool, options.common);
+  const auto model = conversion.load_model(options.urdf);
+  if (!model) return conversion.fail();
+  if (model->urdf_path.empty() || model->has_main) {
+    complain(kTool, "'" + options.urdf + "' is no URDF");
+    return kFailed;
+  }
+  std::optional<xml::Document> srdf;
+  if (!options.srdf.empty()) {
+    srdf = conversion.load_xml(options.srdf);
+    if (!srdf) return conversion.fail();
+  }
+
+  const std::string folder = !options.common.output.empty()
+                                 ? options.common.output
+                                 : std::string(path::parent(model->urdf_path));
+  std::vector<TextFile> files;
+  if (model->robot) {
+    const UrdfImport import{.name = file_name_of(options, *model),
+                            .output_folder = folder,
+                            .current_folder = std::filesystem::current_path().generic_string(),
+                            .layout = options.in_place ? SmurfLayout::in_place
+                                      : options.flat   ? SmurfLayout::flat
+                                                       : SmurfLayout::phobos,
+                            .motors = options.motors,
+                            .srdf = srdf ? &*srdf : nullptr};
+    files = write_smurf(import_urdf(*model, conversion.sources(), import, conversion.sink()));
+  }
+  const ExitCode verdict = conversion.report(*model);
+  if (verdict == kFailed) return kFailed;
+  if (!model->robot) return kFindings;
+  if (verdict != kDone && !options.force) return conversion.refuse("has errors; see --force");
+  const std::string problem = verify(*model, folder, files, options.common, verdict == kDone);
+  if (!problem.empty()) return conversion.refuse(problem);
+  if (options.dry_run) {
+    std::string names;
+    for (const TextFile& file : files) names += path::join(folder, file.path) + "\n";
+    return write_output(kTool, {}, names) ? kDone : kFailed;
+  }
+  return write_files(kTool, folder, files, options.overwrite) ? kDone : kFailed;
+}
