@@ -144,6 +144,13 @@ class Sdf(SimulatorTest):
         self.assertEqual(joints["anchor_of_Two_to_Go"], ["One::wheel", "Two_to_Go::base"])
         self.assertEqual(joints["One::arm_joint"], ["body", "arm"])  # `arm` is a link, too
 
+    @reader.needs_built("sdf_poses")
+    def test_reserved_names(self):
+        self.write("zoo.urdf", ZOO.replace('"base"', '"world"').replace('"tip"', '"a::b"'))
+        poses = self.poses(self.sdf(self.folder / "zoo.urdf"))
+        self.assertIn("zoo::world_link", poses)
+        self.assertIn("zoo::a_b_link", poses)
+
     @reader.needs_program("ign")
     def test_ign_accepts_them(self):
         for scene in self.scenes:

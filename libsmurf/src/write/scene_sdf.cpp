@@ -14,6 +14,21 @@
 namespace smurf {
 namespace {
 
+/// SDF keeps `world`, names like `__this__` and the separator `::` for itself.
+std::string sdf_name(const LinkedModel& model, std::size_t link) {
+  std::string name = link_name(model, link);
+  const bool is_reserved = name == "world" || (name.starts_with("__") && name.ends_with("__"));
+  if (!is_reserved && name.find("::") == std::string::npos) return name;
+  for (std::size_t at; (at = name.find("::")) != std::string::npos;) name.replace(at, 2, "_");
+  name += "_link";
+  while (model.link_names.contains(name)) name += "_";
+  return name;
+}
+
+std::string sdf_root_name(const LinkedModel& model) {
+  return sdf_name(model, to_size(model.tree.roots.front()));
+}
+
 class SdfWriter {
  public:
   SdfWriter(const SceneExport& scene, bool is_old)
@@ -147,13 +162,13 @@ class SdfWriter {
     if (!link) return;
     const std::vector<std::size_t> bodies = bodies_of(*parent, refers(*parent));
     add_fixed_joint("anchor_of_" + names_[i],
-                    names_[other] + "::" + link_name(*parent, bodies[*link]),
+                    names_[other] + "::" + sdf_name(*parent, bodies[*link]),
                     names_[i] + "::" + root_name(i));
   }
 
   std::string root_name(std::size_t i) const {
     const LinkedModel* model = robot_of(i);
-    return model != nullptr ? root_link_name(*model) : "link";
+    return model != nullptr ? sdf_root_name(*model) : "link";
   }
 
   void add_fixed_joint(const std::string& name, const std::string& parent,
@@ -191,7 +206,7 @@ class SdfWriter {
       xml_.open("include", {{"merge", "true"}});
       xml_.leaf("uri", uri);
       xml_.close();
-      add_fixed_joint("anchor_to_world", "world", root_link_name(model));
+      add_fixed_joint("anchor_to_world", "world", sdf_root_name(model));
     } else {
       xml_.open("include");
       xml_.leaf("name", names_[i]);
@@ -233,7 +248,7 @@ class SdfWriter {
         add_link(i, model, at, parts[at], X_EL);
       } else if (!is_old_) {
         xml_.open("frame",
-                  {{"name", link_name(model, at)}, {"attached_to", link_name(model, bodies[at])}});
+                  {{"name", sdf_name(model, at)}, {"attached_to", sdf_name(model, bodies[at])}});
         add_pose(inverse(*X_EL[bodies[at]]) * *X_EL[at]);
         xml_.close();
       }
@@ -243,7 +258,7 @@ class SdfWriter {
       const auto& above = model.tree.parent_joint[at];
       if (!above || bodies[at] != at || !X_EL[at]) continue;
       const std::size_t parent = bodies[to_size(*model.tree.joint_parent[to_size(*above)])];
-      add_joint(i, model, model.joint(*above), link_name(model, parent), link_name(model, at));
+      add_joint(i, model, model.joint(*above), sdf_name(model, parent), sdf_name(model, at));
     }
     if (flat(i).anchor.kind == Attachment::Kind::world) {
       add_fixed_joint("anchor_to_world", "world", root_name(i));
@@ -254,7 +269,7 @@ class SdfWriter {
   void add_link(std::size_t i, const LinkedModel& model, std::size_t body,
                 const std::vector<std::size_t>& parts,
                 const std::vector<std::optional<Pose>>& X_EL) {
-    xml_.open("link", {{"name", link_name(model, body)}});
+    xml_.open("link", {{"name", sdf_name(model, body)}});
     add_pose(*X_EL[body]);
     add_inertial(mass_properties(model.robot->links[body]).value_or(smallest_mass()));
     const FlatModel& flat_model = scene_.flat.models[*flat(i).model];
