@@ -90,14 +90,12 @@ class DirectivesWriter {
     Pose X_PC = *flat(i).X_WE;
     if (anchor.kind == Attachment::Kind::link) {
       const std::size_t other = to_size(scene_.scene.instances[i].placement.anchor.instance);
-      const LinkedModel* model = robot_of(other);
-      const auto link = model != nullptr ? model->link_names.find(anchor.link) : std::nullopt;
-      const auto& X_OL = frames_.of(scene_.scene, scene_.scene.instances[other]);
-      if (!link || !flat(other).X_WE || !X_OL[*link]) {
+      const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames_);
+      if (!X_LE) {
         return losses_.anchor(i, "`" + flat(other).path + "` is no model with links");
       }
       parent = names_[other] + "::" + anchor.link;
-      X_PC = inverse(*flat(other).X_WE * *X_OL[*link]) * X_PC;
+      X_PC = *X_LE;
     }
     out_ += "- add_weld:\n    parent: " + quoted(parent) +
             "\n    child: " + quoted(names_[i] + "::" + root_name(i)) + "\n    X_PC:\n";

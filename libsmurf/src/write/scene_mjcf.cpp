@@ -79,8 +79,7 @@ class MjcfWriter {
       if (anchor.kind != Attachment::Kind::link || !flat(i).X_WE || robot_of(i) == nullptr)
         continue;
       const std::size_t other = to_size(anchor.instance);
-      const LinkedModel* model = robot_of(other);
-      const auto link = model != nullptr ? model->link_names.find(anchor.link) : std::nullopt;
+      const std::optional<std::size_t> link = anchor_link(scene_.scene, i);
       if (!link || !flat(other).X_WE || ends[i] == i) {
         losses_.anchor(i, "there is no link to hang it on");
         continue;
@@ -222,9 +221,9 @@ class MjcfWriter {
       if (instance == step.instance) {
         open_link(instance, link);
       } else {
-        const auto& X_OL = frames_.of(scene_.scene, linked(step.instance));
-        const Pose X_WL = *flat(step.instance).X_WE * *X_OL[step.link];
-        open_body(instance, link, inverse(X_WL) * *flat(instance).X_WE, nullptr, false);
+        const Pose X_LE =
+            pose_on_anchor(scene_.scene, instance, frames_).value_or(*flat(instance).X_WE);
+        open_body(instance, link, X_LE, nullptr, false);
       }
       stack.push_back({instance, link, inside(instance, link), 0});
     }

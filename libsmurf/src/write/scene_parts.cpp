@@ -117,6 +117,27 @@ std::vector<std::size_t> anchor_groups(const LinkedScene& scene) {
   return groups;
 }
 
+std::optional<std::size_t> anchor_link(const LinkedScene& scene, std::size_t instance) {
+  const Attachment& anchor = scene.instances[instance].placement.anchor;
+  if (anchor.kind != Attachment::Kind::link) return std::nullopt;
+  const LinkedModel* model = robot_of(scene, to_size(anchor.instance));
+  if (model == nullptr) return std::nullopt;
+  const std::optional<std::uint32_t> link = model->link_names.find(anchor.link);
+  if (!link) return std::nullopt;
+  return std::size_t{*link};
+}
+
+std::optional<Pose> pose_on_anchor(const LinkedScene& scene, std::size_t instance,
+                                   LinkFrames& frames) {
+  const std::optional<std::size_t> link = anchor_link(scene, instance);
+  if (!link) return std::nullopt;
+  const Instance& here = scene.instances[instance];
+  const Instance& other = scene.instance(here.placement.anchor.instance);
+  const std::optional<Pose>& X_OL = frames.of(scene, other)[*link];
+  if (!X_OL || !other.X_WE || !here.X_WE) return std::nullopt;
+  return inverse(*other.X_WE * *X_OL) * *here.X_WE;
+}
+
 std::optional<MassProperties> mass_properties(const urdf::Link& link) {
   if (!link.inertial || !link.inertial->mass || *link.inertial->mass <= 0) return std::nullopt;
   const urdf::Inertial& inertial = *link.inertial;

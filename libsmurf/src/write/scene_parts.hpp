@@ -23,6 +23,13 @@ std::string root_link_name(const LinkedModel& model);
 /// Anchors may run in a circle; then the first of the circle is the end.
 std::vector<std::size_t> anchor_groups(const LinkedScene& scene);
 
+/// The link that an instance is anchored to, by its index in the other instance's model; none when
+/// it is not anchored to a link that is known.
+std::optional<std::size_t> anchor_link(const LinkedScene& scene, std::size_t instance);
+/// X_LE: an instance as seen from the link it is anchored to; none when that link has no pose.
+std::optional<Pose> pose_on_anchor(const LinkedScene& scene, std::size_t instance,
+                                   LinkFrames& frames);
+
 struct MassProperties {
   double mass = 0;  ///< kg
   Pose X_LC;        ///< of the centre of mass in the link; the tensor is in its axes

@@ -175,15 +175,13 @@ class UrdfMerger {
   bool hang_on_link(std::size_t i, std::string& parent, Pose& X_PE) {
     const Attachment& anchor = scene_.scene.instances[i].placement.anchor;
     const std::size_t other = to_size(anchor.instance);
-    const LinkedModel* model = robot_of(other);
-    const auto link = model != nullptr ? model->link_names.find(anchor.link) : std::nullopt;
-    const auto& X_OL = frames_.of(scene_.scene, scene_.scene.instances[other]);
-    if (!link || !flat(other).X_WE || !X_OL[*link] || closes_circle(i)) {
+    const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames_);
+    if (!X_LE || closes_circle(i)) {
       losses_.anchor(i, "there is no link to hang it on");
       return false;
     }
     parent = prefix(other) + anchor.link;
-    X_PE = inverse(*flat(other).X_WE * *X_OL[*link]) * *flat(i).X_WE;
+    X_PE = *X_LE;
     return true;
   }
 
