@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurfs-flatten: a scene as instances in the world frame.
+#include <algorithm>
 #include <filesystem>
 
 #include "base/path.hpp"
 #include "common/converter.hpp"
+#include "smurf/write_scene.hpp"
 #include "smurfs-flatten/chain.hpp"
-#include "smurfs-flatten/formats.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -18,7 +19,9 @@ struct Options {
   ConverterOptions common;
   std::string scene;
   std::string format = "json";
+  std::string format_help;
   std::string dialect = "spec";
+  std::string form;
   std::string explained;
   bool links = false;
   bool strict = false;
@@ -26,20 +29,35 @@ struct Options {
 
 std::vector<std::string_view> format_names() {
   std::vector<std::string_view> names;
-  for (const SceneFormat& format : scene_formats()) names.push_back(format.name);
+  for (const SceneFormat* format : scene_formats()) names.push_back(format->name);
   return names;
 }
 
+std::string format_help() {
+  std::string help = "What to write; json unless given.";
+  for (const SceneFormat* format : scene_formats()) {
+    help += " " + std::string(format->name) + ": " + std::string(format->help) + ".";
+  }
+  return help;
+}
+
 void add_options(Command& command, Options& options) {
+  options.format_help = format_help();
   const auto add = [&](Option option) {
     option.group = "Conversion";
     command.options.push_back(std::move(option));
   };
   add({.name = "format",
        .metavar = "FORMAT",
-       .help = "What to write; json unless given.",
+       .help = options.format_help,
        .values = format_names(),
        .set = set_text(options.format)});
+  add({.name = "form",
+       .metavar = "FORM",
+       .help = "reference names the files of models, expand writes the models out. Formats that "
+               "can do both expand unless told, which loses less.",
+       .values = {"reference", "expand"},
+       .set = set_text(options.form)});
   add({.name = "links",
        .help = "Write the world pose of every link as well.",
        .set = set_flag(options.links)});
@@ -102,12 +120,21 @@ int explain_instance(const LinkedScene& scene, const SourceMap& sources, const O
   return write_output(kTool, options.common.output, text) ? kDone : kFailed;
 }
 
-/// False when there are losses and they are not wanted.
-bool accept_losses(const SceneFormat& format, const FlatScene& flat, const Options& options) {
-  if (format.losses == nullptr) return true;
-  const std::vector<std::string> losses = format.losses(flat);
-  for (const std::string& loss : losses) complain(kTool, loss);
-  return losses.empty() || !options.strict;
+bool has_losses(const DiagnosticSink& sink) {
+  const auto findings = sink.diagnostics();
+  return std::any_of(findings.begin(), findings.end(), [](const Diagnostic& finding) {
+    return finding.rule->id.starts_with("SML8");
+  });
+}
+
+/// None when the format does not have the form that is asked for; that has been said.
+std::optional<SceneForm> choose_form(const SceneFormat& format, const std::string& asked) {
+  const bool can_expand = format.has_expanded_form;
+  if (asked.empty()) return can_expand ? SceneForm::expand : SceneForm::reference;
+  const SceneForm form = asked == "expand" ? SceneForm::expand : SceneForm::reference;
+  if (form == SceneForm::expand ? can_expand : format.has_reference_form) return form;
+  complain(kTool, "the format " + std::string(format.name) + " has no form '" + asked + "'");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -117,9 +144,24 @@ int main(int argc, char** argv) {
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
 
+  const SceneFormat& format = *find_scene_format(options.format);
+  const std::optional<SceneForm> form = choose_form(format, options.form);
+  if (!form) return kFailed;
   Conversion conversion(kTool, options.common);
   const auto scene = conversion.load_scene(options.scene);
   if (!scene) return conversion.fail();
+  std::string text;
+  bool is_complete = true;
+  if (options.explained.empty() && !conversion.sink().has_errors()) {
+    const FlatScene flat = flatten(*scene, conversion.sources(), flatten_options(options));
+    text = format.write({.flat = flat,
+                         .scene = *scene,
+                         .sources = conversion.sources(),
+                         .losses = conversion.sink(),
+                         .links = options.links,
+                         .form = *form});
+    is_complete = !has_losses(conversion.sink());
+  }
   if (const ExitCode verdict = conversion.report(*scene); verdict == kFailed)
     return kFailed;
   else if (verdict != kDone)
@@ -127,9 +169,6 @@ int main(int argc, char** argv) {
   if (!options.explained.empty()) {
     return explain_instance(*scene, conversion.sources(), options);
   }
-  const SceneFormat& format = *find_scene_format(options.format);
-  const FlatScene flat = flatten(*scene, conversion.sources(), flatten_options(options));
-  if (!accept_losses(format, flat, options)) return conversion.refuse("has losses");
-  const std::string text = format.write(flat, options.links);
+  if (!is_complete && options.strict) return conversion.refuse("has losses");
   return write_output(kTool, options.common.output, text) ? kDone : kFailed;
 }

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "smurf/flat_shape.hpp"
 #include "smurf/linked.hpp"
 #include "smurf/pose.hpp"
 #include "smurf/source.hpp"
@@ -34,6 +35,9 @@ struct FlatModel {
   std::string file;
   std::string urdf;  ///< the same as `file` for a URDF; empty when there is none
   ModelIndex source{};
+  /// Mesh and texture files: as the URDF writes them, and relative to the output's folder. The
+  /// first of equal ones counts.
+  std::vector<std::pair<std::string, std::string>> resources;
 };
 
 struct FlatAttachment {
@@ -55,7 +59,8 @@ struct FlatInstance {
   FlatAttachment parent;  ///< kind none: the world
   /// Of the joints that the named joint pose set gives, in the model's order; rad or m.
   std::vector<std::pair<std::string, double>> joint_positions;
-  Value::Object properties;  ///< every key that has no meaning of its own here
+  Value::Object properties;       ///< every key that has no meaning of its own here
+  std::vector<FlatShape> shapes;  ///< of an entity without model
   /// X_WL of every link, in the model's order, when asked for.
   std::vector<std::pair<std::string, Pose>> links;
 };

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace smurf {
@@ -58,8 +59,11 @@ Vector3 rotate(const Quaternion& rotation, const Vector3& vector) {
 double norm(const Quaternion& q) { return to_eigen(q).norm(); }
 
 Quaternion normalized(const Quaternion& q) {
-  const double length = norm(q);
+  double length = norm(q);
   assert(length > 0);
+  // What was normalised once stays as it is, so that writing and reading poses has a fixed point.
+  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+  if (std::fabs(length - 1) <= kRounding) length = 1;
   double sign = 1;
   for (const double component : {q.w, q.x, q.y, q.z}) {
     if (component != 0) {

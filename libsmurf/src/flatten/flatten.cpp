@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "base/path.hpp"
+#include "flatten/shapes.hpp"
 #include "flatten/value.hpp"
 #include "link/scene_link.hpp"
 
@@ -48,9 +49,16 @@ class Flattener {
     for (int number = 2; !ids_.insert(id).second; ++number) {
       id = stem + "_" + std::to_string(number);
     }
-    flat_.models.push_back({id, model.has_main ? "smurf" : "urdf", relative(model.path),
-                            relative(model.urdf_path),
-                            ModelIndex{static_cast<std::uint32_t>(index)}});
+    FlatModel flat{id,
+                   model.has_main ? "smurf" : "urdf",
+                   relative(model.path),
+                   relative(model.urdf_path),
+                   ModelIndex{static_cast<std::uint32_t>(index)},
+                   {}};
+    for (const MeshReference& mesh : model.meshes) {
+      if (!mesh.path.empty()) flat.resources.emplace_back(mesh.filename, relative(mesh.path));
+    }
+    flat_.models.push_back(std::move(flat));
   }
 
   /// The loaded scene's settings win over those of the scenes inside it, of which the last one
@@ -114,6 +122,7 @@ class Flattener {
     for (const CustomSection& key : entity.extra) {
       flat.properties.push_back({key.name.value, to_value({*file.document, key.node})});
     }
+    if (!instance.model) flat.shapes = shapes_of(flat, entity.position.written);
     if (const LinkedModel* model = scene_.model(instance)) {
       add_joints(instance, *model, flat);
       if (options_.links) add_links(instance, *model, flat);

@@ -5,10 +5,7 @@
 #include <cmath>
 
 namespace smurf {
-namespace {
 
-/// Position of one joint, with mimic joints following their leader. The chain is bounded, so that a
-/// cycle of mimics (which a rule reports) ends.
 double position_of(const LinkedModel& model, const urdf::Joint& joint,
                    const JointPositions& positions) {
   constexpr int kLongestChain = 64;
@@ -28,6 +25,8 @@ double position_of(const LinkedModel& model, const urdf::Joint& joint,
   }
   return sum;
 }
+
+namespace {
 
 /// X_PC of a joint: its origin, then its motion.
 Pose pose_of(const LinkedModel& model, const urdf::Joint& joint, const JointPositions& positions) {

@@ -13,4 +13,9 @@ KinematicTree build_tree(const LinkedModel& model);
 /// The joint positions that a joint pose set means in a model.
 JointPositions to_joint_positions(const LinkedModel& model, const JointPoseSet& set);
 
+/// Position of one joint, with mimic joints following their leader. The chain is bounded, so that a
+/// cycle of mimics (which a rule reports) ends.
+double position_of(const LinkedModel& model, const urdf::Joint& joint,
+                   const JointPositions& positions);
+
 }  // namespace smurf

@@ -4,6 +4,8 @@
 
 #include "base/numbers.hpp"
 #include "smurf/write.hpp"
+#include "smurf/write_scene.hpp"
+#include "write/json_text.hpp"
 
 namespace smurf {
 namespace {
@@ -19,9 +21,9 @@ class JsonWriter {
     out_ += ",\n  \"frame\": \"world\",\n  \"physics\": ";
     physics(scene.physics);
     out_ += ",\n  \"environment\": ";
-    object(scene.environment);
+    append_json(out_, scene.environment);
     out_ += ",\n  \"lights\": ";
-    rows(scene.lights, [&](const Value& light) { value(light); });
+    rows(scene.lights, [&](const Value& light) { append_json(out_, light); });
     out_ += ",\n  \"models\": ";
     rows(scene.models, [&](const FlatModel& flat) { model(flat); });
     out_ += ",\n  \"instances\": ";
@@ -46,50 +48,13 @@ class JsonWriter {
 
   void number(double value) { out_ += format_number(value); }
 
-  void text(std::string_view value) {
-    out_ += '"';
-    for (const char c : value) character(c);
-    out_ += '"';
-  }
+  void text(std::string_view value) { append_json(out_, value); }
 
-  void character(char c) {
-    switch (c) {
-    case '"': out_ += "\\\""; return;
-    case '\\': out_ += "\\\\"; return;
-    case '\n': out_ += "\\n"; return;
-    case '\r': out_ += "\\r"; return;
-    case '\t': out_ += "\\t"; return;
-    default: break;
-    }
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte != 0x7f) {
-      out_ += c;
-      return;
-    }
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    out_ += "\\u00";
-    out_ += kDigits[byte >> 4U];
-    out_ += kDigits[byte & 0xfU];
-  }
-
-  void key(std::string_view name, bool is_first = false) {
-    if (!is_first) out_ += ", ";
-    text(name);
-    out_ += ": ";
-  }
-
-  void vector(const Vector3& v) {
-    out_ += '[';
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (i > 0) out_ += ", ";
-      number(v[i]);
-    }
-    out_ += ']';
-  }
+  void key(std::string_view name, bool is_first = false) { append_key(out_, name, is_first); }
 
   void pose(const Pose& pose, bool is_first) {
     key("position", is_first);
-    vector(pose.position);
+    append_json(out_, pose.position);
     key("orientation");
     const Quaternion& q = pose.orientation;
     out_ += "{\"w\": ";
@@ -102,52 +67,12 @@ class JsonWriter {
     out_ += '}';
   }
 
-  void value(const Value& value) {
-    const auto write = [&](const auto& data) {
-      using Data = std::decay_t<decltype(data)>;
-      if constexpr (std::is_same_v<Data, std::monostate>) {
-        out_ += "null";
-      } else if constexpr (std::is_same_v<Data, bool>) {
-        out_ += data ? "true" : "false";
-      } else if constexpr (std::is_same_v<Data, std::int64_t>) {
-        out_ += std::to_string(data);
-      } else if constexpr (std::is_same_v<Data, double>) {
-        number(data);
-      } else if constexpr (std::is_same_v<Data, std::string>) {
-        text(data);
-      } else if constexpr (std::is_same_v<Data, Value::List>) {
-        list(data);
-      } else {
-        object(data);
-      }
-    };
-    std::visit(write, value.data);
-  }
-
-  void list(const Value::List& items) {
-    out_ += '[';
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      if (i > 0) out_ += ", ";
-      value(items[i]);
-    }
-    out_ += ']';
-  }
-
-  void object(const Value::Object& members) {
-    out_ += '{';
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      key(members[i].key, i == 0);
-      value(members[i].value);
-    }
-    out_ += '}';
-  }
-
   void physics(const FlatPhysics& physics) {
     out_ += '{';
     bool is_first = true;
     if (physics.gravity) {
       key("gravity", is_first);
-      vector(*physics.gravity);
+      append_json(out_, *physics.gravity);
       is_first = false;
     }
     for (const auto& [name, given] :
@@ -224,7 +149,7 @@ class JsonWriter {
     }
     out_ += '}';
     key("properties");
-    object(instance.properties);
+    append_json(out_, instance.properties);
     if (links_ && instance.model) links(instance);
     out_ += '}';
   }
@@ -250,5 +175,12 @@ class JsonWriter {
 std::string write_flat_json(const FlatScene& scene, bool links) {
   return JsonWriter(links).run(scene);
 }
+
+extern constinit const SceneFormat scene_json{
+    .name = "json",
+    .help = "instances in the world frame, for programs",
+    .write = [](const SceneExport& scene) { return write_flat_json(scene.flat, scene.links); },
+    .has_reference_form = true,
+    .has_expanded_form = false};
 
 }  // namespace smurf

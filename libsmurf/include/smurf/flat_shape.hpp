@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solid shapes of a flat scene, wherever they were written: in a URDF, an entity or an old scene.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "smurf/pose.hpp"
+
+namespace smurf {
+
+/// In the xy plane, around the origin; the normal is z.
+struct FlatPlane {
+  double length = 0;  ///< along x, m
+  double width = 0;   ///< along y, m
+};
+struct FlatBox {
+  Vector3 size{};  ///< full edge lengths, m
+};
+struct FlatSphere {
+  double radius = 0;  ///< m
+};
+struct FlatCylinder {
+  double radius = 0;  ///< m
+  double length = 0;  ///< m, along z
+};
+struct FlatCapsule {
+  double radius = 0;  ///< m
+  double length = 0;  ///< m, of the cylindrical part
+};
+struct FlatMesh {
+  std::string file;  ///< relative to the output's folder
+  Vector3 scale{1, 1, 1};
+};
+/// Grey values of an image as heights, around the origin.
+struct FlatHeightmap {
+  std::string file;   ///< relative to the output's folder
+  double length = 0;  ///< along x, m
+  double width = 0;   ///< along y, m
+  double height = 0;  ///< of the brightest value, m
+};
+using FlatGeometry = std::variant<FlatPlane, FlatBox, FlatSphere, FlatCylinder, FlatCapsule,
+                                  FlatMesh, FlatHeightmap>;
+
+using Rgba = std::array<double, 4>;  ///< 0..1
+
+struct FlatShape {
+  std::string name;  ///< may be empty
+  Pose X_ES;         ///< in the frame of the entity
+  FlatGeometry geometry;
+  std::optional<Rgba> color;
+};
+
+}  // namespace smurf

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Flat scenes as text in the formats of other programs.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/flatten.hpp"
+
+namespace smurf {
+
+/// How a format that can do both refers to models: by their files, or written out.
+enum class SceneForm : std::uint8_t { reference, expand };
+
+/// What a writer is given. Everything must outlive the call.
+struct SceneExport {
+  const FlatScene& flat;
+  const LinkedScene& scene;  ///< what `flat` was made of: instances are the same, in the same order
+  const SourceMap& sources;  ///< what `scene` was read from
+  DiagnosticSink& losses;    ///< takes what the format cannot say (SML82xx)
+  bool links = false;  ///< write the world poses of all links, where there is a place for them
+  SceneForm form = SceneForm::expand;
+};
+
+/// A format is one file in src/write that defines one of these, and its line in
+/// src/write/scene_formats.def.
+struct SceneFormat {
+  std::string_view name;  ///< of --format
+  std::string_view help;
+  /// Instances without a pose, which only scenes with errors have, are left out.
+  std::string (*write)(const SceneExport& scene) = nullptr;
+  bool has_reference_form = false;
+  bool has_expanded_form = true;
+};
+
+std::span<const SceneFormat* const> scene_formats();
+/// Null when there is none of that name.
+const SceneFormat* find_scene_format(std::string_view name);
+
+}  // namespace smurf

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shapes of entities that are no models.
+#pragma once
+
+#include <vector>
+
+#include "smurf/flatten.hpp"
+
+namespace smurf {
+
+/// The shape of a `primitive` or `heightmap`, from its properties; empty for other types.
+/// MARS lifts a box or sphere that has no position of its own by half a metre.
+std::vector<FlatShape> shapes_of(const FlatInstance& instance, bool has_position);
+
+/// A member of an object by its key; null when there is none.
+const Value* find(const Value::Object& object, std::string_view key);
+/// A number, whichever way it is written.
+std::optional<double> number_of(const Value* value);
+
+}  // namespace smurf

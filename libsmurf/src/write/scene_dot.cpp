@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is fixed to what, as a graph for Graphviz. Nested scenes are boxes around their entities.
+#include "smurf/write_scene.hpp"
+
+namespace smurf {
+namespace {
+
+/// A quoted string of the language; a backslash would start an escape of labels.
+std::string quoted(std::string_view text) {
+  std::string escaped = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') escaped += '\\';
+    if (c == '\n' || c == '\r') {
+      escaped += ' ';
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped + '"';
+}
+
+class DotWriter {
+ public:
+  explicit DotWriter(const SceneExport& scene) : scene_(scene), indent_("  ") {}
+
+  std::string run() {
+    out_ = "digraph " + quoted(scene_.flat.scene) +
+           " {\n"
+           "  rankdir=LR\n"
+           "  node [shape=box, style=rounded, fontname=\"sans-serif\"]\n"
+           "  edge [fontname=\"sans-serif\", fontsize=10]\n"
+           "  graph [fontname=\"sans-serif\", style=rounded, color=gray]\n"
+           "  \":world\" [label=\"world\", shape=doublecircle]\n";
+    for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
+      enter(scene_.scene.instances[i].use);
+      add_node(scene_.flat.instances[i]);
+    }
+    enter(UseIndex{0});
+    for (const FlatInstance& instance : scene_.flat.instances) add_edges(instance);
+    return std::move(out_) + "}\n";
+  }
+
+ private:
+  /// Opens and closes the boxes between one instance's scene and the next one's.
+  void enter(UseIndex use) {
+    std::vector<UseIndex> chain;
+    for (std::optional<UseIndex> at = use; at && scene_.scene.uses[to_size(*at)].outer;
+         at = scene_.scene.uses[to_size(*at)].outer) {
+      chain.insert(chain.begin(), *at);
+    }
+    std::size_t shared = 0;
+    while (shared < chain.size() && shared < open_.size() && chain[shared] == open_[shared]) {
+      ++shared;
+    }
+    for (; open_.size() > shared; open_.pop_back()) {
+      indent_.resize(indent_.size() - 2);
+      out_ += indent_ + "}\n";
+    }
+    for (; open_.size() < chain.size(); open_.push_back(chain[open_.size()])) {
+      const SceneUse& opened = scene_.scene.uses[to_size(chain[open_.size()])];
+      out_ += indent_ + "subgraph " + quoted("cluster " + opened.path) + " {\n";
+      indent_ += "  ";
+      out_ += indent_ + "label=" + quoted(opened.path) + "\n";
+    }
+  }
+
+  void add_node(const FlatInstance& instance) {
+    const std::string name = instance.name.empty() ? instance.path : instance.name;
+    const std::string what =
+        instance.model ? scene_.flat.models[*instance.model].id : instance.type;
+    std::string label = quoted(name);
+    label.back() = '\\';  // the closing quote makes room for a line break
+    out_ +=
+        indent_ + quoted(instance.path) + " [label=" + label + "n" + quoted(what).substr(1) + "]\n";
+  }
+
+  static std::string node(const FlatAttachment& attachment) {
+    return attachment.kind == Attachment::Kind::link ? quoted(attachment.instance) : "\":world\"";
+  }
+
+  static std::string at_link(std::string_view what, const FlatAttachment& attachment) {
+    std::string text(what);
+    if (attachment.kind == Attachment::Kind::link) text += " " + attachment.link;
+    return quoted(text);
+  }
+
+  /// Solid: fixed there. Dashed: only placed relative to it.
+  void add_edges(const FlatInstance& instance) {
+    const bool is_free = instance.anchor.kind == Attachment::Kind::none;
+    const bool is_placed_elsewhere = instance.parent.kind == Attachment::Kind::link &&
+                                     (instance.anchor.instance != instance.parent.instance ||
+                                      instance.anchor.link != instance.parent.link);
+    if (is_free || is_placed_elsewhere) {
+      const std::string label = at_link(is_free ? "free" : "placed at", instance.parent);
+      out_ += "  " + node(instance.parent) + " -> " + quoted(instance.path) + " [label=" + label +
+              ", style=dashed]\n";
+    }
+    if (is_free) return;
+    const bool is_on_link = instance.anchor.kind == Attachment::Kind::link;
+    const std::string fixed = at_link(is_on_link ? "fixed to" : "fixed", instance.anchor);
+    out_ +=
+        "  " + node(instance.anchor) + " -> " + quoted(instance.path) + " [label=" + fixed + "]\n";
+  }
+
+  const SceneExport& scene_;
+  std::string indent_;
+  std::vector<UseIndex> open_;
+  std::string out_;
+};
+
+std::string write(const SceneExport& scene) { return DotWriter(scene).run(); }
+
+}  // namespace
+
+extern constinit const SceneFormat scene_dot{
+    .name = "dot", .help = "what is fixed to what, as a Graphviz graph", .write = write};
+
+}  // namespace smurf

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/scene_losses.hpp"
+
+#include "base/rules.hpp"
+
+namespace smurf {
+namespace {
+
+std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
+
+std::string count(std::size_t number, std::string_view one) {
+  return std::to_string(number) + " " + std::string(one) + (number == 1 ? "" : "s");
+}
+
+/// "3 motors, 1 sensor"; empty when the model has none of these.
+std::string describe(const Annotations& annotations) {
+  std::string text;
+  const auto add = [&](std::size_t number, std::string_view one) {
+    if (number > 0) text += (text.empty() ? "" : ", ") + count(number, one);
+  };
+  add(annotations.motors.size(), "motor");
+  add(annotations.sensors.size(), "sensor");
+  add(annotations.controllers.size(), "controller");
+  add(annotations.materials.size(), "material");
+  add(annotations.collisions.size(), "collision setting");
+  add(annotations.joints.size(), "joint setting");
+  add(annotations.links.size(), "link setting");
+  add(annotations.nodes.size(), "node");
+  add(annotations.lights.size(), "light");
+  return text;
+}
+
+}  // namespace
+
+std::string SceneLosses::path(std::size_t instance) const {
+  return quoted(scene_.flat.instances[instance].path);
+}
+
+Span SceneLosses::place(std::size_t instance) const {
+  return place_of(scene_.scene.entity(scene_.scene.instances[instance]));
+}
+
+void SceneLosses::entity(std::size_t instance, std::string_view why) {
+  scene_.losses.report(rules::sml8201_lost_entity, place(instance),
+                       path(instance) + " is not in the " + format_ + ": " + std::string(why));
+}
+
+void SceneLosses::joint_pose(std::size_t instance, std::string_view why) {
+  if (scene_.flat.instances[instance].joint_positions.empty()) return;
+  const Field<std::string>& pose = scene_.scene.entity(scene_.scene.instances[instance]).pose;
+  scene_.losses.report(rules::sml8202_lost_joint_pose, pose.written ? pose.span : place(instance),
+                       path(instance) + " starts with its joints at zero in the " + format_ + ": " +
+                           std::string(why));
+}
+
+void SceneLosses::anchor(std::size_t instance, std::string_view why) {
+  const Field<std::string>& anchor = scene_.scene.entity(scene_.scene.instances[instance]).anchor;
+  scene_.losses.report(rules::sml8203_lost_anchor, anchor.written ? anchor.span : place(instance),
+                       "the anchor of " + path(instance) + " is not in the " + format_ + ": " +
+                           std::string(why));
+}
+
+void SceneLosses::shape(Span span, std::string_view what) {
+  scene_.losses.report(rules::sml8205_lost_shape, span,
+                       std::string(what) + " is not in the " + format_);
+}
+
+void SceneLosses::joint(const urdf::Joint& joint, std::string_view written_as) {
+  scene_.losses.report(rules::sml8206_simplified_joint,
+                       joint.type_name.written ? joint.type_name.span : joint.span,
+                       "the joint " + quoted(joint.name.value_or({})) + " is " +
+                           std::string(written_as) + " in the " + format_);
+}
+
+void SceneLosses::annotations_and_properties() {
+  for (const LinkedModel& model : scene_.scene.models) {
+    const std::string described = describe(model.annotations);
+    if (described.empty() || model.files.empty()) continue;
+    scene_.losses.report(rules::sml8207_lost_annotations, {model.files.front().source, 0, 0},
+                         "the annotations of " + quoted(model.path) + " are not in the " + format_ +
+                             ": " + described);
+  }
+  for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
+    const FlatInstance& instance = scene_.flat.instances[i];
+    if (instance.properties.empty() || !instance.shapes.empty() || !instance.model) continue;
+    std::string keys;
+    for (const ValueMember& member : instance.properties) {
+      keys += (keys.empty() ? "" : ", ") + quoted(member.key);
+    }
+    scene_.losses.report(rules::sml8207_lost_annotations, place(i),
+                         "keys of " + path(i) + " are not in the " + format_ + ": " + keys);
+  }
+}
+
+void SceneLosses::world(std::initializer_list<World> settings) {
+  for (const World setting : settings) {
+    for (const SceneFile& file : scene_.scene.scenes) report_world(setting, file);
+  }
+}
+
+void SceneLosses::report_world(World setting, const SceneFile& file) {
+  const auto& physics = file.scene.physics;
+  const auto report = [&](Span span, std::string_view what) {
+    scene_.losses.report(rules::sml8204_lost_world_setting, span,
+                         std::string(what) + " not in the " + format_);
+  };
+  switch (setting) {
+  case World::gravity:
+    if (physics && physics->gravity) report(physics->gravity.span, "the gravity is");
+    return;
+  case World::step_size:
+    if (physics && physics->step_size) report(physics->step_size.span, "the step size is");
+    return;
+  case World::solver:
+    if (physics && physics->cfm) report(physics->cfm.span, "the constraint force mixing is");
+    if (physics && physics->erp) report(physics->erp.span, "the error reduction is");
+    return;
+  case World::environment:
+    if (file.document && file.scene.environment != yaml::kNoNode) {
+      report(yaml::View{*file.document, file.scene.environment}.key_span(), "the environment is");
+    }
+    return;
+  case World::lights:
+    for (const Light& light : file.scene.lights) {
+      report(light.name.written ? light.name.span : light.span, "the light is");
+    }
+    return;
+  }
+}
+
+namespace rules {
+
+constinit const Rule sml8201_lost_entity{
+    .id = "SML8201",
+    .name = "lost-entity",
+    .severity = Severity::warning,
+    .summary = "An entity of the scene cannot be written in the format.",
+    .why = "What a plug-in makes of its own types of entities no other simulator knows.",
+    .remedy = "Use a model or a primitive for what has to arrive, or the format json, which "
+              "carries all keys along.",
+    .sources = "smurfs-flatten."};
+
+constinit const Rule sml8202_lost_joint_pose{
+    .id = "SML8202",
+    .name = "lost-joint-pose",
+    .severity = Severity::warning,
+    .summary = "The joints of a model start at zero instead of in their named pose.",
+    .why = "The format has no place for the position of a joint at the beginning.",
+    .remedy = "Choose a form or format that has it: SDF with --form expand, MJCF, Drake "
+              "directives, JSON.",
+    .sources = "SDFormat 1.9 joint.sdf; URDF has no such element."};
+
+constinit const Rule sml8203_lost_anchor{
+    .id = "SML8203",
+    .name = "lost-anchor",
+    .severity = Severity::warning,
+    .summary = "What an entity is fixed to cannot be written in the format.",
+    .why = "The entity falls, or moves on its own, where it was fixed.",
+    .remedy = "Choose --form expand, or a format that joins models.",
+    .sources = "SDFormat 1.9 world.sdf has no joints; MuJoCo 3 drops bodies inside attach (run)."};
+
+constinit const Rule sml8204_lost_world_setting{
+    .id = "SML8204",
+    .name = "lost-world-setting",
+    .severity = Severity::warning,
+    .summary = "A setting of the world cannot be written in the format.",
+    .why = "The simulator uses its own value.",
+    .remedy = "Set it in the simulator.",
+    .sources = "smurfs-flatten."};
+
+constinit const Rule sml8205_lost_shape{.id = "SML8205",
+                                        .name = "lost-shape",
+                                        .severity = Severity::warning,
+                                        .summary = "A shape cannot be written in the format.",
+                                        .why = "It is neither seen nor touched there.",
+                                        .remedy =
+                                            "Convert the mesh, or use a shape that the format has.",
+                                        .sources = "smurfs-flatten."};
+
+constinit const Rule sml8206_simplified_joint{.id = "SML8206",
+                                              .name = "simplified-joint",
+                                              .severity = Severity::warning,
+                                              .summary = "A joint is written as a simpler one.",
+                                              .why = "It does not move as the model says.",
+                                              .remedy = "Use joints that the format has.",
+                                              .sources = "smurfs-flatten."};
+
+constinit const Rule sml8207_lost_annotations{
+    .id = "SML8207",
+    .name = "lost-annotations",
+    .severity = Severity::info,
+    .summary = "Annotations, or keys of an entity, have no place in the format.",
+    .why = "Motors, sensors and the like are SMURF's own; other simulators have them in other "
+           "files.",
+    .remedy = "Set them up in the simulator.",
+    .sources = "smurfs-flatten."};
+
+}  // namespace rules
+}  // namespace smurf

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/scene_parts.hpp"
+
+#include <cmath>
+#include <unordered_set>
+
+#include "base/path.hpp"
+#include "flatten/shapes.hpp"
+#include "link/kinematics.hpp"
+
+namespace smurf {
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string safe_name(std::string_view path) {
+  std::string name;
+  for (const char c : path) {
+    if (c == '/') {
+      name += "__";
+    } else {
+      name += is_letter(c) || is_digit(c) ? c : '_';
+    }
+  }
+  if (name.empty() || is_digit(name.front())) name.insert(name.begin(), '_');
+  return name;
+}
+
+MassProperties diagonal(double mass, double ixx, double iyy, double izz) {
+  return {.mass = mass, .X_LC = {}, .ixx = ixx, .iyy = iyy, .izz = izz};
+}
+
+class SolidMass {
+ public:
+  explicit SolidMass(double mass) : mass_(mass) {}
+
+  MassProperties operator()(const FlatBox& box) const {
+    const double x = box.size[0] * box.size[0];
+    const double y = box.size[1] * box.size[1];
+    const double z = box.size[2] * box.size[2];
+    return diagonal(mass_, mass_ * (y + z) / 12, mass_ * (x + z) / 12, mass_ * (x + y) / 12);
+  }
+  MassProperties operator()(const FlatSphere& sphere) const { return ball(sphere.radius); }
+  MassProperties operator()(const FlatCylinder& cylinder) const {
+    return rod(cylinder.radius, cylinder.length);
+  }
+  /// Near enough for a preset that has no inertia of its own: a cylinder as long as the capsule.
+  MassProperties operator()(const FlatCapsule& capsule) const {
+    return rod(capsule.radius, capsule.length + capsule.radius);
+  }
+  template <class Other>
+  MassProperties operator()(const Other&) const {
+    return ball(0.5);
+  }
+
+ private:
+  MassProperties ball(double radius) const {
+    const double i = 0.4 * mass_ * radius * radius;
+    return diagonal(mass_, i, i, i);
+  }
+  MassProperties rod(double radius, double length) const {
+    const double across = mass_ * (3 * radius * radius + length * length) / 12;
+    return diagonal(mass_, across, across, mass_ * radius * radius / 2);
+  }
+
+  double mass_;
+};
+
+}  // namespace
+
+std::vector<std::string> safe_names(const FlatScene& scene) {
+  std::vector<std::string> names;
+  std::unordered_set<std::string> taken{"world"};
+  for (const FlatInstance& instance : scene.instances) {
+    const std::string base = safe_name(instance.path);
+    std::string name = base;
+    for (int number = 2; !taken.insert(name).second; ++number) {
+      name = base + "_" + std::to_string(number);
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+const LinkedModel* robot_of(const LinkedScene& scene, std::size_t instance) {
+  const LinkedModel* model = scene.model(scene.instances[instance]);
+  return model != nullptr && model->robot && !model->tree.roots.empty() ? model : nullptr;
+}
+
+std::string link_name(const LinkedModel& model, std::size_t link) {
+  return model.robot->links[link].name.value_or("link_" + std::to_string(link));
+}
+
+std::string root_link_name(const LinkedModel& model) {
+  return link_name(model, to_size(model.tree.roots.front()));
+}
+
+std::vector<std::size_t> anchor_groups(const LinkedScene& scene) {
+  const std::size_t count = scene.instances.size();
+  constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> groups(count, kUnknown);
+  std::vector<bool> is_walking(count, false);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<std::size_t> chain;
+    std::size_t at = i;
+    while (groups[at] == kUnknown && !is_walking[at]) {
+      is_walking[at] = true;
+      chain.push_back(at);
+      const Attachment& anchor = scene.instances[at].placement.anchor;
+      if (anchor.kind != Attachment::Kind::link) break;
+      at = to_size(anchor.instance);
+    }
+    const std::size_t end = groups[at] != kUnknown ? groups[at] : at;
+    for (const std::size_t member : chain) groups[member] = end;
+  }
+  return groups;
+}
+
+std::optional<std::size_t> anchor_link(const LinkedScene& scene, std::size_t instance) {
+  const Attachment& anchor = scene.instances[instance].placement.anchor;
+  if (anchor.kind != Attachment::Kind::link) return std::nullopt;
+  const LinkedModel* model = robot_of(scene, to_size(anchor.instance));
+  if (model == nullptr) return std::nullopt;
+  const std::optional<std::uint32_t> link = model->link_names.find(anchor.link);
+  if (!link) return std::nullopt;
+  return std::size_t{*link};
+}
+
+std::optional<Pose> pose_on_anchor(const LinkedScene& scene, std::size_t instance,
+                                   LinkFrames& frames) {
+  const std::optional<std::size_t> link = anchor_link(scene, instance);
+  if (!link) return std::nullopt;
+  const Instance& here = scene.instances[instance];
+  const Instance& other = scene.instance(here.placement.anchor.instance);
+  const std::optional<Pose>& X_OL = frames.of(scene, other)[*link];
+  if (!X_OL || !other.X_WE || !here.X_WE) return std::nullopt;
+  return inverse(*other.X_WE * *X_OL) * *here.X_WE;
+}
+
+std::optional<MassProperties> mass_properties(const urdf::Link& link) {
+  if (!link.inertial || !link.inertial->mass || *link.inertial->mass <= 0) return std::nullopt;
+  const urdf::Inertial& inertial = *link.inertial;
+  return MassProperties{*inertial.mass,           urdf::to_pose(inertial.origin),
+                        inertial.ixx.value_or(0), inertial.ixy.value_or(0),
+                        inertial.ixz.value_or(0), inertial.iyy.value_or(0),
+                        inertial.iyz.value_or(0), inertial.izz.value_or(0)};
+}
+
+MassProperties smallest_mass() { return SolidMass(0.01)(FlatSphere{0.01}); }
+
+MassProperties solid_mass(const FlatGeometry& geometry, double mass) {
+  return std::visit(SolidMass(mass), geometry);
+}
+
+double start_position(const LinkedModel& model, const urdf::Joint& joint,
+                      const JointPositions& positions) {
+  return joint.has_one_axis() ? position_of(model, joint, positions) : 0;
+}
+
+bool is_movable(const FlatInstance& instance) {
+  const Value* movable = find(instance.properties, "movable");
+  if (const bool* given = movable != nullptr ? std::get_if<bool>(&movable->data) : nullptr) {
+    return *given;
+  }
+  // primitives.cpp presets: boxes and spheres move.
+  return !instance.shapes.empty() &&
+         (std::holds_alternative<FlatBox>(instance.shapes.front().geometry) ||
+          std::holds_alternative<FlatSphere>(instance.shapes.front().geometry));
+}
+
+double mass_of(const FlatInstance& instance) {
+  const auto mass = number_of(find(instance.properties, "mass"));
+  return mass && *mass > 0 ? *mass : 1;
+}
+
+std::vector<const Light*> world_lights(const LinkedScene& scene) {
+  std::vector<const Light*> lights;
+  for (const SceneUse& use : scene.uses) {
+    const SceneFile& file = scene.file(use);
+    if (use.outer && path::extension(file.path) == ".smurfa") continue;
+    for (const Light& light : file.scene.lights) lights.push_back(&light);
+  }
+  return lights;
+}
+
+Vector3 direction_of(const Light& light) {
+  const Vector3 from = light.position.value_or({0, 0, 0});
+  const Vector3 to = light.look_at.value_or({from[0], from[1], from[2] - 1});
+  Vector3 way{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  const double length = std::hypot(way[0], way[1], way[2]);
+  if (!(length > 0) || !std::isfinite(length)) return {0, 0, -1};
+  for (double& component : way) component /= length;
+  return way;
+}
+
+Rgba color_or(const Field<Color>& color, const Rgba& fallback) {
+  if (!color) return fallback;
+  return {color->r.value_or(fallback[0]), color->g.value_or(fallback[1]),
+          color->b.value_or(fallback[2]), color->a.value_or(fallback[3])};
+}
+
+}  // namespace smurf

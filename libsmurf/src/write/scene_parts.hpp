@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the writers for simulators have in common: safe names, groups, bodies, inertia, lights.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "write/placed_shapes.hpp"
+
+namespace smurf {
+
+/// By instance: [A-Za-z_][A-Za-z0-9_]*, unique; what its path becomes where names are restricted.
+std::vector<std::string> safe_names(const FlatScene& scene);
+
+/// The model of an instance when it has links; null otherwise.
+const LinkedModel* robot_of(const LinkedScene& scene, std::size_t instance);
+/// As written; a number for a link without name.
+std::string link_name(const LinkedModel& model, std::size_t link);
+std::string root_link_name(const LinkedModel& model);
+
+/// By instance: the instance at the end of its chain of anchors. Members of one group share it.
+/// Anchors may run in a circle; then the first of the circle is the end.
+std::vector<std::size_t> anchor_groups(const LinkedScene& scene);
+
+/// The link that an instance is anchored to, by its index in the other instance's model; none when
+/// it is not anchored to a link that is known.
+std::optional<std::size_t> anchor_link(const LinkedScene& scene, std::size_t instance);
+/// X_LE: an instance as seen from the link it is anchored to; none when that link has no pose.
+std::optional<Pose> pose_on_anchor(const LinkedScene& scene, std::size_t instance,
+                                   LinkFrames& frames);
+
+struct MassProperties {
+  double mass = 0;  ///< kg
+  Pose X_LC;        ///< of the centre of mass in the link; the tensor is in its axes
+  double ixx = 0, ixy = 0, ixz = 0, iyy = 0, iyz = 0, izz = 0;  ///< kg m^2
+};
+/// None when the link has no mass.
+std::optional<MassProperties> mass_properties(const urdf::Link& link);
+/// For a body that has to have a mass and has none: MARS takes a ball of 10 g and 1 cm radius
+/// (mars_core Frame.cpp:601-619).
+MassProperties smallest_mass();
+/// Of a solid of even density.
+MassProperties solid_mass(const FlatGeometry& geometry, double mass);
+
+/// Position of a joint that starts an instance: given, or following its leader; else 0.
+double start_position(const LinkedModel& model, const urdf::Joint& joint,
+                      const JointPositions& positions);
+
+/// Whether an entity without model can move, and its mass in kg (MARS: `movable`, `mass`).
+bool is_movable(const FlatInstance& instance);
+double mass_of(const FlatInstance& instance);
+
+/// The lights of the world, in the order of the flat scene.
+std::vector<const Light*> world_lights(const LinkedScene& scene);
+/// Unit vector from a light to where it looks; down when it says nothing.
+Vector3 direction_of(const Light& light);
+Rgba color_or(const Field<Color>& color, const Rgba& fallback);
+
+}  // namespace smurf

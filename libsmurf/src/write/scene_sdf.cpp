@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SDFormat worlds for Gazebo. Entities that are fixed to each other share one outer model, since
+// SDF 1.9 has no joints between models. Joint poses are baked into the poses of the links and the
+// limits shifted along, since SDF has no initial joint positions.
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "base/numbers.hpp"
+#include "write/scene_losses.hpp"
+#include "write/scene_parts.hpp"
+#include "write/xml_text.hpp"
+
+namespace smurf {
+namespace {
+
+/// SDF keeps `world`, names like `__this__` and the separator `::` for itself.
+std::string sdf_name(const LinkedModel& model, std::size_t link) {
+  std::string name = link_name(model, link);
+  const bool is_reserved = name == "world" || (name.starts_with("__") && name.ends_with("__"));
+  if (!is_reserved && name.find("::") == std::string::npos) return name;
+  for (std::size_t at; (at = name.find("::")) != std::string::npos;) name.replace(at, 2, "_");
+  name += "_link";
+  while (model.link_names.contains(name)) name += "_";
+  return name;
+}
+
+std::string sdf_root_name(const LinkedModel& model) {
+  return sdf_name(model, to_size(model.tree.roots.front()));
+}
+
+class SdfWriter {
+ public:
+  SdfWriter(const SceneExport& scene, bool is_old)
+      : scene_(scene),
+        is_old_(is_old),
+        losses_(scene, is_old ? "SDF 1.6" : "SDF"),
+        names_(safe_names(scene.flat)) {}
+
+  std::string run() {
+    xml_.open("sdf", {{"version", is_old_ ? "1.6" : "1.9"}});
+    xml_.open("world", {{"name", "scene"}});
+    add_physics();
+    add_lights();
+    add_groups();
+    losses_.world({SceneLosses::World::environment});
+    losses_.annotations_and_properties();
+    return xml_.finish();
+  }
+
+ private:
+  const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
+  const Instance& linked(std::size_t i) const { return scene_.scene.instances[i]; }
+  const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
+  bool is_written(std::size_t i) const {
+    return flat(i).X_WE && (robot_of(i) != nullptr || !flat(i).shapes.empty());
+  }
+
+  void add_pose(const Pose& pose) {
+    const Quaternion& q = pose.orientation;
+    if (pose == Pose{}) return;
+    if (is_old_) {
+      xml_.leaf("pose", join_numbers(pose.position) + " " + join_numbers(to_rpy(q)));
+    } else {
+      xml_.leaf("pose", join_numbers(pose.position) + " " + join_numbers({q.x, q.y, q.z, q.w}),
+                {{"rotation_format", "quat_xyzw"}});
+    }
+  }
+
+  void add_physics() {
+    const FlatPhysics& physics = scene_.flat.physics;
+    if (physics.gravity) xml_.leaf("gravity", join_numbers(*physics.gravity));
+    if (!physics.step_size && !physics.cfm && !physics.erp) return;
+    xml_.open("physics", {{"name", "smurf"}, {"type", "ode"}});
+    const double step = physics.step_size.value_or(0.01);  // MARS's default
+    xml_.leaf("max_step_size", step);
+    xml_.leaf("real_time_factor", 1);
+    if (physics.cfm || physics.erp) {
+      xml_.open("ode");
+      xml_.open("constraints");
+      if (physics.cfm) xml_.leaf("cfm", *physics.cfm);
+      if (physics.erp) xml_.leaf("erp", *physics.erp);
+      xml_.close();
+      xml_.close();
+    }
+    xml_.close();
+  }
+
+  void add_lights() {
+    std::set<std::string> taken(names_.begin(), names_.end());
+    for (const Light* light : world_lights(scene_.scene)) {
+      const std::string base = light->name.value_or("light");
+      std::string name = base;
+      for (int number = 2; !taken.insert(name).second; ++number) {
+        name = base + "_" + std::to_string(number);
+      }
+      const bool is_directional = light->directional.value_or(false);
+      const bool is_spot = !is_directional && light->type.value_or(1) == 2;
+      const std::string type = is_directional ? "directional" : is_spot ? "spot" : "point";
+      xml_.open("light", {{"name", name}, {"type", type}});
+      add_pose({light->position.value_or({0, 0, 0}), {}});
+      const Rgba diffuse = color_or(light->diffuse, {1, 1, 1, 1});
+      const Rgba specular = color_or(light->specular, {0.2, 0.2, 0.2, 1});
+      xml_.leaf("diffuse", join_numbers({diffuse[0], diffuse[1], diffuse[2], diffuse[3]}));
+      xml_.leaf("specular", join_numbers({specular[0], specular[1], specular[2], specular[3]}));
+      xml_.open("attenuation");
+      xml_.leaf("range", 1000);
+      xml_.leaf("constant", light->constant_attenuation.value_or(1));
+      xml_.leaf("linear", light->linear_attenuation.value_or(0));
+      xml_.leaf("quadratic", light->quadratic_attenuation.value_or(0));
+      xml_.close();
+      xml_.leaf("direction", join_numbers(direction_of(*light)));
+      if (is_spot) {
+        const double angle = light->angle.value_or(90) * std::numbers::pi / 180;
+        xml_.open("spot");
+        xml_.leaf("inner_angle", angle / 2);
+        xml_.leaf("outer_angle", angle);
+        xml_.leaf("falloff", light->exponent.value_or(0));
+        xml_.close();
+      }
+      xml_.close();
+    }
+  }
+
+  void add_groups() {
+    const std::vector<std::size_t> ends = anchor_groups(scene_.scene);
+    std::map<std::size_t, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (is_written(i)) {
+        groups[ends[i]].push_back(i);
+      } else if (flat(i).X_WE) {
+        losses_.entity(i, "SDF knows no entities of type `" + flat(i).type + "`");
+      }
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto group = groups.find(ends[i]);
+      if (group == groups.end() || group->second.front() != i) continue;
+      if (group->second.size() == 1) {
+        add_model(i);
+        if (flat(i).anchor.kind == Attachment::Kind::link) {
+          losses_.anchor(i, "`" + flat(i).anchor.instance + "` is not written either");
+        }
+        continue;
+      }
+      xml_.open("model", {{"name", names_[ends[i]] + "__and_what_is_fixed_to_it"}});
+      for (const std::size_t member : group->second) add_model(member);
+      for (const std::size_t member : group->second) add_anchor(member);
+      xml_.close();
+    }
+  }
+
+  /// Between two models of a group.
+  void add_anchor(std::size_t i) {
+    if (flat(i).anchor.kind != Attachment::Kind::link) return;
+    const std::size_t other = to_size(linked(i).placement.anchor.instance);
+    const LinkedModel* parent = robot_of(other);
+    if (parent == nullptr || !is_written(other)) {
+      losses_.anchor(i, "`" + flat(other).path + "` is no model with links");
+      return;
+    }
+    const auto link = parent->link_names.find(flat(i).anchor.link);
+    if (!link) return;
+    const std::vector<std::size_t> bodies = bodies_of(*parent, refers(*parent));
+    add_fixed_joint("anchor_of_" + names_[i],
+                    names_[other] + "::" + sdf_name(*parent, bodies[*link]),
+                    names_[i] + "::" + root_name(i));
+  }
+
+  std::string root_name(std::size_t i) const {
+    const LinkedModel* model = robot_of(i);
+    return model != nullptr ? sdf_root_name(*model) : "link";
+  }
+
+  void add_fixed_joint(const std::string& name, const std::string& parent,
+                       const std::string& child) {
+    xml_.open("joint", {{"name", name}, {"type", "fixed"}});
+    xml_.leaf("parent", parent);
+    xml_.leaf("child", child);
+    xml_.close();
+  }
+
+  void add_model(std::size_t i) {
+    const LinkedModel* model = robot_of(i);
+    if (model == nullptr) {
+      add_solid(i);
+    } else if (refers(*model)) {
+      add_include(i, *model);
+    } else {
+      add_robot(i, *model);
+    }
+  }
+
+  /// libsdformat drops a URDF whose root link has no mass; such a one is written out.
+  bool refers(const LinkedModel& model) const {
+    return scene_.form == SceneForm::reference && !is_old_ &&
+           mass_properties(model.link(model.tree.roots.front())).has_value();
+  }
+
+  void add_include(std::size_t i, const LinkedModel& model) {
+    const std::string uri = scene_.flat.models[*flat(i).model].urdf;
+    losses_.joint_pose(i, "an included URDF has no place for it; --form expand does");
+    const bool is_fixed = flat(i).anchor.kind == Attachment::Kind::world;
+    if (is_fixed) {
+      xml_.open("model", {{"name", names_[i]}});
+      add_pose(*flat(i).X_WE);
+      xml_.open("include", {{"merge", "true"}});
+      xml_.leaf("uri", uri);
+      xml_.close();
+      add_fixed_joint("anchor_to_world", "world", sdf_root_name(model));
+    } else {
+      xml_.open("include");
+      xml_.leaf("name", names_[i]);
+      xml_.leaf("uri", uri);
+      add_pose(*flat(i).X_WE);
+    }
+    xml_.close();
+  }
+
+  /// By link: the link whose body it is part of. A link without mass at the end of a fixed joint
+  /// is part of its parent; libsdformat puts all links at fixed joints together.
+  std::vector<std::size_t> bodies_of(const LinkedModel& model, bool as_libsdformat) const {
+    std::vector<std::size_t> bodies(model.robot->links.size());
+    for (const LinkIndex link : model.tree.order) {
+      const std::size_t at = to_size(link);
+      bodies[at] = at;
+      const auto& above = model.tree.parent_joint[at];
+      if (!above || model.joint(*above).type != urdf::JointType::fixed) continue;
+      if (!as_libsdformat && mass_properties(model.link(link))) continue;
+      bodies[at] = bodies[to_size(*model.tree.joint_parent[to_size(*above)])];
+    }
+    return bodies;
+  }
+
+  void add_robot(std::size_t i, const LinkedModel& model) {
+    xml_.open("model", {{"name", names_[i]}});
+    add_pose(*flat(i).X_WE);
+    const std::vector<std::optional<Pose>>& X_EL = frames_.of(scene_.scene, linked(i));
+    const std::vector<std::size_t> bodies = bodies_of(model, false);
+    std::vector<std::vector<std::size_t>> parts(bodies.size());
+    for (const LinkIndex link : model.tree.order) {
+      const std::size_t at = to_size(link);
+      if (X_EL[at]) parts[bodies[at]].push_back(at);
+    }
+    for (const LinkIndex link : model.tree.order) {
+      const std::size_t at = to_size(link);
+      if (!X_EL[at]) continue;
+      if (bodies[at] == at) {
+        add_link(i, model, at, parts[at], X_EL);
+      } else if (!is_old_) {
+        xml_.open("frame",
+                  {{"name", sdf_name(model, at)}, {"attached_to", sdf_name(model, bodies[at])}});
+        add_pose(inverse(*X_EL[bodies[at]]) * *X_EL[at]);
+        xml_.close();
+      }
+    }
+    for (const LinkIndex link : model.tree.order) {
+      const std::size_t at = to_size(link);
+      const auto& above = model.tree.parent_joint[at];
+      if (!above || bodies[at] != at || !X_EL[at]) continue;
+      const std::size_t parent = bodies[to_size(*model.tree.joint_parent[to_size(*above)])];
+      add_joint(i, model, model.joint(*above), sdf_name(model, parent), sdf_name(model, at));
+    }
+    if (flat(i).anchor.kind == Attachment::Kind::world) {
+      add_fixed_joint("anchor_to_world", "world", root_name(i));
+    }
+    xml_.close();
+  }
+
+  void add_link(std::size_t i, const LinkedModel& model, std::size_t body,
+                const std::vector<std::size_t>& parts,
+                const std::vector<std::optional<Pose>>& X_EL) {
+    xml_.open("link", {{"name", sdf_name(model, body)}});
+    add_pose(*X_EL[body]);
+    add_inertial(mass_properties(model.robot->links[body]).value_or(smallest_mass()));
+    const FlatModel& flat_model = scene_.flat.models[*flat(i).model];
+    int visuals = 0;
+    int collisions = 0;
+    for (const std::size_t part : parts) {
+      const urdf::Link& link = model.robot->links[part];
+      const Pose X_BL = inverse(*X_EL[body]) * *X_EL[part];
+      for (const urdf::Visual& visual : link.visuals) {
+        const auto geometry = to_flat(visual.geometry, flat_model);
+        if (!geometry || !can_say(*geometry, visual.span)) continue;
+        add_shape("visual", "visual_" + std::to_string(visuals++),
+                  X_BL * urdf::to_pose(visual.origin), *geometry, color_of(visual, *model.robot));
+      }
+      for (const urdf::Collision& collision : link.collisions) {
+        const auto geometry = to_flat(collision.geometry, flat_model);
+        if (!geometry || !can_say(*geometry, collision.span)) continue;
+        add_shape("collision", "collision_" + std::to_string(collisions++),
+                  X_BL * urdf::to_pose(collision.origin), *geometry, std::nullopt);
+      }
+    }
+    xml_.close();
+  }
+
+  bool can_say(const FlatGeometry& geometry, Span span) {
+    if (!is_old_ || !std::holds_alternative<FlatCapsule>(geometry)) return true;
+    if (reported_.insert({static_cast<std::uint32_t>(span.source), span.begin}).second) {
+      losses_.shape(span, "a capsule");
+    }
+    return false;
+  }
+
+  void add_inertial(const MassProperties& mass) {
+    xml_.open("inertial");
+    add_pose(mass.X_LC);
+    xml_.leaf("mass", mass.mass);
+    xml_.open("inertia");
+    xml_.leaf("ixx", mass.ixx);
+    xml_.leaf("ixy", mass.ixy);
+    xml_.leaf("ixz", mass.ixz);
+    xml_.leaf("iyy", mass.iyy);
+    xml_.leaf("iyz", mass.iyz);
+    xml_.leaf("izz", mass.izz);
+    xml_.close();
+    xml_.close();
+  }
+
+  void add_shape(std::string_view element, const std::string& name, const Pose& pose,
+                 const FlatGeometry& geometry, const std::optional<Rgba>& color) {
+    xml_.open(element, {{"name", name}});
+    add_pose(pose);
+    xml_.open("geometry");
+    std::visit([&](const auto& shape) { add_geometry(shape); }, geometry);
+    xml_.close();
+    if (color) {
+      const std::string rgba = join_numbers({(*color)[0], (*color)[1], (*color)[2], (*color)[3]});
+      xml_.open("material");
+      xml_.leaf("ambient", rgba);
+      xml_.leaf("diffuse", rgba);
+      xml_.close();
+    }
+    xml_.close();
+  }
+
+  void add_geometry(const FlatPlane& plane) {
+    xml_.open("plane");
+    xml_.leaf("normal", "0 0 1");
+    xml_.leaf("size", join_numbers({plane.length, plane.width}));
+    xml_.close();
+  }
+  void add_geometry(const FlatBox& box) {
+    xml_.open("box");
+    xml_.leaf("size", join_numbers(box.size));
+    xml_.close();
+  }
+  void add_geometry(const FlatSphere& sphere) {
+    xml_.open("sphere");
+    xml_.leaf("radius", sphere.radius);
+    xml_.close();
+  }
+  void add_geometry(const FlatCylinder& cylinder) {
+    add_round("cylinder", cylinder.radius, cylinder.length);
+  }
+  void add_geometry(const FlatCapsule& capsule) {
+    add_round("capsule", capsule.radius, capsule.length);
+  }
+  void add_round(std::string_view name, double radius, double length) {
+    xml_.open(name);
+    xml_.leaf("radius", radius);
+    xml_.leaf("length", length);
+    xml_.close();
+  }
+  void add_geometry(const FlatMesh& mesh) {
+    xml_.open("mesh");
+    xml_.leaf("uri", mesh.file);
+    if (mesh.scale != Vector3{1, 1, 1}) xml_.leaf("scale", join_numbers(mesh.scale));
+    xml_.close();
+  }
+  void add_geometry(const FlatHeightmap& map) {
+    xml_.open("heightmap");
+    xml_.leaf("uri", map.file);
+    xml_.leaf("size", join_numbers({map.length, map.width, map.height}));
+    xml_.close();
+  }
+
+  void add_joint(std::size_t i, const LinkedModel& model, const urdf::Joint& joint,
+                 const std::string& parent, const std::string& child) {
+    using enum urdf::JointType;
+    if (joint.type == floating) return;  // bodies of one model without a joint between them
+    if (joint.type == planar || joint.type == unknown) simplify(joint, "fixed");
+    if (joint.mimic) simplify(joint, "free to move without its leader");
+    std::string name = joint.name.value_or(child + "_joint");
+    // Links and joints share one name space here, in a URDF they do not.
+    while (model.link_names.contains(name)) name += "_joint";
+    const std::string type = joint.type == prismatic ? "prismatic"
+                             : joint.has_one_axis()  ? "revolute"
+                                                     : "fixed";
+    xml_.open("joint", {{"name", name}, {"type", type}});
+    xml_.leaf("parent", parent);
+    xml_.leaf("child", child);
+    if (joint.has_one_axis())
+      add_axis(joint, start_position(model, joint, linked(i).joint_positions));
+    xml_.close();
+  }
+
+  void simplify(const urdf::Joint& joint, std::string_view written_as) {
+    if (reported_.insert({static_cast<std::uint32_t>(joint.span.source), joint.span.begin})
+            .second) {
+      losses_.joint(joint, written_as);
+    }
+  }
+
+  void add_axis(const urdf::Joint& joint, double start) {
+    xml_.open("axis");
+    xml_.leaf("xyz", join_numbers(joint.axis.value_or({1, 0, 0})));
+    xml_.open("limit");
+    constexpr double kUnlimited = 1e16;  // SDF's default
+    if (joint.type != urdf::JointType::continuous && joint.limit) {
+      xml_.leaf("lower", joint.limit->lower.value_or(0) - start);
+      xml_.leaf("upper", joint.limit->upper.value_or(0) - start);
+    } else {
+      xml_.leaf("lower", -kUnlimited);
+      xml_.leaf("upper", kUnlimited);
+    }
+    if (joint.limit && joint.limit->effort) xml_.leaf("effort", *joint.limit->effort);
+    if (joint.limit && joint.limit->velocity) xml_.leaf("velocity", *joint.limit->velocity);
+    xml_.close();
+    if (joint.dynamics) {
+      xml_.open("dynamics");
+      xml_.leaf("damping", joint.dynamics->damping.value_or(0));
+      xml_.leaf("friction", joint.dynamics->friction.value_or(0));
+      xml_.close();
+    }
+    xml_.close();
+  }
+
+  void add_solid(std::size_t i) {
+    const FlatInstance& instance = flat(i);
+    xml_.open("model", {{"name", names_[i]}});
+    if (!is_movable(instance)) xml_.leaf("static", "true");
+    add_pose(*instance.X_WE);
+    xml_.open("link", {{"name", "link"}});
+    if (is_movable(instance)) {
+      MassProperties mass = solid_mass(instance.shapes.front().geometry, mass_of(instance));
+      mass.X_LC = instance.shapes.front().X_ES;
+      add_inertial(mass);
+    }
+    int number = 0;
+    for (const FlatShape& shape : instance.shapes) {
+      const Span place = place_of(scene_.scene.entity(linked(i)));
+      if (!can_say(shape.geometry, place)) continue;
+      add_shape("visual", "visual_" + std::to_string(number), shape.X_ES, shape.geometry,
+                shape.color);
+      add_shape("collision", "collision_" + std::to_string(number++), shape.X_ES, shape.geometry,
+                std::nullopt);
+    }
+    xml_.close();
+    xml_.close();
+  }
+
+  const SceneExport& scene_;
+  bool is_old_;
+  SceneLosses losses_;
+  std::vector<std::string> names_;
+  LinkFrames frames_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;
+  XmlText xml_;
+};
+
+}  // namespace
+
+extern constinit const SceneFormat scene_sdf{
+    .name = "sdf",
+    .help = "an SDFormat 1.9 world, for Gazebo",
+    .write = [](const SceneExport& scene) { return SdfWriter(scene, false).run(); },
+    .has_reference_form = true};
+
+extern constinit const SceneFormat scene_sdf16{
+    .name = "sdf1.6",
+    .help = "an SDFormat 1.6 world, for older readers",
+    .write = [](const SceneExport& scene) { return SdfWriter(scene, true).run(); }};
+
+}  // namespace smurf

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A table of poses, for shells, spreadsheets and spawn scripts.
+#include "base/numbers.hpp"
+#include "smurf/write_scene.hpp"
+
+namespace smurf {
+namespace {
+
+/// Tabs and line ends would break the table.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+    case '\\': escaped += "\\\\"; break;
+    case '\t': escaped += "\\t"; break;
+    case '\n': escaped += "\\n"; break;
+    case '\r': escaped += "\\r"; break;
+    default: escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string attachment(const FlatAttachment& attachment) {
+  switch (attachment.kind) {
+  case Attachment::Kind::none: return "free";
+  case Attachment::Kind::world: return "world";
+  case Attachment::Kind::link: break;
+  }
+  return cell(attachment.instance + "::" + attachment.link);
+}
+
+std::string row(const FlatInstance& instance, const FlatScene& scene) {
+  const FlatModel* model = instance.model ? &scene.models[*instance.model] : nullptr;
+  std::string text = cell(instance.path) + '\t' + cell(instance.type) + '\t' +
+                     (model != nullptr ? cell(model->id) : "") + '\t' +
+                     cell(model != nullptr ? model->urdf : instance.file);
+  const auto add = [&](double value) { text += '\t' + format_number(value); };
+  for (const double component : instance.X_WE->position) add(component);
+  const Quaternion& q = instance.X_WE->orientation;
+  for (const double component : {q.w, q.x, q.y, q.z}) add(component);
+  text += '\t' + attachment(instance.anchor) + '\t';
+  bool is_first = true;
+  for (const auto& [joint, position] : instance.joint_positions) {
+    text += (is_first ? "" : ",") + cell(joint) + "=" + format_number(position);
+    is_first = false;
+  }
+  return text + '\n';
+}
+
+std::string write(const SceneExport& scene) {
+  std::string text =
+      "path\ttype\tmodel\tfile\tpx\tpy\tpz\tqw\tqx\tqy\tqz\tattachment\tjoint_positions\n";
+  for (const FlatInstance& instance : scene.flat.instances) {
+    if (instance.X_WE) text += row(instance, scene.flat);
+  }
+  return text;
+}
+
+}  // namespace
+
+extern constinit const SceneFormat scene_tsv{
+    .name = "tsv", .help = "a table of poses, one line per instance", .write = write};
+
+}  // namespace smurf

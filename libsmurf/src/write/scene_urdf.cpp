@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One URDF of the whole scene: every model's own text with a prefix before all names, joined to the
+// link `world`. Nothing of a model is rewritten but names and file names.
+#include <algorithm>
+#include <set>
+
+#include "base/edits.hpp"
+#include "base/path.hpp"
+#include "write/scene_losses.hpp"
+#include "write/scene_parts.hpp"
+#include "write/xml_text.hpp"
+
+namespace smurf {
+namespace {
+
+/// An attribute that holds a name of the model. `element` is empty for any element.
+struct NameAttribute {
+  std::string_view element, attribute;
+};
+
+/// Names that clash when two models share a file: links, joints and materials, and what refers to
+/// them in the extensions of ROS and Gazebo.
+constexpr NameAttribute kNames[] = {
+    {"link", "name"},     {"joint", "name"},        {"material", "name"},
+    {"parent", "link"},   {"child", "link"},        {"parent", "joint"},
+    {"mimic", "joint"},   {"gazebo", "reference"},  {"transmission", "name"},
+    {"actuator", "name"}, {"ros2_control", "name"}, {"sensor", "name"},
+};
+
+class UrdfMerger {
+ public:
+  explicit UrdfMerger(const SceneExport& scene)
+      : scene_(scene), losses_(scene, "URDF"), names_(safe_names(scene.flat)) {}
+
+  std::string run() {
+    xml_.open("robot", {{"name", "scene"}});
+    xml_.empty("link", {{"name", "world"}});
+    for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
+      if (scene_.flat.instances[i].X_WE) add_instance(i);
+    }
+    using enum SceneLosses::World;
+    losses_.world({gravity, step_size, solver, environment, lights});
+    losses_.annotations_and_properties();
+    return with_namespaces(xml_.finish());
+  }
+
+ private:
+  const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
+
+  const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
+
+  void add_instance(std::size_t i) {
+    const LinkedModel* model = robot_of(i);
+    if (model != nullptr) {
+      xml_.raw(prefixed(*model, i));
+      losses_.joint_pose(i, "a URDF has no place for it");
+    } else if (!flat(i).shapes.empty()) {
+      if (!add_solid(i)) return;
+    } else {
+      losses_.entity(i, "URDF knows no entities of type `" + flat(i).type + "`");
+      return;
+    }
+    add_world_joint(i, model);
+  }
+
+  std::string prefix(std::size_t i) const { return names_[i] + "__"; }
+
+  /// What stands between the start and the end tag of <robot>.
+  std::string prefixed(const LinkedModel& model, std::size_t i) {
+    const xml::Document& document = model.robot->document;
+    std::vector<Edit> edits;
+    for (const xml::Element& element : document.elements) edit(document, element, i, edits);
+    const xml::Element& root = document.elements[static_cast<std::size_t>(document.root)];
+    keep_namespaces(xml::View{document, document.root});
+    const std::string_view text = source_text(model);
+    const std::size_t end = text.substr(0, root.span.end).rfind("</");
+    if (end == std::string_view::npos || end < root.tag_span.end) return {};  // <robot/>
+    for (Edit& each : edits) {
+      each.span.begin -= root.tag_span.end;
+      each.span.end -= root.tag_span.end;
+    }
+    return "  <!-- " + comment(flat(i).path) + " -->" +
+           apply_edits(text.substr(root.tag_span.end, end - root.tag_span.end), edits) + "\n";
+  }
+
+  std::string_view source_text(const LinkedModel& model) const {
+    return scene_.sources.text(model.robot->document.source);
+  }
+
+  static std::string comment(std::string text) {
+    for (std::size_t at; (at = text.find("--")) != std::string::npos;) text.replace(at, 2, "- ");
+    return text;
+  }
+
+  void edit(const xml::Document& document, const xml::Element& element, std::size_t i,
+            std::vector<Edit>& edits) const {
+    const bool is_root = element.parent == xml::kNoElement;
+    if (is_root || is_inside_gazebo(document, element)) return;
+    for (std::uint32_t k = 0; k < element.attribute_count; ++k) {
+      const xml::Attribute& attribute = document.attributes[element.first_attribute + k];
+      const auto is_this = [&](const NameAttribute& name) {
+        return name.element == element.name && name.attribute == attribute.name;
+      };
+      if (!attribute.value.empty() && std::any_of(std::begin(kNames), std::end(kNames), is_this)) {
+        const Span begin{attribute.value_span.source, attribute.value_span.begin,
+                         attribute.value_span.begin};
+        edits.push_back({begin, prefix(i)});
+      }
+      const bool is_file =
+          attribute.name == "filename" && (element.name == "mesh" || element.name == "texture");
+      if (is_file) add_file_edit(attribute, i, edits);
+    }
+  }
+
+  /// Inside <gazebo> stands SDF, whose names are its own.
+  static bool is_inside_gazebo(const xml::Document& document, const xml::Element& element) {
+    for (xml::ElementId at = element.parent; at != xml::kNoElement;
+         at = document.elements[static_cast<std::size_t>(at)].parent) {
+      if (document.elements[static_cast<std::size_t>(at)].name == "gazebo") return true;
+    }
+    return false;
+  }
+
+  void add_file_edit(const xml::Attribute& attribute, std::size_t i,
+                     std::vector<Edit>& edits) const {
+    if (attribute.value.find("://") != std::string_view::npos ||
+        path::is_absolute(attribute.value)) {
+      return;
+    }
+    for (const auto& [written, file] : scene_.flat.models[*flat(i).model].resources) {
+      if (written != attribute.value) continue;
+      if (written != file) edits.push_back({attribute.value_span, escape_xml(file)});
+      return;
+    }
+  }
+
+  /// Extensions may use prefixes that their <robot> declares.
+  void keep_namespaces(xml::View root) {
+    for (const auto* at = root.attributes_begin(); at != root.attributes_end(); ++at) {
+      if (at->name.starts_with("xmlns")) namespaces_.emplace(at->name, at->value);
+    }
+  }
+
+  std::string with_namespaces(std::string text) const {
+    constexpr std::string_view kRoot = "<robot name=\"scene\"";
+    std::string declarations;
+    for (const auto& [name, value] : namespaces_) {
+      declarations += " " + std::string(name) + "=\"" + escape_xml(value) + "\"";
+    }
+    text.insert(text.find(kRoot) + kRoot.size(), declarations);
+    return text;
+  }
+
+  void add_origin(const Pose& pose) {
+    xml_.empty("origin", {{"xyz", join_numbers(pose.position)},
+                          {"rpy", join_numbers(to_rpy(pose.orientation))}});
+  }
+
+  void add_world_joint(std::size_t i, const LinkedModel* model) {
+    std::string parent = "world";
+    Pose X_PE = *flat(i).X_WE;
+    bool is_fixed = flat(i).anchor.kind == Attachment::Kind::world;
+    if (flat(i).anchor.kind == Attachment::Kind::link) is_fixed = hang_on_link(i, parent, X_PE);
+    if (model == nullptr) is_fixed = !is_movable(flat(i));
+    const std::string root = model != nullptr ? root_link_name(*model) : "link";
+    xml_.open("joint",
+              {{"name", prefix(i) + "placement"}, {"type", is_fixed ? "fixed" : "floating"}});
+    xml_.empty("parent", {{"link", parent}});
+    xml_.empty("child", {{"link", prefix(i) + root}});
+    add_origin(X_PE);
+    xml_.close();
+  }
+
+  /// The joint to the link that an instance is anchored to; false when it cannot be.
+  bool hang_on_link(std::size_t i, std::string& parent, Pose& X_PE) {
+    const Attachment& anchor = scene_.scene.instances[i].placement.anchor;
+    const std::size_t other = to_size(anchor.instance);
+    const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames_);
+    if (!X_LE || closes_circle(i)) {
+      losses_.anchor(i, "there is no link to hang it on");
+      return false;
+    }
+    parent = prefix(other) + anchor.link;
+    X_PE = *X_LE;
+    return true;
+  }
+
+  /// Whether an instance is the end of a chain of anchors that runs in a circle.
+  bool closes_circle(std::size_t i) const { return groups_[i] == i; }
+
+  /// False when nothing of it can be said.
+  bool add_solid(std::size_t i) {
+    const FlatInstance& instance = flat(i);
+    const Span place = place_of(scene_.scene.entity(scene_.scene.instances[i]));
+    std::vector<FlatShape> shapes;
+    for (FlatShape shape : instance.shapes) {
+      if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
+        constexpr double kThickness = 0.02;  // URDF has no planes
+        shape.X_ES = shape.X_ES * Pose{{0, 0, -kThickness / 2}, {}};
+        shape.geometry = FlatBox{{plane->length, plane->width, kThickness}};
+      }
+      if (std::holds_alternative<FlatHeightmap>(shape.geometry)) {
+        losses_.shape(place, "the heightmap `" + instance.path + "`");
+      } else {
+        shapes.push_back(std::move(shape));
+      }
+    }
+    if (shapes.empty()) return false;
+    xml_.open("link", {{"name", prefix(i) + "link"}});
+    if (is_movable(instance)) add_inertial(shapes.front(), mass_of(instance));
+    for (const std::string_view element : {"visual", "collision"}) {
+      for (const FlatShape& shape : shapes) {
+        xml_.open(element);
+        add_origin(shape.X_ES);
+        xml_.open("geometry");
+        std::visit([&](const auto& geometry) { add_geometry(geometry); }, shape.geometry);
+        xml_.close();
+        xml_.close();
+      }
+    }
+    xml_.close();
+    return true;
+  }
+
+  void add_inertial(const FlatShape& shape, double mass) {
+    const MassProperties properties = solid_mass(shape.geometry, mass);
+    const auto text = [](double value) { return join_numbers({value}); };
+    xml_.open("inertial");
+    add_origin(shape.X_ES);
+    xml_.empty("mass", {{"value", text(mass)}});
+    xml_.empty("inertia", {{"ixx", text(properties.ixx)},
+                           {"ixy", "0"},
+                           {"ixz", "0"},
+                           {"iyy", text(properties.iyy)},
+                           {"iyz", "0"},
+                           {"izz", text(properties.izz)}});
+    xml_.close();
+  }
+
+  void add_geometry(const FlatBox& box) { xml_.empty("box", {{"size", join_numbers(box.size)}}); }
+  void add_geometry(const FlatSphere& sphere) {
+    xml_.empty("sphere", {{"radius", join_numbers({sphere.radius})}});
+  }
+  void add_geometry(const FlatCylinder& cylinder) {
+    xml_.empty("cylinder", {{"radius", join_numbers({cylinder.radius})},
+                            {"length", join_numbers({cylinder.length})}});
+  }
+  void add_geometry(const FlatCapsule& capsule) {
+    xml_.empty("capsule", {{"radius", join_numbers({capsule.radius})},
+                           {"length", join_numbers({capsule.length})}});
+  }
+  void add_geometry(const FlatMesh& mesh) {
+    xml_.empty("mesh", {{"filename", mesh.file}, {"scale", join_numbers(mesh.scale)}});
+  }
+  void add_geometry(const FlatPlane&) {}      // a box by now
+  void add_geometry(const FlatHeightmap&) {}  // reported
+
+  const SceneExport& scene_;
+  SceneLosses losses_;
+  std::vector<std::string> names_;
+  std::vector<std::size_t> groups_ = anchor_groups(scene_.scene);
+  std::set<std::pair<std::string, std::string>> namespaces_;
+  LinkFrames frames_;
+  XmlText xml_;
+};
+
+}  // namespace
+
+extern constinit const SceneFormat scene_urdf{
+    .name = "urdf",
+    .help = "one URDF with a prefix before the names of each model",
+    .write = [](const SceneExport& scene) { return UrdfMerger(scene).run(); }};
+
+}  // namespace smurf

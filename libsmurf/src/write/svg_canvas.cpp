@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/svg_canvas.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/edits.hpp"
+#include "base/numbers.hpp"
+#include "base/utf8.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr double kFontSize = 13;
+constexpr double kLegendHeight = 26;
+
+double cross(const Point2& o, const Point2& a, const Point2& b) {
+  return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+}
+
+/// 1, 2 or 5 times a power of ten, at least `smallest`.
+double round_step(double smallest) {
+  const double power = std::pow(10, std::floor(std::log10(smallest)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= smallest) return factor * power;
+  }
+  return 10 * power;
+}
+
+}  // namespace
+
+void Box2::add(const Point2& point) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    low[i] = std::min(low[i], point[i]);
+    high[i] = std::max(high[i], point[i]);
+  }
+}
+
+bool Box2::overlaps(const Box2& other) const {
+  return low[0] < other.high[0] && other.low[0] < high[0] && low[1] < other.high[1] &&
+         other.low[1] < high[1];
+}
+
+std::vector<Point2> convex_hull(std::vector<Point2> points) {
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  std::vector<Point2> hull;
+  const auto add_chain = [&](auto begin, auto end) {
+    const std::size_t start = hull.size();
+    for (auto at = begin; at != end; ++at) {
+      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), *at) <= 0) {
+        hull.pop_back();
+      }
+      hull.push_back(*at);
+    }
+    hull.pop_back();
+  };
+  add_chain(points.begin(), points.end());
+  add_chain(points.rbegin(), points.rend());
+  return hull;
+}
+
+SvgCanvas::SvgCanvas(const Box2& world) {
+  constexpr double kLongSide = 860;
+  constexpr double kShortSide = 420;
+  Box2 shown = world;
+  if (shown.is_empty()) shown.add({0, 0});
+  const double largest = std::max({shown.size(0), shown.size(1), 1.0});
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double border = 0.06 * largest + std::max(0.0, 0.5 - shown.size(i)) / 2;
+    shown.low[i] -= border;
+    shown.high[i] += border;
+  }
+  scale_ = kLongSide / std::max(shown.size(0), shown.size(1));
+  Point2 side{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    side[i] = std::max(kShortSide, scale_ * shown.size(i));
+    origin_[i] = (shown.low[i] + shown.high[i]) / 2 - side[i] / scale_ / 2;
+  }
+  width_ = side[0] + 2 * kMargin;
+  height_ = side[1] + 2 * kMargin;
+}
+
+Point2 SvgCanvas::to_pixels(const Point2& world) const {
+  return {kMargin + scale_ * (world[0] - origin_[0]),
+          height_ - kMargin - scale_ * (world[1] - origin_[1])};
+}
+
+void SvgCanvas::add_grid() {
+  const double step = round_step(70 / scale_);
+  const Box2 area = sheet();
+  std::string lines;
+  std::string numbers;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double first = std::ceil(origin_[axis] / step);
+    for (int i = 0; i < 100; ++i) {
+      const double value = (first + i) * step;
+      const Point2 at = to_pixels({value, value});
+      if (at[axis] > area.high[axis] || at[axis] < area.low[axis]) break;
+      const bool is_zero = std::fabs(value) < step / 2;
+      const Point2 from = axis == 0 ? Point2{at[0], area.low[1]} : Point2{area.low[0], at[1]};
+      const Point2 to = axis == 0 ? Point2{at[0], area.high[1]} : Point2{area.high[0], at[1]};
+      lines += "<path d=\"M" + pixels(from) + "L" + pixels(to) + "\"" +
+               (is_zero ? " stroke=\"#999\"" : "") + "/>\n";
+      const Point2 text =
+          axis == 0 ? Point2{at[0], area.high[1] + 16} : Point2{area.low[0] - 6, at[1] + 4};
+      numbers += "<text x=\"" + pixels(text[0]) + "\" y=\"" + pixels(text[1]) +
+                 "\" text-anchor=\"" + (axis == 0 ? "middle" : "end") + "\">" +
+                 format_rounded(is_zero ? 0 : value) + "</text>\n";
+    }
+  }
+  body_ += "<g stroke=\"#e2e2e2\" fill=\"none\">\n" + lines + "</g>\n";
+  body_ += "<g fill=\"#777\" font-size=\"11\">\n" + numbers + "</g>\n";
+}
+
+void SvgCanvas::add_label(const Point2& at, std::string_view text) {
+  const double width = 0.56 * kFontSize * static_cast<double>(utf8::count_code_points(text));
+  const Box2 area{{4, 4}, {width_ - 4, height_ - 4}};
+  const auto box_at = [&](double x, double y) {
+    return Box2{{x, y - kFontSize}, {x + width, y + 3}};
+  };
+  // Right, left, above, below; then farther away.
+  Box2 chosen = box_at(at[0] + 12, at[1] - 10);
+  bool is_free = false;
+  for (double far = 0; far < 60 && !is_free; far += kFontSize + 3) {
+    for (const Point2& offset : {Point2{12, -10 - far}, Point2{-12 - width, -10 - far},
+                                 Point2{12, 20 + far}, Point2{-12 - width, 20 + far},
+                                 Point2{-width / 2, -16 - far}, Point2{-width / 2, 26 + far}}) {
+      const Box2 box = box_at(at[0] + offset[0], at[1] + offset[1]);
+      const bool is_inside = box.low[0] >= area.low[0] && box.high[0] <= area.high[0] &&
+                             box.low[1] >= area.low[1] && box.high[1] <= area.high[1];
+      is_free = is_inside && std::none_of(occupied_.begin(), occupied_.end(),
+                                          [&](const Box2& other) { return other.overlaps(box); });
+      if (!is_free) continue;
+      chosen = box;
+      break;
+    }
+  }
+  occupied_.push_back(chosen);
+  body_ += "<text class=\"name\" x=\"" + pixels(chosen.low[0]) + "\" y=\"" +
+           pixels(chosen.high[1] - 3) + "\">" + escape_xml(text) + "</text>\n";
+}
+
+std::string SvgCanvas::finish(std::string_view title, std::string_view legend) const {
+  const std::string width = pixels(width_);
+  const std::string height = pixels(height_ + kLegendHeight);
+  const Box2 area = sheet();
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+         "\" viewBox=\"0 0 " + width + " " + height + "\" font-family=\"sans-serif\" font-size=\"" +
+         pixels(kFontSize) + "\">\n<title>" + escape_xml(title) +
+         "</title>\n<style>.name{fill:#111;stroke:#fff;stroke-width:3;stroke-linejoin:round;"
+         "paint-order:stroke}</style>\n<rect width=\"" +
+         width + "\" height=\"" + height + "\" fill=\"#fff\"/>\n<text x=\"" + pixels(kMargin) +
+         "\" y=\"26\" font-size=\"15\" font-weight=\"bold\">" + escape_xml(title) + "</text>\n" +
+         body_ + "<rect x=\"" + pixels(area.low[0]) + "\" y=\"" + pixels(area.low[1]) +
+         "\" width=\"" + pixels(area.size(0)) + "\" height=\"" + pixels(area.size(1)) +
+         "\" fill=\"none\" stroke=\"#999\"/>\n<g transform=\"translate(" + pixels(kMargin) + " " +
+         pixels(height_ + 6) + ")\" font-size=\"12\" fill=\"#444\">\n" + std::string(legend) +
+         "</g>\n</svg>\n";
+}
+
+std::string pixels(double value) {
+  const double rounded = std::round(value * 100) / 100;
+  return format_number(rounded);
+}
+
+std::string pixels(const Point2& point) { return pixels(point[0]) + " " + pixels(point[1]); }
+
+}  // namespace smurf

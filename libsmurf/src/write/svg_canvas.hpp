@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A sheet of SVG seen from above: metres in, pixels out, and places for labels.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace smurf {
+
+using Point2 = std::array<double, 2>;
+
+/// An upright rectangle; empty as long as nothing was added.
+struct Box2 {
+  Point2 low{1e300, 1e300};
+  Point2 high{-1e300, -1e300};
+
+  bool is_empty() const { return low[0] > high[0]; }
+  void add(const Point2& point);
+  bool overlaps(const Box2& other) const;
+  double size(std::size_t axis) const { return high[axis] - low[axis]; }
+};
+
+/// Counter-clockwise, without points on the edges.
+std::vector<Point2> convex_hull(std::vector<Point2> points);
+
+/// x goes right, y up. Text is escaped here.
+class SvgCanvas {
+ public:
+  /// `world` is what has to be on the sheet, in metres.
+  explicit SvgCanvas(const Box2& world);
+
+  Point2 to_pixels(const Point2& world) const;
+  double scale() const { return scale_; }  ///< pixels per metre
+  Box2 sheet() const { return {{kMargin, kMargin}, {width_ - kMargin, height_ - kMargin}}; }
+
+  void add(std::string_view markup) { body_ += markup; }
+  /// Grid lines at round numbers of metres, with their numbers at the border.
+  void add_grid();
+  /// Keeps labels out of a place.
+  void occupy(const Box2& pixels) { occupied_.push_back(pixels); }
+  /// A label beside a point, where it covers no other one.
+  void add_label(const Point2& pixels, std::string_view text);
+  std::string finish(std::string_view title, std::string_view legend) const;
+
+ private:
+  static constexpr double kMargin = 48;
+
+  Point2 origin_{};  ///< metres at the lower left corner of the sheet
+  double scale_ = 1;
+  double width_ = 0;
+  double height_ = 0;
+  std::string body_;
+  std::vector<Box2> occupied_;
+};
+
+/// Rounded to a hundredth of a pixel.
+std::string pixels(double value);
+std::string pixels(const Point2& point);  ///< "x y"
+
+}  // namespace smurf

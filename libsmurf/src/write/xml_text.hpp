@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Indented XML, built element by element.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "smurf/pose.hpp"
+
+namespace smurf {
+
+class XmlText {
+ public:
+  using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
+
+  explicit XmlText() : out_("<?xml version=\"1.0\"?>\n") {}
+
+  void open(std::string_view name, Attributes attributes = {});
+  void close();
+  void empty(std::string_view name, Attributes attributes = {});
+  void leaf(std::string_view name, std::string_view text, Attributes attributes = {});
+  void leaf(std::string_view name, double value);
+  /// Text that is XML already, on lines of its own.
+  void raw(std::string_view text) { out_ += text; }
+  /// Closes what is open.
+  std::string finish();
+
+ private:
+  void start(std::string_view name, Attributes attributes);
+
+  std::string out_;
+  std::vector<std::string> open_;
+};
+
+std::string join_numbers(std::initializer_list<double> values);
+std::string join_numbers(const Vector3& vector);
+
+}  // namespace smurf

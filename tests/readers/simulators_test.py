@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""SDF, MJCF and URDF: what the readers of the simulators make of them, against the flat JSON."""
+import json
+import pathlib
+import re
+import xml.etree.ElementTree as ElementTree
+
+import reader
+
+HERE = pathlib.Path(__file__).resolve().parent
+# Every kind of joint, a mimic, a massless root and a link of a joint's name.
+ZOO = """<?xml version="1.0"?>
+<robot name="zoo" xmlns:ext="http://example.org/ext">
+  <ext:note text="kept"/>
+  <material name="blue"><color rgba="0 0 1 1"/></material>
+  <link name="base"/>
+  <link name="body">
+    <inertial><origin xyz="0.1 0 0" rpy="0.3 0.2 0.1"/><mass value="2"/>
+      <inertia ixx="0.02" ixy="0.001" ixz="0" iyy="0.03" iyz="0" izz="0.04"/></inertial>
+    <visual><geometry><cylinder radius="0.1" length="0.4"/></geometry><material name="blue"/></visual>
+    <collision><origin rpy="0 1.5707963267948966 0"/>
+      <geometry><sphere radius="0.1"/></geometry></collision>
+  </link>
+  <link name="arm"><inertial><mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+  <link name="slider"><inertial><mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+  <link name="wheel"><inertial><mass value="1"/>
+    <inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+  <link name="tip"/>
+  <joint name="mount" type="fixed"><parent link="base"/><child link="body"/>
+    <origin xyz="0 0 0.2"/></joint>
+  <joint name="arm" type="revolute"><parent link="body"/><child link="arm"/>
+    <origin xyz="0.2 0 0" rpy="0.1 0.2 0.3"/><axis xyz="0 0.6 0.8"/>
+    <limit lower="-1" upper="2" effort="5" velocity="1"/>
+    <dynamics damping="0.5" friction="0.1"/></joint>
+  <joint name="lift" type="prismatic"><parent link="arm"/><child link="slider"/>
+    <origin xyz="0 0 0.3"/><axis xyz="0 0 2"/>
+    <limit lower="0" upper="1" effort="5" velocity="1"/></joint>
+  <joint name="turn" type="continuous"><parent link="slider"/><child link="wheel"/>
+    <origin xyz="0 0.1 0"/><axis xyz="1 0 0"/><mimic joint="arm" multiplier="-2" offset="0.25"/>
+    <limit effort="1" velocity="1"/></joint>
+  <joint name="end" type="fixed"><parent link="wheel"/><child link="tip"/>
+    <origin xyz="0.1 0 0.1" rpy="0.5 0 0"/></joint>
+</robot>
+"""
+ZOO_MODEL = "modelname: zoo\nfiles: [zoo.urdf, zoo_poses.yml]\n"
+ZOO_POSES = "poses:\n- {name: bent, joints: {arm: 0.7, lift: 0.25}}\n"
+ZOO_SCENE = """physics: {gravity: {x: 0.5, y: 0, z: -3}, ode: {stepsize: 2, cfm: 1.0e-8, erp: 0.3}}
+lights:
+- {name: lamp, type: 2, position: {x: 0, y: 0, z: 3}, lookat: {x: 1, y: 0, z: 0}, angle: 60}
+entities:
+- {name: One, file: zoo.smurf, position: [0, 0, 1], rotation: [10, 89.9999999, 30], pose: bent}
+- {name: "Two to Go", file: zoo.smurf, parent: "One::tip", anchor: parent, position: [0, 1, 0],
+   rotation: [0, -90, 0]}
+- {name: Three, file: zoo.urdf, parent: "Two to Go::wheel", anchor: parent, rotation: [45]}
+- {name: Four, file: zoo.smurf, position: [5, 5, 0], anchor: world, pose: bent}
+- {name: Box, type: primitive, geometry: {type: box}, position: {x: -3, y: 0, z: 2}, mass: 4}
+- {name: Floor, type: primitive, geometry: {type: plane}, movable: false,
+   position: {x: 0, y: 0, z: -5}}
+"""
+
+
+def safe(path):
+    return re.sub(r"[^A-Za-z0-9_]", "_", path.replace("/", "__"))
+
+
+class SimulatorTest(reader.ReaderTest):
+    def setUp(self):
+        super().setUp()
+        self.write("zoo.urdf", ZOO)
+        self.write("zoo.smurf", ZOO_MODEL)
+        self.write("zoo_poses.yml", ZOO_POSES)
+        self.write("zoo.smurfs", ZOO_SCENE)
+        self.scenes = [*reader.SCENES.values(), self.folder / "zoo.smurfs"]
+
+    def lines(self, *command):
+        return [line.split("\t") for line in self.read_with(*command).splitlines()]
+
+    @staticmethod
+    def poses(lines):
+        return {line[1]: list(map(float, line[2:])) for line in lines if line[0] == "pose"}
+
+    def assert_links(self, poses, flat, name_of, without=(), tolerance=1e-9):
+        """Every link of every model stands where the flat JSON has it; `without` may be absent."""
+        count = 0
+        for instance in flat["instances"]:
+            for link, pose in instance.get("links", {}).items():
+                name = name_of(instance["path"], link)
+                if name in poses:
+                    self.assert_same_pose(name, poses[name][:3], poses[name][3:], pose, tolerance)
+                    count += 1
+                else:
+                    self.assertIn(link, without, f"{name} is not in {sorted(poses)}")
+        return count
+
+
+class Sdf(SimulatorTest):
+    def sdf(self, scene, *arguments, form="sdf"):
+        return self.lines(reader.BUILD / "sdf_poses", self.write_scene(scene, form, *arguments))
+
+    @staticmethod
+    def unscoped(poses):
+        """Without the outer model of things that are fixed to each other."""
+        return {re.sub(r"^\w+__and_what_is_fixed_to_it::", "", name): pose
+                for name, pose in poses.items()}
+
+    @reader.needs_built("sdf_poses")
+    def test_links_stand_where_they_do(self):
+        for scene in self.scenes:
+            poses = self.unscoped(self.poses(self.sdf(scene)))
+            count = self.assert_links(poses, self.flat(scene), lambda i, l: f"{safe(i)}::{l}")
+            self.assertGreater(count, 3)
+
+    @reader.needs_built("sdf_poses")
+    def test_old_readers(self):
+        for scene in self.scenes:
+            poses = self.unscoped(self.poses(self.sdf(scene, form="sdf1.6")))
+            flat = self.flat(scene)
+            massless = {link for i in flat["instances"] for link in i.get("links", {})} - {"base"}
+            self.assertGreater(self.assert_links(poses, flat, lambda i, l: f"{safe(i)}::{l}",
+                                                 without=massless), 3)
+
+    @reader.needs_built("sdf_poses")
+    def test_references(self):
+        for scene in self.scenes:
+            poses = self.unscoped(self.poses(self.sdf(scene, "--form", "reference")))
+            roots = {f"{safe(i['path'])}::{next(iter(i['links']))}": next(iter(i["links"].values()))
+                     for i in self.flat(scene)["instances"] if i.get("links")}
+            found = [name for name in roots if name in poses]
+            for name in found:
+                self.assert_same_pose(name, poses[name][:3], poses[name][3:], roots[name])
+            self.assertGreater(len(found), 2)
+
+    @reader.needs_built("sdf_poses")
+    def test_world_and_joints(self):
+        lines = self.sdf(self.folder / "zoo.smurfs")
+        self.assertIn(["gravity", "0.5", "0", "-3"], lines)
+        self.assertIn(["step", "0.002"], lines)
+        self.assertIn(["light", "lamp"], lines)
+        joints = {re.sub(r"^\w+__and_what_is_fixed_to_it::", "", line[1]): line[2:]
+                  for line in lines if line[0] == "joint"}
+        self.assertEqual(joints["Four::anchor_to_world"], ["world", "base"])
+        self.assertEqual(joints["anchor_of_Two_to_Go"], ["One::wheel", "Two_to_Go::base"])
+        self.assertEqual(joints["One::arm_joint"], ["body", "arm"])  # `arm` is a link, too
+
+    @reader.needs_built("sdf_poses")
+    def test_reserved_names(self):
+        self.write("zoo.urdf", ZOO.replace('"base"', '"world"').replace('"tip"', '"a::b"'))
+        poses = self.poses(self.sdf(self.folder / "zoo.urdf"))
+        self.assertIn("zoo::world_link", poses)
+        self.assertIn("zoo::a_b_link", poses)
+
+    @reader.needs_program("ign")
+    def test_ign_accepts_them(self):
+        for scene in self.scenes:
+            for form in ("expand", "reference"):
+                file = self.write_scene(scene, "sdf", "--form", form)
+                self.assertIn("Valid", self.read_with("ign", "sdf", "-k", file, cwd=self.folder))
+
+
+class Mjcf(SimulatorTest):
+    @reader.needs_built("mujoco_poses")
+    def test_bodies_stand_where_the_links_do(self):
+        for scene in self.scenes:
+            file = self.write_scene(scene, "mjcf")
+            poses = self.poses(self.lines(reader.BUILD / "mujoco_poses", file))
+            count = self.assert_links(poses, self.flat(scene), lambda i, l: f"{i}/{l}")
+            self.assertGreater(count, 3)
+
+    @reader.needs_built("mujoco_poses")
+    def test_world(self):
+        file = self.write_scene(self.folder / "zoo.smurfs", "mjcf")
+        lines = self.lines(reader.BUILD / "mujoco_poses", file)
+        self.assertIn(["gravity", "0.5", "0", "-3"], lines)
+        self.assertEqual(self.poses(lines)["Box/link"], [-3, 0, 2, 1, 0, 0, 0])
+
+    @reader.needs_npm("@mujoco/mujoco")
+    def test_later_versions(self):
+        for scene in [reader.SCENES["nested"], self.folder / "zoo.smurfs"]:
+            file = self.write_scene(scene, "mjcf")
+            lines = self.lines("node", HERE / "mujoco_poses.mjs", reader.NODE_MODULES, file)
+            self.assert_links(self.poses(lines), self.flat(scene), lambda i, l: f"{i}/{l}")
+
+
+class Urdf(SimulatorTest):
+    def without_joint_poses(self, scene):
+        """A URDF has no joint positions, so that the scene is read with none."""
+        scene = pathlib.Path(scene)
+        text = re.sub(r"\n *pose: \w+|, pose: \w+", "", scene.read_text())
+        if scene.parent != self.folder:
+            text = text.replace("file: ", f"file: {scene.parent}/")
+        self.write("straight.smurfs", text)
+        return self.folder / "straight.smurfs"
+
+    @reader.needs_npm("urdf-loader")
+    def test_links_stand_where_they_do(self):
+        for scene in self.scenes:
+            straight = self.without_joint_poses(scene)
+            file = self.write_scene(straight, "urdf")
+            lines = self.lines("node", HERE / "urdf_poses.mjs", reader.NODE_MODULES, file)
+            count = self.assert_links(self.poses(lines), self.flat(straight),
+                                      lambda i, l: f"{safe(i)}__{l}")
+            self.assertGreater(count, 3)
+
+    @reader.needs_program("check_urdf")
+    def test_urdfdom_accepts_them(self):
+        for scene in self.scenes:
+            file = self.write_scene(scene, "urdf")
+            self.assertIn("Successfully Parsed", self.read_with("check_urdf", file))
+
+    @reader.needs_program("check_urdf")
+    def test_names_are_prefixed_everywhere(self):
+        root = ElementTree.parse(self.write_scene(self.folder / "zoo.smurfs", "urdf")).getroot()
+        joint = root.find("joint[@name='Two_to_Go__turn']")
+        self.assertEqual(joint.find("mimic").get("joint"), "Two_to_Go__arm")
+        self.assertEqual(root.find("link[@name='One__body']/visual/material").get("name"),
+                         "One__blue")
+        self.assertEqual(root.find("joint[@name='One__placement']").get("type"), "floating")
+        self.assertEqual(root.find("joint[@name='Four__placement']").get("type"), "fixed")
+        self.assertEqual(len(root.findall("{http://example.org/ext}note")), 4)
+        names = [(e.tag, e.get("name")) for e in root if e.get("name")]
+        self.assertEqual(len(names), len(set(names)))
+
+
+class Losses(SimulatorTest):
+    def losses(self, form, *arguments):
+        done = self.run_tool("zoo.smurfs", "--format", form, "-o", "out", "--report", "json=r.json",
+                             *arguments)
+        report = json.loads(self.read("r.json"))
+        return done.returncode, [d["message"] for d in report["diagnostics"]
+                                 if d["id"].startswith("SML82")]
+
+    def test_losses_have_names(self):
+        code, losses = self.losses("urdf")
+        self.assertEqual(code, 0)
+        self.assertIn("`One` starts with its joints at zero in the URDF: a URDF has no place for it",
+                      losses)
+        self.assertIn("the gravity is not in the URDF", losses)
+        self.assertEqual(self.losses("json"), (0, []))
+
+    def test_strict_refuses(self):
+        code, losses = self.losses("sdf", "--strict")
+        self.assertEqual(code, 1)
+        self.assertEqual(losses, ["the joint `turn` is free to move without its leader in the SDF"])
+        self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    reader.main()
