@@ -14,8 +14,11 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(first.span, "the path " + quoted(path.filename) + " is separated by `\\`");
     diagnostic.help = "write " + quoted(slashes);
-    diagnostic.fixes.push_back(rewrite(path, slashes, Applicability::safe));
-    if (first.similar.empty()) diagnostic.notes.push_back("there is no file of that name either");
+    if (first.similar.empty()) {
+      diagnostic.notes.push_back("there is no file of that name either");
+    } else {
+      diagnostic.fixes.push_back(rewrite(path, slashes, Applicability::safe));
+    }
     if (first.is_texture) diagnostic.severity = Severity::warning;
   }
 }

@@ -53,7 +53,7 @@ void check(const LinkedModel& model, Findings& findings) {
 extern constinit const Rule sml1612_mesh_path_depth_mars{
     .id = "SML1612",
     .name = "mesh-path-depth-mars",
-    .severity = Severity::error,
+    .severity = Severity::warning,
     .summary = "A relative mesh path holds from the URDF or from the .smurf, but not from both.",
     .why =
         "MARS starts at the folder of the .smurf, and ends with an uncaught exception when a collision mesh is missing; URDF readers and Phobos start at the folder of the URDF.",
