@@ -192,10 +192,30 @@ class NumberReader {
     const auto plural = [](std::size_t n) {
       return std::to_string(n) + (n == 1 ? " number" : " numbers");
     };
-    sink_.report(rules::sml1807_vector_count, place(whole()),
-                 "`" + std::string(attribute_.name) + "` takes " + plural(count) + ", not " +
-                     std::to_string(tokens.size()));
+    const std::string_view name = attribute_.name;
+    const bool is_scale = name == "scale";
+    const bool is_color = name == "rgba";
+    const Rule& rule = is_scale   ? rules::sml1626_scale_malformed
+                       : is_color ? rules::sml1706_rgba_count
+                                  : rules::sml1807_vector_count;
+    Diagnostic& diagnostic = sink_.report(rule, place(whole()),
+                                          "`" + std::string(name) + "` takes " + plural(count) +
+                                              ", not " + std::to_string(tokens.size()));
+    if (is_scale && tokens.size() == 1) {
+      // Bullet, Drake and yourdfpy take one number for all three axes.
+      const std::string factor(text_.substr(tokens[0].begin, tokens[0].end - tokens[0].begin));
+      add_fix(diagnostic, factor + " " + factor + " " + factor, Applicability::safe);
+    } else if (is_color && tokens.size() == 3) {
+      add_fix(diagnostic,
+              std::string(text_.substr(tokens[0].begin, tokens[2].end - tokens[0].begin)) + " 1",
+              Applicability::unsafe);
+    }
     return false;
+  }
+
+  void add_fix(Diagnostic& diagnostic, std::string text, Applicability applicability) const {
+    diagnostic.help = "write `" + text + "`";
+    diagnostic.fixes.push_back({applicability, {{attribute_.value_span, std::move(text)}}});
   }
 
   void check_blanks(const std::vector<Token>& tokens, std::size_t count) {
@@ -265,6 +285,25 @@ constinit const Rule sml1012_percent_in_value{
     .remedy = "Remove the `%`.",
     .sources = "urdfdom 3.0.1 link.cpp:93-334, executed (segmentation fault); fixed in 5.1.0 "
                "(urdfdom pull requests 243, 244)."};
+
+constinit const Rule sml1626_scale_malformed{
+    .id = "SML1626",
+    .name = "scale-malformed",
+    .severity = Severity::error,
+    .summary = "The scale of a mesh has not three numbers.",
+    .why = "urdfdom drops the rest of the link silently, MuJoCo refuses the file, urdf-loader "
+           "scales by nothing; Bullet, Drake and yourdfpy take one number for all axes.",
+    .remedy = "Write one factor for each axis.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and urdf-loader 0.13, executed."};
+
+constinit const Rule sml1706_rgba_count{
+    .id = "SML1706",
+    .name = "rgba-count",
+    .severity = Severity::error,
+    .summary = "A colour has not four numbers.",
+    .why = "With three numbers the colour is black in urdfdom, MuJoCo and Drake refuse the file.",
+    .remedy = "Write red, green, blue and alpha, each from 0 to 1; an alpha of 1 is opaque.",
+    .sources = "urdfdom 3.0.1 and MuJoCo 3.14, executed; Drake read."};
 
 constinit const Rule sml1801_not_a_number{
     .id = "SML1801",

@@ -3,17 +3,10 @@
 #include <set>
 
 #include "base/path.hpp"
-#include "lint/queries.hpp"
+#include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
 namespace {
-
-std::string_view package_of(std::string_view filename) {
-  constexpr std::string_view kScheme = "package://";
-  if (!filename.starts_with(kScheme)) return {};
-  filename.remove_prefix(kScheme.size());
-  return filename.substr(0, filename.find('/'));
-}
 
 /// A package of which nothing is found is one finding however many files it should hold, and no
 /// error: it may lie elsewhere.
@@ -59,12 +52,10 @@ void check(const LinkedModel& model, Findings& findings) {
   std::map<std::string_view, std::vector<const MeshReference*>> lost_folders;
   std::set<std::string_view> seen;
   for (const MeshReference& mesh : model.meshes) {
-    if (mesh.exists || mesh.filename.empty() || !seen.insert(mesh.filename).second) continue;
+    if (path_fault(mesh) != PathFault::missing || !seen.insert(mesh.filename).second) continue;
     const std::string_view package = package_of(mesh.filename);
     const std::string_view folder = path::parent(mesh.path);
     if (mesh.path.empty()) {
-      // Other URIs (http, model) are not looked up.
-      if (package.empty()) continue;
       if (found.contains(package))
         report_file(mesh, 0, findings);
       else

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/mesh_queries.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "base/edits.hpp"
+#include "base/path.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::string_view kPackage = "package://";
+
+bool is_blank(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+bool has_drive(std::string_view filename) {
+  const bool has_letter = !filename.empty() && ((filename[0] >= 'A' && filename[0] <= 'Z') ||
+                                                (filename[0] >= 'a' && filename[0] <= 'z'));
+  return has_letter && filename.size() > 2 && filename[1] == ':' &&
+         (filename[2] == '/' || filename[2] == '\\');
+}
+
+bool is_malformed_package(std::string_view filename) {
+  if (!filename.starts_with("package:")) return false;
+  const std::string_view package = package_of(filename);
+  return package.empty() || filename.size() <= kPackage.size() + package.size() + 1;
+}
+
+/// The format that a reader expects by the extension; unknown when several or none do.
+MeshFormat expected_format(std::string_view filename) {
+  const std::string extension = path::to_lower(path::extension(filename));
+  if (extension == ".stl") return MeshFormat::stl_binary;
+  if (extension == ".obj") return MeshFormat::obj;
+  if (extension == ".dae") return MeshFormat::collada;
+  if (extension == ".bobj") return MeshFormat::bobj;
+  return MeshFormat::unknown;
+}
+
+}  // namespace
+
+std::string_view package_of(std::string_view filename) {
+  if (!filename.starts_with(kPackage)) return {};
+  filename.remove_prefix(kPackage.size());
+  return filename.substr(0, filename.find('/'));
+}
+
+PathFault path_fault(const MeshReference& reference) {
+  using enum PathFault;
+  const std::string_view filename = reference.filename;
+  if (is_blank(filename)) return empty;
+  if (is_malformed_package(filename)) return malformed_package;
+  if (filename.find("://") != std::string_view::npos && !filename.starts_with(kPackage)) {
+    return scheme;
+  }
+  if (path::is_absolute(filename) || has_drive(filename)) return absolute;
+  if (reference.exists) return none;
+  if (filename.find('\\') != std::string_view::npos) return backslash;
+  if (!reference.similar.empty()) return other_case;
+  return reference.mars_exists ? found_by_mars_only : missing;
+}
+
+std::vector<PathUses> paths_with(const LinkedModel& model, PathFault fault) {
+  std::vector<PathUses> paths;
+  std::unordered_map<std::string_view, std::size_t> by_name;
+  for (const MeshReference& reference : model.meshes) {
+    if (path_fault(reference) != fault) continue;
+    const auto [known, is_new] = by_name.try_emplace(reference.filename, paths.size());
+    if (is_new) paths.push_back({reference.filename, {}});
+    paths[known->second].references.push_back(&reference);
+  }
+  return paths;
+}
+
+Fix rewrite(const PathUses& path, std::string_view filename, Applicability applicability) {
+  Fix fix{applicability, {}};
+  for (const MeshReference* reference : path.references) {
+    fix.edits.push_back({reference->span, escape_xml(filename)});
+  }
+  return fix;
+}
+
+bool has_other_format(const MeshReference& reference) {
+  if (reference.file == nullptr || reference.file->facts.bytes == 0) return false;
+  MeshFormat found = reference.file->facts.format;
+  if (found == MeshFormat::lfs_pointer) return false;
+  if (found == MeshFormat::stl_ascii) found = MeshFormat::stl_binary;
+  const MeshFormat expected = expected_format(reference.filename);
+  return expected != MeshFormat::unknown && expected != found;
+}
+
+bool OpenedMesh::is_collision() const {
+  return std::any_of(uses.begin(), uses.end(),
+                     [](const GeometryUse& use) { return use.role == GeometryRole::collision; });
+}
+
+std::vector<OpenedMesh> opened_meshes(const LinkedModel& model) {
+  std::vector<OpenedMesh> meshes;
+  std::unordered_map<const MeshFile*, std::size_t> by_file;
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    if (use.mesh() == nullptr) return;
+    const MeshReference* reference = find_reference(model, *use.mesh());
+    if (reference == nullptr || reference->file == nullptr) return;
+    const MeshFile& file = *reference->file;
+    if (file.status != ReadStatus::ok) return;
+    const auto [known, is_new] = by_file.try_emplace(&file, meshes.size());
+    if (is_new) meshes.push_back({*reference, file, file.facts, {}});
+    meshes[known->second].uses.push_back(use);
+  });
+  return meshes;
+}
+
+Diagnostic* report_meshes(const LinkedModel& model,
+                          const std::function<bool(const OpenedMesh&)>& is_at_fault,
+                          std::string_view one, std::string_view many, Findings& findings) {
+  const std::vector<OpenedMesh> meshes = opened_meshes(model);
+  std::vector<const OpenedMesh*> faulty;
+  for (const OpenedMesh& mesh : meshes) {
+    if (is_at_fault(mesh)) faulty.push_back(&mesh);
+  }
+  if (faulty.empty()) return nullptr;
+  const bool is_one = faulty.size() == 1;
+  std::string message(one);
+  if (!is_one) message = std::to_string(faulty.size()) + " mesh files " + std::string(many);
+  Diagnostic& diagnostic = findings.report(faulty.front()->reference.span, std::move(message));
+  if (is_one) return &diagnostic;
+  diagnostic.caret = "the first of them";
+  constexpr std::size_t kShown = 3;
+  std::string others = "also";
+  for (std::size_t i = 1; i < std::min(faulty.size(), kShown + 1); ++i) {
+    others += (i > 1 ? ", " : " ") + quoted(path::file_name(faulty[i]->reference.filename));
+  }
+  if (faulty.size() > kShown + 1) {
+    others += " and " + std::to_string(faulty.size() - kShown - 1) + " more";
+  }
+  diagnostic.notes.push_back(std::move(others));
+  return &diagnostic;
+}
+
+}  // namespace smurf

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/path.hpp"
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// The path as it is written, with the names of the file that is there.
+std::string corrected(const MeshReference& reference) {
+  const std::string& there = reference.similar;
+  std::size_t same = 0;  // from the end, but for case
+  const std::string written = path::to_lower(reference.filename);
+  const std::string found = path::to_lower(there);
+  while (same < written.size() && same < found.size() &&
+         written[written.size() - 1 - same] == found[found.size() - 1 - same]) {
+    ++same;
+  }
+  return reference.filename.substr(0, written.size() - same) + there.substr(found.size() - same);
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const PathUses& path : paths_with(model, PathFault::other_case)) {
+    const MeshReference& first = path.first();
+    Diagnostic& diagnostic = findings.report(
+        first.span, "file not found: " + quoted(path.filename) + "; there is one in other case");
+    diagnostic.caret = "the file is " + quoted(first.similar);
+    diagnostic.help = "write " + quoted(corrected(first));
+    diagnostic.fixes.push_back(rewrite(path, corrected(first), Applicability::safe));
+    if (first.is_texture) diagnostic.severity = Severity::warning;
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1605_mesh_case{
+    .id = "SML1605",
+    .name = "mesh-case",
+    .severity = Severity::error,
+    .summary = "The path of a mesh or texture has other upper and lower case than the file.",
+    .why =
+        "Only Windows and macOS find it; on Linux it is missing: Bullet loses the whole robot, Drake, MuJoCo, Pinocchio and DART refuse the file or the body.",
+    .remedy = "Write the path as the file is called.",
+    .sources = "Bullet, MuJoCo 3.14 and DART 6.12, executed on Linux.",
+    .check_model = check};
+
+}  // namespace smurf::rules

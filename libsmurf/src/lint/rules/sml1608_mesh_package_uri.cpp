@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.has_main) return;
+  const MeshReference* first = nullptr;
+  std::size_t count = 0;
+  for (const MeshReference& reference : model.meshes) {
+    if (reference.is_texture || package_of(reference.filename).empty()) continue;
+    if (first == nullptr) first = &reference;
+    ++count;
+  }
+  if (first == nullptr) return;
+  Diagnostic& diagnostic = findings.report(first->span, "MARS does not understand the address " +
+                                                            quoted(first->filename));
+  if (count > 1) {
+    diagnostic.notes.push_back("the URDF names " + std::to_string(count) + " meshes in this way");
+  }
+  diagnostic.help = "write paths that hold from the URDF and from the .smurf";
+}
+
+}  // namespace
+
+extern constinit const Rule sml1608_mesh_package_uri{
+    .id = "SML1608",
+    .name = "mesh-package-uri",
+    .severity = Severity::error,
+    .summary = "The URDF of a SMURF model names a mesh by package://.",
+    .why =
+        "MARS takes it for a relative path and finds no file; for a collision it ends with an uncaught exception.",
+    .remedy =
+        "Write a relative path; with the folders `urdf/` and `smurf/` side by side, `../meshes/x.obj` holds from both.",
+    .sources = "MARS smurf.cpp:1066-1137, misc.cpp:108-131, NodePhysics.cpp:626-634.",
+    .check_model = check};
+
+}  // namespace smurf::rules

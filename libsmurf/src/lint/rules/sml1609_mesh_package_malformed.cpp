@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <optional>
+
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// What follows "package:" and its slashes, when that may be the name of a package and a file.
+std::optional<std::string> corrected(std::string_view filename) {
+  std::string_view rest = filename.substr(filename.find(':') + 1);
+  rest.remove_prefix(std::min(rest.find_first_not_of('/'), rest.size()));
+  const std::size_t slash = rest.find('/');
+  if (slash == std::string_view::npos || slash + 1 == rest.size()) return std::nullopt;
+  return "package://" + std::string(rest);
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  const std::vector<PathUses> paths = paths_with(model, PathFault::malformed_package);
+  if (paths.empty()) return;
+  const std::string_view first = paths.front().filename;
+  Diagnostic& diagnostic = findings.report(
+      paths.front().first().span, "the address " + quoted(first) + " names no package and file");
+  if (paths.size() > 1) {
+    diagnostic.notes.push_back("it is so for " + std::to_string(paths.size()) + " addresses");
+  }
+  diagnostic.help = "write package://NAME/PATH";
+  Fix fix{Applicability::unsafe, {}};
+  for (const PathUses& path : paths) {
+    const auto name = corrected(path.filename);
+    if (!name) continue;
+    const Fix one = rewrite(path, *name, Applicability::unsafe);
+    fix.edits.insert(fix.edits.end(), one.edits.begin(), one.edits.end());
+  }
+  if (const auto name = corrected(first)) diagnostic.help = "did you mean " + quoted(*name) + "?";
+  if (!fix.edits.empty()) diagnostic.fixes.push_back(std::move(fix));
+}
+
+}  // namespace
+
+extern constinit const Rule sml1609_mesh_package_malformed{
+    .id = "SML1609",
+    .name = "mesh-package-malformed",
+    .severity = Severity::error,
+    .summary = "A package:// address lacks the name of a package or of a file.",
+    .why = "Drake refuses it, and others look for a folder called `package:`.",
+    .remedy = "Write package://NAME/PATH.",
+    .sources = "Drake detail_urdf_geometry.cc, package URI pattern.",
+    .check_model = check};
+
+}  // namespace smurf::rules

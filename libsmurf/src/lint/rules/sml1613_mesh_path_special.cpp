@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <set>
+
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  const MeshReference* first = nullptr;
+  std::set<std::string_view> names;
+  for (const MeshReference& reference : model.meshes) {
+    if (!reference.exists) continue;
+    if (reference.filename.find_first_of(" %#?") == std::string::npos) continue;
+    if (first == nullptr) first = &reference;
+    names.insert(reference.filename);
+  }
+  if (first == nullptr) return;
+  const char found = first->filename[first->filename.find_first_of(" %#?")];
+  Diagnostic& diagnostic = findings.report(
+      first->span, "the path " + quoted(first->filename) + " holds " +
+                       (found == ' ' ? std::string("a blank") : quoted(std::string(1, found))));
+  if (names.size() > 1) {
+    diagnostic.notes.push_back("it is so for " + std::to_string(names.size()) + " files");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1613_mesh_path_special{
+    .id = "SML1613",
+    .name = "mesh-path-special",
+    .severity = Severity::info,
+    .summary =
+        "The path of a mesh or texture holds a blank or a character with a meaning in addresses.",
+    .why =
+        "Readers that take paths for addresses decode `%20` and cut at `#` and `?`; most take all of it literally.",
+    .remedy = "Rename the file.",
+    .sources = "`%` is literal in six readers, executed; RFC 3986 for addresses.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <set>
+
+#include "base/path.hpp"
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kLoaded[] = {".stl", ".obj", ".dae", ".bobj", ".gltf", ".glb",
+                                        ".ply", ".vtk", ".msh", ".mesh", ".fbx",  ".3ds",
+                                        ".wrl", ".cdf", ".usd", ".usda", ".usdc"};
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::set<std::string> reported;
+  for (const MeshReference& reference : model.meshes) {
+    const std::string extension = path::to_lower(path::extension(reference.filename));
+    const PathFault fault = path_fault(reference);
+    if (reference.is_texture || fault == PathFault::empty ||
+        fault == PathFault::malformed_package) {
+      continue;
+    }
+    const bool is_loaded =
+        std::find(std::begin(kLoaded), std::end(kLoaded), extension) != std::end(kLoaded);
+    if ((is_loaded && extension != ".bobj") || !reported.insert(extension).second) continue;
+    const std::string subject = extension.empty() ? "a mesh file without extension"
+                                                  : "a mesh of format " + quoted(extension);
+    if (extension == ".bobj") {
+      findings.report(reference.span, subject + " is read by MARS only").help =
+          "name the .obj or .stl; MARS takes the .bobj beside it";
+    } else {
+      findings.report(reference.span, subject + " is read by no URDF reader known here");
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1614_mesh_format{
+    .id = "SML1614",
+    .name = "mesh-format",
+    .severity = Severity::warning,
+    .summary = "A mesh has a format that hardly any reader of URDFs takes.",
+    .why =
+        "Readers choose the loader by the extension: STL, OBJ and COLLADA are common, `.bobj` is known to MARS alone, and formats of CAD programs to none.",
+    .remedy = "Export an STL, OBJ or COLLADA file.",
+    .sources = "Loaders of assimp, Drake, MuJoCo, Bullet, urdf-loader and MARS, read.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  Diagnostic* diagnostic = report_meshes(
+      model,
+      [](const OpenedMesh& mesh) {
+        return mesh.is_collision() && mesh.facts.volume && *mesh.facts.volume < 0;
+      },
+      "the mesh is turned inside out: its triangles face inward",
+      "are turned inside out: their triangles face inward", findings);
+  if (diagnostic != nullptr) diagnostic->help = "flip the normals and export it again";
+}
+
+}  // namespace
+
+extern constinit const Rule sml1623_mesh_inside_out{
+    .id = "SML1623",
+    .name = "mesh-inside-out",
+    .severity = Severity::warning,
+    .summary = "The triangles of a closed collision mesh face inward.",
+    .why =
+        "Masses computed from the mesh are negative, which MuJoCo refuses, and its normals point the wrong way.",
+    .remedy = "Flip the normals in a mesh editor.",
+    .sources = "MuJoCo 3.14 user_mesh.cc; 1 of 956 public collision meshes.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+bool is_flat(const MeshFacts& facts) {
+  if (facts.defect || facts.triangles == 0 || !facts.box) return false;
+  const Vector3 size = facts.box->size();
+  return std::any_of(size.begin(), size.end(), [](double extent) { return extent == 0; });
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  report_meshes(
+      model, [](const OpenedMesh& mesh) { return mesh.is_collision() && is_flat(mesh.facts); },
+      "the collision mesh is flat: its volume is zero",
+      "of collisions are flat: their volume is zero", findings);
+}
+
+}  // namespace
+
+extern constinit const Rule sml1625_mesh_flat{
+    .id = "SML1625",
+    .name = "mesh-flat",
+    .severity = Severity::error,
+    .summary = "The mesh of a collision lies in a plane.",
+    .why = "MuJoCo refuses the model, as no convex hull can be made of it.",
+    .remedy = "Give the mesh a thickness, or use a thin box.",
+    .sources = "MuJoCo 3.14, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

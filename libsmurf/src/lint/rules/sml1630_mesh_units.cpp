@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "base/numbers.hpp"
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// What nobody builds in one piece, and what nobody sees; metres.
+constexpr double kHuge = 50;
+constexpr double kTiny = 0.001;
+
+double extent(const Box& box) {
+  const Vector3 size = box.size();
+  return std::max({size[0], size[1], size[2]});
+}
+
+/// Meshes that look wrong in the same way, by the size of the first.
+struct Suspects {
+  const OpenedMesh* first = nullptr;
+  double extent = 0;
+  std::size_t files = 0;
+};
+
+void report(const Suspects& suspects, bool is_huge, Findings& findings) {
+  if (suspects.first == nullptr) return;
+  const urdf::Mesh& mesh = *suspects.first->uses.front().mesh();
+  Diagnostic& diagnostic = findings.report(
+      mesh.filename.span, "the mesh is " + format_rounded(suspects.extent, 3) + " m long");
+  diagnostic.caret = is_huge ? "in millimetres?" : "scaled twice?";
+  if (mesh.scale) {
+    diagnostic.labels.push_back({mesh.scale.span, "with this scale"});
+  } else if (is_huge) {
+    diagnostic.help = "write scale=\"0.001 0.001 0.001\" if the file is in millimetres";
+  }
+  if (suspects.files > 1) {
+    diagnostic.notes.push_back("it is so for " + std::to_string(suspects.files) + " mesh files");
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  const std::vector<OpenedMesh> meshes = opened_meshes(model);
+  Suspects huge;
+  Suspects tiny;
+  for (const OpenedMesh& mesh : meshes) {
+    const std::optional<Box> box = bounding_box(model, mesh.uses.front().geometry);
+    if (!box) continue;
+    const double size = extent(*box);
+    if (size <= kHuge && (size >= kTiny || size == 0)) continue;
+    Suspects& suspects = size > kHuge ? huge : tiny;
+    if (suspects.first == nullptr) suspects = {&mesh, size, 0};
+    ++suspects.files;
+  }
+  report(huge, true, findings);
+  report(tiny, false, findings);
+}
+
+}  // namespace
+
+extern constinit const Rule sml1630_mesh_units{
+    .id = "SML1630",
+    .name = "mesh-units",
+    .severity = Severity::warning,
+    .summary = "A mesh is longer than 50 m or shorter than 1 mm with its scale.",
+    .why =
+        "URDF takes lengths in metres, CAD programs write millimetres: the robot is a thousand times too large, or, scaled twice, too small to see.",
+    .remedy = "Correct `scale`, or export the mesh in metres.",
+    .sources =
+        "40 of 322 public URDFs scale by 0.001; rerun issue 11290 and pinocchio issue 1370 are such cases.",
+    .check_model = check};
+
+}  // namespace smurf::rules

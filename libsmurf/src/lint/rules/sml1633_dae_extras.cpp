@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  Diagnostic* diagnostic = report_meshes(
+      model, [](const OpenedMesh& mesh) { return !mesh.facts.extras.empty(); },
+      "the mesh file holds lights, cameras or animations", "hold lights, cameras or animations",
+      findings);
+  if (diagnostic != nullptr) diagnostic->help = "export the mesh alone";
+}
+
+}  // namespace
+
+extern constinit const Rule sml1633_dae_extras{
+    .id = "SML1633",
+    .name = "dae-extras",
+    .severity = Severity::info,
+    .summary = "A COLLADA mesh holds lights, cameras or animations.",
+    .why = "RViz and Gazebo add the lights to the scene: every robot makes it brighter.",
+    .remedy = "Export the selected mesh without the rest of the scene.",
+    .sources = "207 of 932 public files.",
+    .check_model = check};
+
+}  // namespace smurf::rules

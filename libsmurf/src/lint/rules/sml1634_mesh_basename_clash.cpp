@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+#include <set>
+
+#include "base/numbers.hpp"
+#include "base/path.hpp"
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::map<std::string, const urdf::Mesh*, std::less<>> first_by_stem;
+  std::set<std::string_view> reported;
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    const urdf::Mesh* mesh = use.mesh();
+    if (mesh == nullptr || use.role != GeometryRole::collision) return;
+    const MeshReference* reference = find_reference(model, *mesh);
+    if (reference == nullptr || reference->filename.empty()) return;
+    std::string key(path::stem(reference->filename));
+    if (mesh->scale) {
+      for (const double factor : *mesh->scale) key += " " + format_number(factor);
+    } else {
+      key += " 1 1 1";
+    }
+    const auto [known, is_new] = first_by_stem.emplace(std::move(key), mesh);
+    const urdf::Mesh& first = *known->second;
+    if (is_new || *first.filename == reference->filename) return;
+    const MeshReference* other = find_reference(model, first);
+    const bool is_same = !reference->path.empty() && reference->path == other->path;
+    if (is_same || !reported.insert(reference->filename).second) return;
+    Diagnostic& diagnostic =
+        findings.report(reference->span, "another collision mesh is called " +
+                                             quoted(path::stem(reference->filename)) +
+                                             " too, elsewhere or in another format");
+    diagnostic.labels.push_back({first.filename.span, "the first one"});
+    diagnostic.notes.push_back("MuJoCo takes the first for both");
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1634_mesh_basename_clash{
+    .id = "SML1634",
+    .name = "mesh-basename-clash",
+    .severity = Severity::error,
+    .summary = "Two collision meshes have the same file name in different folders or formats.",
+    .why =
+        "MuJoCo keeps meshes by the name without folder and extension: the second is silently replaced by the first.",
+    .remedy = "Rename one of them.",
+    .sources = "MuJoCo 3.14 xml_urdf.cc:594-615, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <set>
+
+#include "base/path.hpp"
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::set<std::string_view> files;
+  const MeshReference* first = nullptr;
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    if (use.role != GeometryRole::visual || use.mesh() == nullptr) return;
+    const MeshReference* reference = find_reference(model, *use.mesh());
+    if (reference == nullptr || !reference->mars_exists) return;
+    const std::string_view extension = path::extension(reference->mars_path);
+    if (extension != ".stl" && extension != ".STL") return;
+    if (first == nullptr) first = reference;
+    files.insert(reference->filename);
+  });
+  if (first == nullptr) return;
+  Diagnostic& diagnostic =
+      findings.report(first->span, "MARS turns this STL by -90 degrees about x, as it is a visual");
+  if (files.size() > 1) {
+    diagnostic.notes.push_back("so it does " + std::to_string(files.size()) + " STL files");
+  }
+  diagnostic.help = "add a .bobj or name an .obj, which it leaves as they are";
+}
+
+}  // namespace
+
+extern constinit const Rule sml1640_mars_stl_visual_rotated{
+    .id = "SML1640",
+    .name = "mars-stl-visual-rotated",
+    .severity = Severity::warning,
+    .summary = "A visual of a SMURF model is an STL file without a .bobj beside it.",
+    .why =
+        "MARS turns the mesh of a visual, but not that of a collision, by -90 degrees about x when it is an STL: what is seen is not what collides.",
+    .remedy = "Convert visual meshes to .obj, or add .bobj files.",
+    .sources = "MARS smurf.cpp:1129-1136.",
+    .check_model = check};
+
+}  // namespace smurf::rules

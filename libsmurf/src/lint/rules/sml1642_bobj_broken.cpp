@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <set>
+
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::set<const MeshFile*> seen;
+  for (const MeshReference& reference : model.meshes) {
+    const std::pair<const MeshFile*, const std::string*> candidates[] = {
+        {reference.file, &reference.path}, {reference.mars_file, &reference.mars_path}};
+    for (const auto& [file, path] : candidates) {
+      if (file == nullptr || !seen.insert(file).second) continue;
+      if (file->facts.format != MeshFormat::bobj || !file->facts.defect) continue;
+      const MeshDefect& defect = *file->facts.defect;
+      Diagnostic& diagnostic =
+          findings.report(reference.span, "the .bobj cannot be read: " + defect.what + " (byte " +
+                                              std::to_string(defect.offset) + ")");
+      if (file != reference.file) diagnostic.notes.push_back("MARS takes " + quoted(*path));
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1642_bobj_broken{
+    .id = "SML1642",
+    .name = "bobj-broken",
+    .severity = Severity::error,
+    .summary = "A .bobj file is damaged, or of a size whose last triangle MARS loses.",
+    .why =
+        "MARS checks neither records nor indices: it reads memory that is not its own, or draws a mesh with a hole. It reads chunks of 256 bytes and drops what the last full one leaves over.",
+    .remedy = "Export the .bobj again; a repeated last triangle changes an unlucky size.",
+    .sources = "MARS gui_helper_functions.cpp:390-599, control flow executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  Diagnostic* diagnostic = report_meshes(
+      model, [](const OpenedMesh& mesh) { return mesh.facts.format == MeshFormat::lfs_pointer; },
+      "the mesh is a Git LFS pointer, not a mesh", "are Git LFS pointers, not meshes", findings);
+  if (diagnostic != nullptr) diagnostic->help = "run `git lfs pull`";
+}
+
+}  // namespace
+
+extern constinit const Rule sml1643_mesh_lfs_pointer{
+    .id = "SML1643",
+    .name = "mesh-lfs-pointer",
+    .severity = Severity::error,
+    .summary = "A mesh file is a Git LFS pointer instead of its content.",
+    .why =
+        "The file exists, but holds three lines of text: every reader fails to load it, and says nothing of the cause.",
+    .remedy = "Run `git lfs pull`.",
+    .sources = "Git LFS pointer format; pollen-robotics/reachy_mini issue 760.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <set>
+
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void report(const MeshReference& reference, std::string_view what, Findings& findings) {
+  findings.report(reference.span, "the mesh cannot be read: " + std::string(what));
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::set<const MeshFile*> seen;
+  for (const MeshReference& reference : model.meshes) {
+    const MeshFile* file = reference.file;
+    if (file == nullptr || !seen.insert(file).second) continue;
+    const MeshFacts& facts = file->facts;
+    if (has_other_format(reference)) continue;
+    if (file->status == ReadStatus::too_large) {
+      findings.report(reference.span, "the mesh " + file->reason + ", too many to be checked here")
+          .severity = Severity::warning;
+    } else if (file->status != ReadStatus::ok) {
+      report(reference, file->reason, findings);
+    } else if (facts.bytes == 0) {
+      report(reference, "the file is empty", findings);
+    } else if (facts.defect && facts.format != MeshFormat::bobj) {
+      const std::string place = facts.defect->line > 0
+                                    ? " (line " + std::to_string(facts.defect->line) + ")"
+                                    : " (byte " + std::to_string(facts.defect->offset) + ")";
+      report(reference, facts.defect->what + place, findings);
+    } else if (facts.format != MeshFormat::unknown && facts.format != MeshFormat::gltf &&
+               facts.format != MeshFormat::lfs_pointer && !facts.defect && facts.triangles == 0) {
+      report(reference, "it holds no triangle", findings);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1644_mesh_broken{
+    .id = "SML1644",
+    .name = "mesh-broken",
+    .severity = Severity::error,
+    .summary = "A mesh file is cut short, damaged or empty.",
+    .why =
+        "assimp (RViz, MoveIt, Pinocchio, DART) throws, Bullet and MuJoCo refuse the file: the shape or the whole robot is lost.",
+    .remedy = "Restore the file, or export it again.",
+    .sources = "Bullet LoadMeshFromSTL.h and assimp STLLoader.cpp compare the size with the count.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "lint/geometry_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Around all shapes of a link, in the link's frame; none when the size of one is unknown.
+class LinkBox {
+ public:
+  LinkBox(const LinkedModel& model) : model_(model) {}
+
+  void add(const urdf::Origin& origin, const urdf::Geometry& geometry) {
+    const std::optional<Box> shape = bounding_box(model_, geometry);
+    const bool is_readable =
+        (origin.xyz || !origin.xyz.written) && (origin.rpy || !origin.rpy.written);
+    if (!shape || !is_readable) {
+      is_known_ = false;
+      return;
+    }
+    const Pose X_LG = to_pose(origin);
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const Vector3 point{(corner & 1U) != 0 ? shape->high[0] : shape->low[0],
+                          (corner & 2U) != 0 ? shape->high[1] : shape->low[1],
+                          (corner & 4U) != 0 ? shape->high[2] : shape->low[2]};
+      const Vector3 turned = rotate(X_LG.orientation, point);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double x = turned[i] + X_LG.position[i];
+        box_.low[i] = is_empty_ ? x : std::min(box_.low[i], x);
+        box_.high[i] = is_empty_ ? x : std::max(box_.high[i], x);
+      }
+      is_empty_ = false;
+    }
+  }
+
+  std::optional<Box> box() const {
+    return is_known_ && !is_empty_ ? std::optional(box_) : std::nullopt;
+  }
+
+ private:
+  const LinkedModel& model_;
+  Box box_;
+  bool is_empty_ = true;
+  bool is_known_ = true;
+};
+
+double diagonal(const Box& box) {
+  const Vector3 size = box.size();
+  return std::hypot(size[0], size[1], size[2]);
+}
+
+/// Distance between the nearest faces of two boxes, 0 when they touch.
+double gap(const Box& a, const Box& b) {
+  Vector3 distance{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    distance[i] = std::max({0.0, a.low[i] - b.high[i], b.low[i] - a.high[i]});
+  }
+  return std::hypot(distance[0], distance[1], distance[2]);
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kLarger = 20;
+  for_each_link(model, [&](const urdf::Link& link) {
+    LinkBox visual(model);
+    LinkBox collision(model);
+    bool has_mesh = false;
+    for (const urdf::Visual& one : link.visuals) {
+      visual.add(one.origin, one.geometry);
+      has_mesh = has_mesh || std::holds_alternative<urdf::Mesh>(one.geometry.shape);
+    }
+    for (const urdf::Collision& one : link.collisions) {
+      collision.add(one.origin, one.geometry);
+      has_mesh = has_mesh || std::holds_alternative<urdf::Mesh>(one.geometry.shape);
+    }
+    if (!has_mesh || !visual.box() || !collision.box()) return;
+    const double seen = diagonal(*visual.box());
+    const double felt = diagonal(*collision.box());
+    if (!(seen > 0 && felt > 0)) return;
+    const double ratio = felt / seen;
+    std::string message;
+    if (ratio > kLarger || ratio < 1 / kLarger) {
+      message = "the collision of " + title(link) + " measures " + format_rounded(felt, 3) +
+                " m across, its visual " + format_rounded(seen, 3) + " m";
+    } else if (gap(*visual.box(), *collision.box()) > std::max(seen, felt)) {
+      message = "the collision of " + title(link) + " lies " +
+                format_rounded(gap(*visual.box(), *collision.box()), 3) + " m away from its visual";
+    } else {
+      return;
+    }
+    Diagnostic& diagnostic =
+        findings.report(tag_name(model, link.collisions.front().element), std::move(message));
+    diagnostic.labels.push_back({tag_name(model, link.visuals.front().element), "the visual"});
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1646_collision_visual_mismatch{
+    .id = "SML1646",
+    .name = "collision-visual-mismatch",
+    .severity = Severity::warning,
+    .summary = "The collision of a link has quite another size or place than its visual.",
+    .why =
+        "One of them has most likely the wrong scale or origin: what is seen is not what collides.",
+    .remedy = "Compare `scale` and `origin` of both.",
+    .sources = "Bounding boxes of shapes and meshes.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  const urdf::Visual* first = nullptr;
+  const urdf::Visual* coloured_first = nullptr;
+  std::size_t links = 0;
+  for_each_link(model, [&](const urdf::Link& link) {
+    const urdf::Visual* coloured = nullptr;
+    for (const urdf::Visual& visual : link.visuals) {
+      if (visual.material) {
+        coloured = &visual;
+      } else if (coloured != nullptr) {
+        if (first == nullptr) {
+          first = &visual;
+          coloured_first = coloured;
+        }
+        ++links;
+        return;
+      }
+    }
+  });
+  if (first == nullptr) return;
+  Diagnostic& diagnostic =
+      findings.report(tag_name(model, first->element),
+                      "this visual has no material; MuJoCo paints it like the one before");
+  diagnostic.labels.push_back({tag_name(model, coloured_first->element), "the one before"});
+  if (links > 1) {
+    diagnostic.notes.push_back("it is so in " + std::to_string(links) + " links");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1711_mujoco_colour_leak{
+    .id = "SML1711",
+    .name = "mujoco-colour-leak",
+    .severity = Severity::info,
+    .summary = "A visual without material follows one with a material in the same link.",
+    .why =
+        "MuJoCo does not reset the colour between the visuals of a link; other readers use their default colour.",
+    .remedy = "Give each visual its material.",
+    .sources = "MuJoCo 3.14 xml_urdf.cc:291; 23 of 322 public URDFs.",
+    .check_model = check};
+
+}  // namespace smurf::rules

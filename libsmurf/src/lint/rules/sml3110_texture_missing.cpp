@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const TextureReference& texture : model.annotation_textures) {
+    if (texture.exists) continue;
+    Diagnostic& diagnostic =
+        findings.report(texture.span, "texture file not found: " + quoted(texture.filename));
+    if (texture.path != texture.filename) {
+      diagnostic.caret = "resolved to " + quoted(texture.path);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3110_texture_missing{
+    .id = "SML3110",
+    .name = "texture-missing",
+    .severity = Severity::warning,
+    .summary = "The annotation of a material names an image that does not exist.",
+    .why = "MARS draws the material without it.",
+    .remedy = "Correct the path; it starts at the folder of the .smurf.",
+    .sources = "MARS MaterialData.cpp:112-115.",
+    .check_model = check};
+
+}  // namespace smurf::rules
