@@ -44,8 +44,10 @@ constexpr std::string_view kLinkExtensions[] = {
 
 constexpr ChildSpec kInertialChildren[] = {{"origin", true}, {"mass", true}, {"inertia", true}};
 constexpr AttributeSpec kMassAttributes[] = {{"value", true}};
-constexpr AttributeSpec kInertiaAttributes[] = {{"ixx", true}, {"ixy", true}, {"ixz", true},
-                                                {"iyy", true}, {"iyz", true}, {"izz", true}};
+/// What is missing of a tensor, or written below its diagonal, has rules of its own.
+constexpr AttributeSpec kInertiaAttributes[] = {{"ixx"}, {"ixy"}, {"ixz"},
+                                                {"iyy"}, {"iyz"}, {"izz"}};
+constexpr std::string_view kInertiaExtensions[] = {"iyx", "izx", "izy"};
 constexpr AttributeSpec kOriginAttributes[] = {{"xyz"}, {"rpy"}, {"quat_xyzw"}};
 
 constexpr AttributeSpec kVisualAttributes[] = {{"name"}};
@@ -94,7 +96,7 @@ constexpr ElementSpec kElements[] = {
     {"link", kLinkAttributes, kLinkChildren, kLinkExtensions},
     {"inertial", {}, kInertialChildren, {}},
     {"mass", kMassAttributes, {}, {}},
-    {"inertia", kInertiaAttributes, {}, {}},
+    {"inertia", kInertiaAttributes, {}, kInertiaExtensions},
     {"origin", kOriginAttributes, {}, {}},
     {"visual", kVisualAttributes, kVisualChildren, kCollisionExtensions},
     {"collision", kCollisionAttributes, kCollisionChildren, kCollisionExtensions},

@@ -59,11 +59,17 @@ class ShapeChecker {
       }
       unknown_attribute(element, *attribute, absent);
     }
+    std::string missing;
     for (const AttributeSpec& attribute : spec.attributes) {
-      if (!attribute.required || !holds(absent, attribute.name)) continue;
-      sink_.report(rules::sml1113_required_attribute_missing, element.name_span(),
-                   "the element " + quoted(element.name()) + " has no " + quoted(attribute.name));
+      // Written as an element, it is reported as such.
+      if (!attribute.required || !holds(absent, attribute.name) || element.child(attribute.name)) {
+        continue;
+      }
+      missing += (missing.empty() ? " has no " : " and no ") + quoted(attribute.name);
     }
+    if (missing.empty()) return;
+    sink_.report(rules::sml1113_required_attribute_missing, element.name_span(),
+                 "the element " + quoted(element.name()) + missing);
   }
 
   /// A slip of the pen takes the attribute that was meant out of `absent`: one cause, one finding.
@@ -94,6 +100,10 @@ class ShapeChecker {
       return;
     }
     if (holds(spec.extensions, name) || name.find(':') != std::string_view::npos) return;
+    if (std::any_of(spec.attributes.begin(), spec.attributes.end(),
+                    [&](const AttributeSpec& a) { return a.name == name; })) {
+      return attribute_as_element(parent, child);
+    }
     // Robots carry the elements of many vendors; only what looks like a slip is reported there.
     std::vector<std::string_view> names;
     for (const ChildSpec& allowed : spec.children) names.push_back(allowed.name);
@@ -102,6 +112,16 @@ class ShapeChecker {
     if (is_misplaced) return misplaced(parent, child);
     if (near && path::to_lower(name) == *near) return wrong_case(child, *near);
     if (near || parent.name() != "robot") unknown_child(parent, child, near);
+  }
+
+  void attribute_as_element(View parent, View child) {
+    const std::string name(child.name());
+    Diagnostic& diagnostic = sink_.report(rules::sml1106_unknown_element, child.name_span(),
+                                          quoted(name) + " is an attribute of " +
+                                              quoted(parent.name()) + ", not an element in it");
+    diagnostic.severity = Severity::error;
+    diagnostic.notes.push_back("URDF readers ignore it without a word");
+    diagnostic.help = "write `<" + std::string(parent.name()) + " " + name + "=\"...\"/>`";
   }
 
   void unknown_child(View parent, View child, std::optional<std::string_view> near) {

@@ -89,15 +89,21 @@ std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& 
   return box;
 }
 
+bool is_shape(std::string_view element_name) {
+  constexpr std::string_view kShapes[] = {"box", "sphere", "cylinder", "capsule", "mesh"};
+  return std::find(std::begin(kShapes), std::end(kShapes), element_name) != std::end(kShapes);
+}
+
 void for_each_geometry(const LinkedModel& model,
                        const std::function<void(const GeometryUse&)>& visit) {
   for_each_link(model, [&](const urdf::Link& link) {
     for (const urdf::Visual& visual : link.visuals) {
-      visit({GeometryRole::visual, link, visual.element, visual.origin, visual.geometry});
+      visit({GeometryRole::visual, link, visual.element, visual.name, visual.origin,
+             visual.geometry});
     }
     for (const urdf::Collision& collision : link.collisions) {
-      visit(
-          {GeometryRole::collision, link, collision.element, collision.origin, collision.geometry});
+      visit({GeometryRole::collision, link, collision.element, collision.name, collision.origin,
+             collision.geometry});
     }
   });
 }

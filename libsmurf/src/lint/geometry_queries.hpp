@@ -17,6 +17,7 @@ struct GeometryUse {
   GeometryRole role;
   const urdf::Link& link;
   xml::ElementId element;  ///< the visual or collision
+  const Field<std::string>& name;
   const urdf::Origin& origin;
   const urdf::Geometry& geometry;
 
@@ -33,6 +34,9 @@ const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
 /// readers take it: in the unit and with the axes that the file says. None when the size is unknown
 /// or not finite.
 std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry);
+
+/// True for the shapes that most readers know: those of URDF 1.0, and the capsule.
+bool is_shape(std::string_view element_name);
 
 /// Calls `visit` for every visual and collision, in document order within each kind of a link.
 void for_each_geometry(const LinkedModel& model,

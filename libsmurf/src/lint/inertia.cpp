@@ -32,4 +32,15 @@ bool is_positive_definite(const std::array<double, 3>& moments) {
   return moments[0] > kSmallest * scale;
 }
 
+double triangle_excess(const std::array<double, 3>& moments) {
+  const auto& [low, middle, high] = moments;
+  return (high - low - middle) / high;
+}
+
+bool is_unit_tensor(const urdf::Inertial& inertial) {
+  return inertial.ixx.value_or(0) == 1 && inertial.iyy.value_or(0) == 1 &&
+         inertial.izz.value_or(0) == 1 && inertial.ixy.value_or(1) == 0 &&
+         inertial.ixz.value_or(1) == 0 && inertial.iyz.value_or(1) == 0;
+}
+
 }  // namespace smurf

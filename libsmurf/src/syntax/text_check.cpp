@@ -26,7 +26,7 @@ constinit const Rule sml0004_control_character{
     .id = "SML0004",
     .name = "control-character",
     .severity = Severity::error,
-    .summary = "A file holds a control character that neither YAML nor XML allows.",
+    .summary = "A file holds a control character that its format, YAML or XML, does not allow.",
     .why = "PyYAML (Phobos) and strict XML readers refuse the file; yaml-cpp keeps the byte inside "
            "names and values, where nobody sees it.",
     .remedy = "Delete the character.",
@@ -66,7 +66,7 @@ std::uint32_t byte_order_mark_size(std::string_view text) {
   return text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
 }
 
-bool check_text(const SourceMap& sources, SourceId id, DiagnosticSink& sink) {
+bool check_text(const SourceMap& sources, SourceId id, TextFormat format, DiagnosticSink& sink) {
   const std::string_view text = sources.text(id);
   if (is_wide(text)) {
     sink.report(rules::sml0005_unsupported_encoding, {id, 0, 0},
@@ -74,9 +74,10 @@ bool check_text(const SourceMap& sources, SourceId id, DiagnosticSink& sink) {
         .help = "save it as UTF-8";
     return false;
   }
-  const auto control = std::find_if(text.begin(), text.end(), [](char c) {
+  const auto control = std::find_if(text.begin(), text.end(), [&](char c) {
     const auto byte = static_cast<unsigned char>(c);
-    return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t') || byte == 0x7F;
+    return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t') ||
+           (byte == 0x7F && format == TextFormat::yaml);
   });
   if (control != text.end()) {
     const auto at = static_cast<std::uint32_t>(control - text.begin());

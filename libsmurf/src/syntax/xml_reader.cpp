@@ -123,7 +123,7 @@ std::optional<xml::Document> parse_xml(const SourceMap& sources, SourceId id, co
     if (text.starts_with(kLfsPointer)) diagnostic.help = "run `git lfs pull`";
     return std::nullopt;
   }
-  if (!check_text(sources, id, sink)) return std::nullopt;
+  if (!check_text(sources, id, TextFormat::xml, sink)) return std::nullopt;
   const XmlIndex index = scan_xml(sources, id, limits, sink);
   if (!index.well_formed) return std::nullopt;
 

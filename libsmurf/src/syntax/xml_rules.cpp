@@ -75,6 +75,18 @@ constinit const Rule sml1007_xml_duplicate_attribute{
     .remedy = "Delete one of the two.",
     .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14, executed."};
 
+constinit const Rule sml1008_xml_encoding{
+    .id = "SML1008",
+    .name = "xml-encoding",
+    .severity = Severity::error,
+    .summary = "The XML declaration names another encoding than that of the file.",
+    .why =
+        "expat, lxml and browsers (urdf-loader) refuse UTF-8 that calls itself UTF-16. Text that "
+        "calls itself ISO-8859-1 is decoded so by urdfdom and left alone by tinyxml2 (sdformat, "
+        "MuJoCo, Bullet): names beyond ASCII differ from reader to reader.",
+    .remedy = "Declare UTF-8, or leave the encoding out.",
+    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and urdf-loader 0.13, executed; XML 1.0 section 4.3.3."};
+
 constinit const Rule sml1010_lfs_pointer{
     .id = "SML1010",
     .name = "lfs-pointer",

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "base/path.hpp"
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
 
@@ -34,6 +35,7 @@ class Scanner {
   XmlIndex run() {
     at_ = byte_order_mark_size(text_);
     check_prolog();
+    check_encoding();
     while (index_.well_formed && at_ < size()) {
       if (text_[at_] == '<') {
         markup();
@@ -77,6 +79,34 @@ class Scanner {
                                           "the XML declaration is not the first thing in the file");
     diagnostic.help = "delete what stands before it";
     diagnostic.fixes.push_back({Applicability::safe, {{junk, ""}}});
+  }
+
+  /// The bytes are UTF-8 by now; a declaration that says otherwise is believed by some readers.
+  void check_encoding() {
+    if (!looking_at("<?xml")) return;
+    const std::string_view declaration = text_.substr(at_, text_.find("?>", at_) - at_);
+    const std::size_t word = declaration.find("encoding");
+    const std::size_t open = declaration.find_first_of("\"'", std::min(word, declaration.size()));
+    if (open == std::string_view::npos) return;
+    const std::size_t close = declaration.find(declaration[open], open + 1);
+    if (close == std::string_view::npos) return;
+    const Span place =
+        span(static_cast<std::uint32_t>(at_ + open + 1), static_cast<std::uint32_t>(at_ + close));
+    const std::string encoding = path::to_lower(declaration.substr(open + 1, close - open - 1));
+    if (encoding == "utf-8" || encoding == "us-ascii" || encoding == "ascii") return;
+    const bool is_wide = encoding.starts_with("utf-16") || encoding.starts_with("utf-32") ||
+                         encoding.starts_with("ucs-");
+    const bool is_ascii = std::all_of(text_.begin(), text_.end(),
+                                      [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    if (!is_wide && is_ascii) return;  // the same bytes in every encoding that extends ASCII
+    Diagnostic& diagnostic = sink_.report(rules::sml1008_xml_encoding, place,
+                                          "the file is UTF-8, but declares " + quoted(place));
+    diagnostic.help = "write `UTF-8`";
+    diagnostic.fixes.push_back(
+        {is_wide ? Applicability::safe : Applicability::unsafe, {{place, "UTF-8"}}});
+    if (is_wide) return;
+    diagnostic.severity = Severity::warning;
+    diagnostic.notes.push_back("urdfdom and browsers decode names by it, tinyxml2 does not look");
   }
 
   void markup() {
@@ -345,8 +375,8 @@ class Scanner {
     if (colon == std::string_view::npos) return;
     const std::string_view prefix = text.substr(0, colon);
     if (prefix == "xml" || prefix == "xmlns") return;
-    // Residue of xacro has a rule of its own that says what to do.
-    if (prefix == "xacro") return;
+    // Residue of xacro and inclusions have rules of their own that say what to do.
+    if (prefix == "xacro" || text == "xi:include" || text == "xi:fallback") return;
     const auto declared = declared_.find(prefix);
     if (declared != declared_.end() && declared->second > 0) return;
     if (!reported_.insert(prefix).second) return;

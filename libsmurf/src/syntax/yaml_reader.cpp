@@ -131,7 +131,7 @@ bool is_too_deep(const SourceMap& sources, SourceId id, const Limits& limits,
 
 std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink) {
-  if (!check_text(sources, id, sink)) return std::nullopt;
+  if (!check_text(sources, id, TextFormat::yaml, sink)) return std::nullopt;
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
   const std::string_view text = sources.text(id);
   TreeBuilder builder(sources, id, limits, sink);

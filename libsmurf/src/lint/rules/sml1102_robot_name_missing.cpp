@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/edits.hpp"
+#include "base/path.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -8,8 +10,17 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   const Field<std::string>& name = model.robot->name;
   if (name.written && !name->empty()) return;
-  findings.report(tag_name(model, model.robot->document.root),
-                  name.written ? "the robot has an empty name" : "the robot has no name");
+  const Span tag = tag_name(model, model.robot->document.root);
+  if (!name.written && has_slip(model, model.robot->document.root, "name")) return;
+  Diagnostic& diagnostic =
+      findings.report(tag, name.written ? "the robot has an empty name" : "the robot has no name");
+  const std::string stem(path::stem(model.urdf_path));
+  if (stem.empty()) return;
+  const Edit edit =
+      name.written ? Edit{name.span, escape_xml(stem)}
+                   : Edit{{tag.source, tag.end, tag.end}, " name=\"" + escape_xml(stem) + "\""};
+  diagnostic.help = "name it, e.g. " + quoted(stem) + " like the file";
+  diagnostic.fixes.push_back({Applicability::unsafe, {edit}});
 }
 
 }  // namespace

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
-
-constexpr std::string_view kShapes[] = {"box", "sphere", "cylinder", "capsule", "mesh"};
 
 void check_geometry(const LinkedModel& model, const urdf::Geometry& geometry, Findings& findings) {
   if (geometry.element == xml::kNoElement) return;
   const xml::View element(model.robot->document, geometry.element);
   xml::View first;
   for (const xml::View child : element) {
-    if (std::find(std::begin(kShapes), std::end(kShapes), child.name()) == std::end(kShapes)) {
-      continue;
-    }
+    if (!is_shape(child.name())) continue;
     if (first) {
       Diagnostic& diagnostic = findings.report(child.name_span(), "a second shape in one geometry");
       diagnostic.labels.push_back({first.name_span(), "the first one"});

@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/name_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-void check_name(const Field<std::string>& name, Findings& findings) {
-  if (!name || name->empty()) return;
-  const std::size_t begin = name->find_first_not_of(" \t\r\n");
-  const std::size_t end = name->find_last_not_of(" \t\r\n");
-  if (begin == 0 && end == name->size() - 1) return;
-  Diagnostic& diagnostic =
-      findings.report(name.span, "a blank belongs to the name " + quoted(*name));
-  if (begin == std::string::npos) return;
-  diagnostic.fixes.push_back(
-      {Applicability::unsafe, {{name.span, name->substr(begin, end - begin + 1)}}});
-}
-
 void check(const LinkedModel& model, Findings& findings) {
-  for_each_link(model, [&](const urdf::Link& link) { check_name(link.name, findings); });
-  for_each_joint(model, [&](const urdf::Joint& joint) { check_name(joint.name, findings); });
+  for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
+    if (name_fault(*name) != NameFault::blank) return;
+    Diagnostic& diagnostic =
+        findings.report(name.span, "a blank belongs to the name " + quoted(*name));
+    const std::size_t begin = name->find_first_not_of(" \t\r\n");
+    const std::size_t end = name->find_last_not_of(" \t\r\n");
+    if (begin == std::string::npos) return;
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{name.span, name->substr(begin, end - begin + 1)}}});
+  });
 }
 
 }  // namespace

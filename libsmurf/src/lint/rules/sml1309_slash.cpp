@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/name_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-void check_name(const Field<std::string>& name, Findings& findings) {
-  if (!name || name->find('/') == std::string::npos) return;
-  findings.report(name.span, "the name " + quoted(*name) + " holds a slash");
-}
-
 void check(const LinkedModel& model, Findings& findings) {
-  for_each_link(model, [&](const urdf::Link& link) { check_name(link.name, findings); });
-  for_each_joint(model, [&](const urdf::Joint& joint) { check_name(joint.name, findings); });
+  for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
+    if (name_fault(*name) != NameFault::slash) return;
+    findings.report(name.span, "the name " + quoted(*name) + " holds a slash");
+  });
 }
 
 }  // namespace

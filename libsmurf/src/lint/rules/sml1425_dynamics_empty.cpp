@@ -9,10 +9,17 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.dynamics || joint.dynamics->damping.written || joint.dynamics->friction.written) {
       return;
     }
+    // Written as elements, they are reported as such.
+    const xml::View element(model.robot->document, joint.dynamics->element);
+    if (element.child("damping") || element.child("friction")) return;
     Diagnostic& diagnostic = findings.report(tag_name(model, joint.dynamics->element),
                                              "the dynamics of " + title(joint) +
                                                  " has neither `damping` nor `friction`");
     diagnostic.notes.push_back("urdfdom refuses the whole file");
+    diagnostic.help = "delete it";
+    if (element.begin() == element.end() && element.element().attribute_count == 0) {
+      diagnostic.fixes.push_back({Applicability::safe, {{joint.dynamics->span, ""}}});
+    }
   });
 }
 

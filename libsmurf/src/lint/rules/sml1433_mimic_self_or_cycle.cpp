@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/mimic_queries.hpp"
 
 namespace smurf::rules {
 namespace {
-
-std::optional<std::uint32_t> leader_of(const LinkedModel& model, std::uint32_t joint) {
-  const std::optional<urdf::Mimic>& mimic = model.robot->joints[joint].mimic;
-  if (!mimic || !mimic->joint) return std::nullopt;
-  return model.joint_names.find(*mimic->joint);
-}
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
@@ -18,9 +12,9 @@ void check(const LinkedModel& model, Findings& findings) {
     std::optional<std::uint32_t> at = start;
     while (at && seen_from[*at] == count) {
       seen_from[*at] = start;
-      at = leader_of(model, *at);
+      at = mimic_leader(model, *at);
     }
-    if (!at || seen_from[*at] != start || !leader_of(model, *at)) continue;
+    if (!at || seen_from[*at] != start || !mimic_leader(model, *at)) continue;
     const urdf::Joint& joint = model.robot->joints[*at];
     findings.report(joint.mimic->joint.span,
                     *joint.mimic->joint == joint.name.value_or("")

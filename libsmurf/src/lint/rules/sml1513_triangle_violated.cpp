@@ -7,13 +7,12 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kRounding = 1e-2;  // flat parts printed with few digits stay below
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial) return;
     const auto moments = principal_moments(*link.inertial);
     if (!moments) return;
     const auto& [low, middle, high] = *moments;
-    if (!is_positive_definite(*moments) || (high - low - middle) / high <= kRounding) return;
+    if (!is_positive_definite(*moments) || triangle_excess(*moments) <= kImpossibleExcess) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is not physically possible");

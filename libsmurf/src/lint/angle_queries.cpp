@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/angle_queries.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/numbers.hpp"
+
+namespace smurf {
+
+std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::string_view value = attribute.value;
+  const Span whole = attribute.value_span;
+  if (whole.end - whole.begin != value.size()) return {};  // entities were decoded
+  std::vector<WrittenNumber> numbers;
+  std::size_t at = 0;
+  while ((at = value.find_first_not_of(kBlanks, at)) != std::string_view::npos) {
+    const std::size_t end = std::min(value.find_first_of(kBlanks, at), value.size());
+    const std::string_view text = value.substr(at, end - at);
+    const auto number = parse_number(text);
+    if (!number) return {};
+    numbers.push_back({text,
+                       *number,
+                       {whole.source, whole.begin + static_cast<std::uint32_t>(at),
+                        whole.begin + static_cast<std::uint32_t>(end)}});
+    at = end;
+  }
+  return numbers;
+}
+
+std::optional<double> intended_right_angle(const WrittenNumber& angle) {
+  constexpr double kExact = 1e-6;  // rad
+  constexpr double kRightAngle = std::numbers::pi / 2;
+  const std::size_t point = angle.text.find('.');
+  if (point == std::string_view::npos || angle.text.find_first_of("eE") != std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::size_t decimals = angle.text.size() - point - 1;
+  const double turns = std::round(angle.value / kRightAngle);
+  if (decimals < 2 || turns == 0 || std::fabs(turns) > 4) return std::nullopt;
+  const double intended = turns * kRightAngle;
+  const double error = std::fabs(angle.value - intended);
+  // Cut, the error is below one unit of the last decimal; rounded, below half of one.
+  if (error <= kExact || error >= std::pow(10.0, -static_cast<double>(decimals))) {
+    return std::nullopt;
+  }
+  return intended;
+}
+
+bool is_rpy_snapped(const std::vector<WrittenNumber>& rpy) {
+  constexpr double kSnapped = 4.47e-3;  // rad; acos of 0.99999, rounded down
+  constexpr double kVisible = 1e-4;     // rad; 0.1 mm at the end of a metre
+  const double off = std::fabs(std::fabs(rpy[1].value) - std::numbers::pi / 2);
+  return off > kVisible && off < kSnapped;
+}
+
+}  // namespace smurf

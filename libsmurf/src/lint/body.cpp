@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/body.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lint/geometry_queries.hpp"
+#include "lint/inertia.hpp"
+
+namespace smurf {
+namespace {
+
+Eigen::Matrix3d rotation_of(const urdf::Origin& origin) {
+  const std::array<double, 9> m = to_matrix(urdf::to_pose(origin).orientation);
+  Eigen::Matrix3d matrix;
+  matrix << m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8];
+  return matrix;
+}
+
+/// Adds a shape to the extent; false when its size is not known, or not that of a body.
+bool add(const LinkedModel& model, const urdf::Origin& origin, const urdf::Geometry& geometry,
+         Extent& extent) {
+  // The unit of a mesh is itself in doubt, and judged by the rules of meshes.
+  if (std::holds_alternative<urdf::Mesh>(geometry.shape)) return false;
+  const std::optional<Box> box = bounding_box(model, geometry);
+  if (!box) return false;
+  const Vector3 size = box->size();
+  if (!(size[0] > 0 && size[1] > 0 && size[2] > 0)) return false;
+  const Pose X_LS = urdf::to_pose(origin);  // of the shape in the link
+  const Vector3 middle = rotate(X_LS.orientation, box->center());
+  const Eigen::Vector3d reach =
+      rotation_of(origin).cwiseAbs() * Eigen::Map<const Eigen::Vector3d>(size.data()) / 2;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double center = X_LS.position[i] + middle[i];
+    extent.low[i] = std::min(extent.low[i], center - reach[static_cast<Eigen::Index>(i)]);
+    extent.high[i] = std::max(extent.high[i], center + reach[static_cast<Eigen::Index>(i)]);
+  }
+  return true;
+}
+
+}  // namespace
+
+double Extent::volume() const {
+  return (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
+}
+
+double Extent::longest_edge() const {
+  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+}
+
+Extent Extent::grown(double margin) const {
+  Extent larger = *this;
+  for (std::size_t i = 0; i < 3; ++i) {
+    larger.low[i] -= margin;
+    larger.high[i] += margin;
+  }
+  return larger;
+}
+
+bool Extent::contains(const Vector3& point) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (point[i] < low[i] || point[i] > high[i]) return false;
+  }
+  return true;
+}
+
+std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Extent extent{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (const urdf::Visual& visual : link.visuals) {
+    if (!add(model, visual.origin, visual.geometry, extent)) return std::nullopt;
+  }
+  for (const urdf::Collision& collision : link.collisions) {
+    if (!add(model, collision.origin, collision.geometry, extent)) return std::nullopt;
+  }
+  if (link.visuals.empty() && link.collisions.empty()) return std::nullopt;
+  return extent;
+}
+
+std::optional<Body> body_of(const urdf::Inertial& inertial) {
+  const auto moments = principal_moments(inertial);
+  if (!moments || !inertial.mass || !(*inertial.mass > 0)) return std::nullopt;
+  if (!is_positive_definite(*moments) || triangle_excess(*moments) > kImpossibleExcess) {
+    return std::nullopt;
+  }
+  Eigen::Matrix3d tensor;
+  tensor << *inertial.ixx, *inertial.ixy, *inertial.ixz,  //
+      *inertial.ixy, *inertial.iyy, *inertial.iyz,        //
+      *inertial.ixz, *inertial.iyz, *inertial.izz;
+  const Eigen::Matrix3d rotation = rotation_of(inertial.origin);
+  const Eigen::Vector3d in_link = (rotation * tensor * rotation.transpose()).diagonal();
+  const double half_trace = in_link.sum() / 2;
+  return Body{*inertial.mass,
+              urdf::to_pose(inertial.origin).position,
+              {half_trace - in_link[0], half_trace - in_link[1], half_trace - in_link[2]}};
+}
+
+std::optional<double> excess_over(const Body& body, const Extent& extent) {
+  double worst = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double most =
+        body.mass * (extent.high[i] - body.center[i]) * (body.center[i] - extent.low[i]);
+    if (!(most > 0)) return std::nullopt;
+    worst = std::max(worst, body.second_moments[i] / most);
+  }
+  return worst;
+}
+
+double ratio_to_block(const Body& body, const Extent& extent) {
+  double of_block = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    of_block += std::pow(extent.high[i] - extent.low[i], 2) * body.mass / 12;
+  }
+  return (body.second_moments[0] + body.second_moments[1] + body.second_moments[2]) / of_block;
+}
+
+std::optional<std::string_view> likely_unit(double ratio) {
+  struct Unit {
+    double factor;  ///< of the value in kg m^2
+    std::string_view name;
+  };
+  constexpr Unit kUnits[] = {{1e9, "g mm2"}, {1e6, "kg mm2"}, {1e7, "g cm2"}, {1e4, "kg cm2"}};
+  constexpr double kSpread = 2;  // links are no homogeneous blocks
+  for (const Unit& unit : kUnits) {
+    if (ratio > unit.factor / kSpread && ratio < unit.factor * kSpread) return unit.name;
+  }
+  return std::nullopt;
+}
+
+}  // namespace smurf

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A link as a body: what its inertial says against the space its shapes take.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// The axis-aligned box around all visuals and collisions of a link, in its frame, m.
+struct Extent {
+  Vector3 low{}, high{};
+
+  double volume() const;
+  double longest_edge() const;
+  /// The same box, `margin` larger on every side.
+  Extent grown(double margin) const;
+  bool contains(const Vector3& point) const;
+};
+/// Lighter bodies are frames of sensors and the like, whose numbers are made up and matter little.
+inline constexpr double kNegligibleMass = 0.01;  // kg
+/// Density of osmium; nothing is heavier.
+inline constexpr double kHeaviestMaterial = 22600;  // kg/m3
+
+/// None when the link has no shape, or one whose size is not known, as that of a mesh.
+std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link);
+
+struct Body {
+  double mass = 0;   ///< kg, positive
+  Vector3 center{};  ///< of mass, in the link frame, m
+  /// Integral of x^2, y^2 and z^2 over the mass, about the centre of mass, along the axes of the
+  /// link: what the box around the body bounds. kg m^2
+  Vector3 second_moments{};
+};
+/// None unless mass and inertia are readable and those of some body.
+std::optional<Body> body_of(const urdf::Inertial& inertial);
+
+/// How many times the second moments exceed what any mass inside the box can have (Bhatia-Davis:
+/// at most m (high - c)(c - low) along each axis); along the worst axis. None when the centre of
+/// mass lies outside or on the boundary.
+std::optional<double> excess_over(const Body& body, const Extent& extent);
+
+/// The inertia (its trace) against that of a homogeneous block that fills the box.
+double ratio_to_block(const Body& body, const Extent& extent);
+/// The unit that an inertia so many times too large was written in: "kg mm2" for about 1e6.
+std::optional<std::string_view> likely_unit(double ratio);
+
+}  // namespace smurf

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/mimic_queries.hpp"
+
+namespace smurf {
+
+std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_t joint) {
+  const std::optional<urdf::Mimic>& mimic = model.robot->joints[joint].mimic;
+  if (!mimic || !mimic->joint) return std::nullopt;
+  return model.joint_names.find(*mimic->joint);
+}
+
+std::vector<bool> endless_mimics(const LinkedModel& model) {
+  const auto count = static_cast<std::uint32_t>(model.robot->joints.size());
+  std::vector<bool> is_endless(count, false);
+  std::vector<std::uint32_t> seen_from(count, count);  // each joint is walked over once
+  for (std::uint32_t start = 0; start < count; ++start) {
+    std::vector<std::uint32_t> walked;
+    std::optional<std::uint32_t> at = start;
+    while (at && seen_from[*at] == count) {
+      seen_from[*at] = start;
+      walked.push_back(*at);
+      at = mimic_leader(model, *at);
+    }
+    if (!at || (seen_from[*at] != start && !is_endless[*at])) continue;
+    for (const std::uint32_t joint : walked) is_endless[joint] = true;
+  }
+  return is_endless;
+}
+
+}  // namespace smurf

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Who follows whom among mimic joints.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lint/queries.hpp"
+
+namespace smurf {
+
+/// Position of the joint that this one mimics; none when it mimics nothing or nobody knows whom.
+std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_t joint);
+
+/// By joint: true when its leaders follow one another in a circle.
+std::vector<bool> endless_mimics(const LinkedModel& model);
+
+}  // namespace smurf

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/name_queries.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace smurf {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_word(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+
+}  // namespace
+
+NameFault name_fault(std::string_view name) {
+  if (name.empty()) return NameFault::none;  // a rule of its own
+  if (is_blank(name.front()) || is_blank(name.back())) return NameFault::blank;
+  if (name.find('/') != std::string_view::npos) return NameFault::slash;
+  if (name.find("::") != std::string_view::npos) return NameFault::double_colon;
+  if (name.size() > 3 && name.starts_with("__") && name.ends_with("__")) return NameFault::reserved;
+  if (std::any_of(name.begin(), name.end(), is_beyond_ascii)) return NameFault::non_ascii;
+  if (is_digit(name.front()) || !std::all_of(name.begin(), name.end(), is_word)) {
+    return NameFault::irregular;
+  }
+  return NameFault::none;
+}
+
+void for_each_name(const LinkedModel& model,
+                   const std::function<void(std::string_view, const Field<std::string>&)>& visit) {
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (link.name && !link.name->empty()) visit("link", link.name);
+  });
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (joint.name && !joint.name->empty()) visit("joint", joint.name);
+  });
+}
+
+std::string as_identifier(std::string_view name) {
+  std::string identifier(name);
+  std::replace_if(
+      identifier.begin(), identifier.end(), [](char c) { return !is_word(c); }, '_');
+  if (!identifier.empty() && (is_digit(identifier.front()) || identifier.front() == '_')) {
+    identifier.insert(0, "a_");
+  }
+  return identifier;
+}
+
+std::vector<NameCollision>
+name_collisions(const LinkedModel& model,
+                const std::function<std::string(std::string_view)>& fold) {
+  std::vector<NameCollision> collisions;
+  std::unordered_map<std::string, const Field<std::string>*> links, joints;
+  for_each_name(model, [&](std::string_view kind, const Field<std::string>& name) {
+    auto& seen = kind == "link" ? links : joints;
+    const auto [first, is_new] = seen.try_emplace(fold(*name), &name);
+    if (!is_new && **first->second != *name) collisions.push_back({kind, first->second, &name});
+  });
+  return collisions;
+}
+
+}  // namespace smurf

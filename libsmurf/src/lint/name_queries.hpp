@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What can be wrong with the name of a link or joint, beyond being unknown.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "lint/queries.hpp"
+
+namespace smurf {
+
+/// The gravest fault first: a name is reported once.
+enum class NameFault : std::uint8_t {
+  none,
+  blank,         ///< begins or ends with one
+  slash,         ///< holds `/`
+  double_colon,  ///< holds `::`
+  reserved,      ///< `__name__`, which sdformat keeps for itself
+  non_ascii,
+  irregular  ///< no identifier: other characters than letters, digits and `_`, or a digit in front
+};
+NameFault name_fault(std::string_view name);
+
+/// Calls `visit` with "link" or "joint" for every name that is written and not empty.
+void for_each_name(const LinkedModel& model,
+                   const std::function<void(std::string_view, const Field<std::string>&)>& visit);
+
+/// What Isaac and USD make of a name: `_` for what is no letter, digit or underscore, and `a_`
+/// before a digit or underscore in front.
+std::string as_identifier(std::string_view name);
+
+/// Different names of links, or of joints, that become equal.
+struct NameCollision {
+  std::string_view kind;  ///< "link" or "joint"
+  const Field<std::string>* first = nullptr;
+  const Field<std::string>* second = nullptr;
+};
+/// Those that are equal after `fold`.
+std::vector<NameCollision>
+name_collisions(const LinkedModel& model, const std::function<std::string(std::string_view)>& fold);
+
+}  // namespace smurf

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
+    const urdf::Joint& joint = model.robot->joints[i];
+    const bool is_floating = joint.type == urdf::JointType::floating;
+    if (!is_floating && joint.type != urdf::JointType::planar) continue;
+    const auto parent = model.tree.joint_parent[i];
+    // Floating below another joint is worse, and reported as such.
+    if (is_floating && parent && model.tree.parent_joint[to_size(*parent)]) continue;
+    findings
+        .report(joint.type_name.span,
+                title(joint) + " is " + *joint.type_name + ", which few readers can move")
+        .notes.push_back("MARS and Bullet make it fixed, Gazebo cannot build the model");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1213_floating_or_planar{
+    .id = "SML1213",
+    .name = "floating-or-planar",
+    .severity = Severity::warning,
+    .summary = "A joint is floating or planar.",
+    .why = "sdformat (Gazebo) cannot build the model, Bullet and MARS make the joint fixed, "
+           "Pinocchio ignores the normal of a planar joint, Drake drops the origin of a floating "
+           "one.",
+    .remedy = "Place a free robot in the scene instead; write a planar joint as two prismatic and "
+              "one continuous joint.",
+    .sources = "sdformat 12.3, executed; Bullet URDF2Bullet.cpp:491-497; MARS smurf.cpp:918-921; "
+               "Pinocchio model.cpp:238-254.",
+    .check_model = check};
+
+}  // namespace smurf::rules

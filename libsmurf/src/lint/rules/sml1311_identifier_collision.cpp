@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/name_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const auto& [kind, first, second] : name_collisions(model, as_identifier)) {
+    Diagnostic& diagnostic = findings.report(
+        second->span, quoted(**second) + " and " + quoted(**first) + " are one name, " +
+                          quoted(as_identifier(**first)) + ", to Isaac and USD");
+    diagnostic.labels.push_back({first->span, "the other " + std::string(kind)});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1311_identifier_collision{
+    .id = "SML1311",
+    .name = "identifier-collision",
+    .severity = Severity::warning,
+    .summary = "Two names become one where only identifiers are allowed.",
+    .why = "Isaac and USD replace every character that is no letter, digit or underscore by `_`: "
+           "one of the two overwrites the other.",
+    .remedy = "Rename one of them.",
+    .sources = "Isaac importer PathUtils.cpp:356-369.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/path.hpp"
+#include "lint/name_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const auto& [kind, first, second] : name_collisions(model, path::to_lower)) {
+    Diagnostic& diagnostic =
+        findings.report(second->span, "the " + std::string(kind) + "s " + quoted(**first) +
+                                          " and " + quoted(**second) + " differ in case only");
+    diagnostic.labels.push_back({first->span, "the other " + std::string(kind)});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1312_case_only_difference{
+    .id = "SML1312",
+    .name = "case-only-difference",
+    .severity = Severity::warning,
+    .summary = "Two names differ in upper and lower case only.",
+    .why = "Files and prims made from them overwrite one another on systems that ignore case "
+           "(Windows, macOS), and people take one for the other.",
+    .remedy = "Rename one of them.",
+    .sources = "URDF names are compared byte by byte in every reader that was executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

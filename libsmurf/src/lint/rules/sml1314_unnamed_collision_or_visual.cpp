@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/geometry_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// One finding each for visuals and collisions: an exporter names all of them, or none.
+void check_role(const LinkedModel& model, GeometryRole role, Findings& findings) {
+  std::size_t count = 0;
+  Span first;
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    if (use.role != role || use.name.written) return;
+    if (count++ == 0) first = tag_name(model, use.element);
+  });
+  if (count == 0) return;
+  const std::string what(to_string(role));
+  Diagnostic& diagnostic = findings.report(
+      first, "this " + what + " has no name, and the annotations name " + what + "s");
+  diagnostic.notes.push_back("MARS calls every one of them `" + what + "_`");
+  if (count > 1) {
+    diagnostic.notes.push_back("the file holds " + std::to_string(count - 1) + " more");
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.has_main || !model.robot) return;
+  if (!model.annotations.visuals.empty()) check_role(model, GeometryRole::visual, findings);
+  if (!model.annotations.collisions.empty()) check_role(model, GeometryRole::collision, findings);
+}
+
+}  // namespace
+
+extern constinit const Rule sml1314_unnamed_collision_or_visual{
+    .id = "SML1314",
+    .name = "unnamed-collision-or-visual",
+    .severity = Severity::warning,
+    .summary = "A collision or visual has no name, although annotations refer to others by name.",
+    .why = "MARS calls all of them `collision_` or `visual_`: annotations cannot reach them, and "
+           "of several only the last is found.",
+    .remedy = "Name it; names like LINK_collision_1 are usual.",
+    .sources = "MARS smurf.cpp:405-449, 706, 779.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kNoise = 1e-3;  // rad; real tilts are larger
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.axis || !joint.has_one_axis()) return;
+    const Vector3& axis = *joint.axis;
+    const double length = std::hypot(axis[0], axis[1], axis[2]);
+    if (std::fabs(length - 1) > kNoise) return;  // a rule of its own
+    std::string aligned;
+    bool is_exact = true, is_near = true;
+    for (const double component : axis) {
+      const double rounded = std::round(component);
+      is_exact = is_exact && component == rounded;
+      // 0.9999995 is a rounded 1; what is tilted shows in the other components.
+      is_near = is_near && std::fabs(component - rounded) < kNoise;
+      aligned += (aligned.empty() ? "" : " ") + format_number(rounded);
+    }
+    if (is_exact || !is_near) return;
+    Diagnostic& diagnostic =
+        findings.report(joint.axis.span, "the axis of " + title(joint) + " is " + quoted(aligned) +
+                                             " but for noise");
+    diagnostic.help = "write " + quoted(aligned);
+    diagnostic.fixes.push_back({Applicability::unsafe, {{joint.axis.span, aligned}}});
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1423_axis_almost_aligned{
+    .id = "SML1423",
+    .name = "axis-almost-aligned",
+    .severity = Severity::info,
+    .summary = "The axis of a joint is a coordinate axis but for noise.",
+    .why = "CAD exporters leave such noise. Pinocchio then picks its slower joint for any axis, "
+           "and the joint is tilted by that noise in every reader.",
+    .remedy = "Write the coordinate axis, e.g. `0 0 1`.",
+    .sources = "Pinocchio model.hxx:564-573.",
+    .check_model = check};
+
+}  // namespace smurf::rules

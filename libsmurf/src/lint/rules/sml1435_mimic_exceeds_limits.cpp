@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "base/numbers.hpp"
+#include "lint/mimic_queries.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+bool has_bounds(const urdf::Joint& joint) {
+  const bool is_bounded =
+      joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
+  return is_bounded && joint.limit && joint.limit->lower && joint.limit->upper &&
+         *joint.limit->lower < *joint.limit->upper;
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kRounding = 0.01;  // of the joint's own range
+  if (!model.robot) return;
+  for (std::uint32_t i = 0; i < model.robot->joints.size(); ++i) {
+    const urdf::Joint& joint = model.robot->joints[i];
+    const auto index = mimic_leader(model, i);
+    if (!index || *index == i || !has_bounds(joint)) continue;
+    const urdf::Joint& leader = model.robot->joints[*index];
+    if (!has_bounds(leader)) continue;
+    const double factor = joint.mimic->multiplier.value_or(1);
+    const double offset = joint.mimic->offset.value_or(0);
+    double low = factor * *leader.limit->lower + offset;
+    double high = factor * *leader.limit->upper + offset;
+    if (low > high) std::swap(low, high);
+    const double lower = *joint.limit->lower;
+    const double upper = *joint.limit->upper;
+    const double slack = kRounding * (upper - lower);
+    if (low >= lower - slack && high <= upper + slack) continue;
+    Diagnostic& diagnostic = findings.report(
+        tag_name(model, joint.mimic->element),
+        title(joint) + " follows " + title(leader) + " from " + format_rounded(low, 4) + " to " +
+            format_rounded(high, 4) + ", its limits are " + format_rounded(lower, 4) + " and " +
+            format_rounded(upper, 4));
+    diagnostic.labels.push_back({tag_name(model, joint.limit->element), "the limits"});
+    diagnostic.labels.push_back(
+        {tag_name(model, leader.limit->element), "the limits of the joint that leads"});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1435_mimic_exceeds_limits{
+    .id = "SML1435",
+    .name = "mimic-exceeds-limits",
+    .severity = Severity::warning,
+    .summary = "A mimic joint would have to leave its own limits.",
+    .why = "The constraint fights the limit: simulators jitter or stop the joint that leads, "
+           "planners find no way there.",
+    .remedy = "Widen the limits of the mimic joint, or narrow those of the joint it follows.",
+    .sources = "MuJoCo 3.14, executed; 9 of 322 files of the Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules

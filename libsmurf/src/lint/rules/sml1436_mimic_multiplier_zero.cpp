@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.mimic || joint.mimic->multiplier.value_or(1) != 0) return;
+    findings.report(joint.mimic->multiplier.span, title(joint) + " mimics with the multiplier 0")
+        .notes.push_back("Phobos reads 1");
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1436_mimic_multiplier_zero{
+    .id = "SML1436",
+    .name = "mimic-multiplier-zero",
+    .severity = Severity::warning,
+    .summary = "The multiplier of a mimic joint is 0.",
+    .why = "The joint then stands still, which a fixed joint says better; Phobos takes 0 for "
+           "absent and multiplies by 1.",
+    .remedy = "Make the joint fixed, or write the multiplier that is meant.",
+    .sources = "Phobos io/representation.py:1975.",
+    .check_model = check};
+
+}  // namespace smurf::rules

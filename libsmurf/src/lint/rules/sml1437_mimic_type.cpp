@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/mimic_queries.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  for (std::uint32_t i = 0; i < model.robot->joints.size(); ++i) {
+    const urdf::Joint& joint = model.robot->joints[i];
+    if (!joint.mimic || joint.type == urdf::JointType::unknown) continue;
+    if (!joint.has_one_axis()) {
+      findings.report(tag_name(model, joint.mimic->element),
+                      title(joint) + " is " + *joint.type_name + ", so it cannot mimic");
+      continue;
+    }
+    const auto index = mimic_leader(model, i);
+    if (!index) continue;
+    const urdf::Joint& leader = model.robot->joints[*index];
+    if (leader.has_one_axis() || leader.type == urdf::JointType::unknown) continue;
+    findings
+        .report(joint.mimic->joint.span,
+                title(joint) + " mimics " + title(leader) + ", which is " + *leader.type_name)
+        .labels.push_back({leader.type_name.span, "has not one position to follow"});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1437_mimic_type{
+    .id = "SML1437",
+    .name = "mimic-type",
+    .severity = Severity::warning,
+    .summary = "A joint without one axis mimics, or is mimicked.",
+    .why = "A fixed joint has no position to follow with; Drake refuses joints of different "
+           "degrees of freedom, other readers ignore the mimic.",
+    .remedy = "Let only revolute, continuous and prismatic joints mimic one another.",
+    .sources = "Drake detail_urdf_parser.cc:791-880; Pinocchio model.cpp:140, 213.",
+    .check_model = check};
+
+}  // namespace smurf::rules

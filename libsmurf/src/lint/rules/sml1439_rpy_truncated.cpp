@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/angle_queries.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// A habit of the author, so one finding a file with one fix for all.
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  std::vector<Edit> edits;
+  for (const xml::Attribute& attribute : model.robot->document.attributes) {
+    if (attribute.name != "rpy") continue;
+    const std::vector<WrittenNumber> angles = written_numbers(attribute);
+    if (angles.size() != 3 || is_rpy_snapped(angles)) continue;
+    for (const WrittenNumber& angle : angles) {
+      const auto intended = intended_right_angle(angle);
+      if (intended) edits.push_back({angle.span, format_number(*intended)});
+    }
+  }
+  if (edits.empty()) return;
+  Diagnostic& diagnostic = findings.report(
+      edits.front().span, "a right angle with few digits; " + edits.front().text + " is exact");
+  if (edits.size() > 1) {
+    diagnostic.notes.push_back("the file holds " + std::to_string(edits.size() - 1) +
+                               " more such angles");
+  }
+  diagnostic.help = "write all digits";
+  diagnostic.fixes.push_back({Applicability::unsafe, std::move(edits)});
+}
+
+}  // namespace
+
+extern constinit const Rule sml1439_rpy_truncated{
+    .id = "SML1439",
+    .name = "rpy-truncated",
+    .severity = Severity::info,
+    .summary = "Angles are right angles with few digits.",
+    .why = "`1.57` is 0.0008 rad short of a right angle: 0.8 mm at the end of a metre, and frames "
+           "that should be parallel are not.",
+    .remedy = "Write the angle with all digits: 1.5707963267948966 for pi/2, 3.141592653589793 for "
+              "pi.",
+    .sources = "97 of 322 files of the Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules

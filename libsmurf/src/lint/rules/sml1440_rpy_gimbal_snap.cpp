@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "base/numbers.hpp"
+#include "lint/angle_queries.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  for (const xml::Attribute& attribute : model.robot->document.attributes) {
+    if (attribute.name != "rpy") continue;
+    const std::vector<WrittenNumber> angles = written_numbers(attribute);
+    if (angles.size() != 3 || !is_rpy_snapped(angles)) continue;
+    const WrittenNumber& pitch = angles[1];
+    const double exact = std::copysign(std::numbers::pi / 2, pitch.value);
+    Diagnostic& diagnostic =
+        findings.report(pitch.span, "the pitch " + std::string(pitch.text) + " is " +
+                                        format_rounded(std::fabs(pitch.value - exact), 2) +
+                                        " rad off a right angle, and Gazebo makes it one");
+    diagnostic.help = "write " + format_number(exact);
+    diagnostic.fixes.push_back({Applicability::unsafe, {{pitch.span, format_number(exact)}}});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1440_rpy_gimbal_snap{
+    .id = "SML1440",
+    .name = "rpy-gimbal-snap",
+    .severity = Severity::warning,
+    .summary = "A pitch is almost, but not quite, a right angle.",
+    .why = "Within 0.0045 rad of pi/2 urdfdom takes the pitch for pi/2 when it turns a rotation "
+           "back into angles: exporters, and Gazebo for visuals and collisions, then turn the part "
+           "by up to that, and the parts of a link no longer fit.",
+    .remedy = "Write the pitch with all digits: 1.5707963267948966.",
+    .sources = "urdfdom pose.h:118-126; sdformat 12.3 (parser_urdf.cc:3223, 3269), executed: up to "
+               "3.9e-3 rad.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kFar = 10;  // m
+  if (!model.robot) return;
+  for (const xml::Element& element : model.robot->document.elements) {
+    if (element.name != "origin") continue;
+    for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
+      const xml::Attribute& attribute =
+          model.robot->document.attributes[element.first_attribute + i];
+      if (attribute.name != "xyz") continue;
+      double farthest = 0;
+      for (const double value : numbers_in(attribute.value)) {
+        if (std::fabs(value) > std::fabs(farthest)) farthest = value;
+      }
+      if (std::fabs(farthest) <= kFar) continue;
+      findings
+          .report(attribute.value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
+                                            " m away; are millimetres meant?")
+          .help = format_rounded(farthest) + " mm are " + format_rounded(farthest / 1000) + " m";
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1442_origin_large{
+    .id = "SML1442",
+    .name = "origin-large",
+    .severity = Severity::warning,
+    .summary = "An origin lies more than 10 m away.",
+    .why = "URDF lengths are metres: values in millimetres put a part hundreds of metres off, out "
+           "of sight in every viewer.",
+    .remedy = "Divide by 1000, if it is in millimetres.",
+    .sources = "URDF specification; urdfdom pose.h.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot || model.robot->links.empty()) return;
+  for (const urdf::Link& link : model.robot->links) {
+    if (link.inertial) return;
+  }
+  const auto movable = std::find_if(model.robot->joints.begin(), model.robot->joints.end(),
+                                    [](const urdf::Joint& joint) { return joint.is_movable(); });
+  if (movable == model.robot->joints.end()) return;
+  const Field<std::string>& name = model.robot->name;
+  findings
+      .report(name.span.empty() ? tag_name(model, model.robot->document.root) : name.span,
+              "no link of this robot has an inertial, so it cannot be simulated")
+      .labels.push_back({name_place(model, *movable), "what moves needs a mass"});
+}
+
+}  // namespace
+
+extern constinit const Rule sml1502_no_inertial_anywhere{
+    .id = "SML1502",
+    .name = "no-inertial-anywhere",
+    .severity = Severity::warning,
+    .summary = "A robot with movable joints has no inertial at all.",
+    .why = "sdformat (Gazebo) drops every link and then refuses the model for having none; Bullet "
+           "invents 1 kg a link, MuJoCo refuses it or takes the density of water. For RViz and "
+           "planning of paths it is enough.",
+    .remedy = "Add inertials, if the robot is to be simulated.",
+    .sources = "sdformat 12.3 (\"a model must have at least one link\"), Bullet and MuJoCo 3.14, "
+               "executed; 102 of 322 files of the Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kDropped = 1e-6;  // kg
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (!link.inertial || !link.inertial->mass) return;
+    const double mass = *link.inertial->mass;
+    if (mass <= 0 || mass > kDropped) return;
+    findings
+        .report(link.inertial->mass.span,
+                title(link) + " weighs " + format_rounded(mass * 1e6, 3) + " mg")
+        .notes.push_back("sdformat (Gazebo) up to 12 drops such a link and all below it");
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1510_mass_tiny{
+    .id = "SML1510",
+    .name = "mass-tiny",
+    .severity = Severity::warning,
+    .summary = "A mass is so small that it is dropped, or spoils the solver.",
+    .why = "sdformat up to 12 drops a link of 1e-6 kg or less with everything below it; lighter "
+           "links than a gram beside heavy ones make the mass matrix ill-conditioned.",
+    .remedy = "Write the real mass, or remove the inertial of a link that is only a frame.",
+    .sources = "sdformat 12.3, executed (issue 199); 34 of 322 files of the Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules

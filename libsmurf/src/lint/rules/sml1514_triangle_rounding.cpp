@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/inertia.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// The entry to lower when the tensor is diagonal, as a plate's usually is.
+const Field<double>* largest_of_diagonal(const urdf::Inertial& inertial) {
+  if (*inertial.ixy != 0 || *inertial.ixz != 0 || *inertial.iyz != 0) return nullptr;
+  const Field<double>* largest = &inertial.ixx;
+  for (const Field<double>* entry : {&inertial.iyy, &inertial.izz}) {
+    if (**entry > **largest) largest = entry;
+  }
+  return largest;
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kNoise = 1e-14;   // of the eigenvalues
+  constexpr double kMargin = 1e-12;  // what the sum is lowered by, relative
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (!link.inertial) return;
+    const auto moments = principal_moments(*link.inertial);
+    if (!moments || !is_positive_definite(*moments)) return;
+    const double excess = triangle_excess(*moments);
+    if (excess <= kNoise || excess > kImpossibleExcess) return;
+    Diagnostic& diagnostic = findings.report(inertia_place(model, *link.inertial),
+                                             "the largest moment of " + title(link) +
+                                                 " exceeds the sum of the others by rounding");
+    diagnostic.caret = "too large by " + format_rounded(100 * excess, 2) + " %";
+    diagnostic.notes.push_back("MuJoCo refuses the file");
+    const Field<double>* entry = largest_of_diagonal(*link.inertial);
+    if (entry == nullptr) return;
+    const std::string lowered = format_number(((*moments)[0] + (*moments)[1]) * (1 - kMargin));
+    diagnostic.help = "write " + lowered;
+    diagnostic.fixes.push_back({Applicability::unsafe, {{entry->span, lowered}}});
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1514_triangle_rounding{
+    .id = "SML1514",
+    .name = "triangle-rounding",
+    .severity = Severity::warning,
+    .summary = "An inertia breaks the triangle inequality by rounding.",
+    .why = "Flat parts reach equality: with few digits the largest moment ends above the sum of "
+           "the others. MuJoCo allows nothing and refuses the file, sdformat reports an error.",
+    .remedy = "Print more digits, or lower the largest moment by the difference.",
+    .sources = "MuJoCo 3.14 (user_objects.cc:2762-2770) and sdformat 12.3, executed.",
+    .check_model = check};
+
+}  // namespace smurf::rules

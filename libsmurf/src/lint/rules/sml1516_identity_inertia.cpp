@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "lint/inertia.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// A habit of an author or exporter, so one finding a file.
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kPlausible = 100;  // kg; a block of a metre and so heavy comes near it
+  std::size_t count = 0;
+  const urdf::Link* first = nullptr;
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (!link.inertial || !is_unit_tensor(*link.inertial)) return;
+    const double mass = link.inertial->mass.value_or(0);
+    if (mass <= 0 || mass >= kPlausible) return;
+    if (count++ == 0) first = &link;
+  });
+  if (first == nullptr) return;
+  const double mass = *first->inertial->mass;
+  Diagnostic& diagnostic = findings.report(inertia_place(model, *first->inertial),
+                                           "the inertia of " + title(*first) +
+                                               " is the unit tensor, which looks left over");
+  diagnostic.caret = "of a ball of " + format_rounded(2 * std::sqrt(2.5 / mass), 2) + " m and " +
+                     format_rounded(mass, 3) + " kg";
+  if (count > 1) {
+    diagnostic.notes.push_back("so it is with " + std::to_string(count - 1) + " more links");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1516_identity_inertia{
+    .id = "SML1516",
+    .name = "identity-inertia",
+    .severity = Severity::warning,
+    .summary = "An inertia is the unit tensor.",
+    .why = "CAD tools and templates leave it where nobody computed one: a body of 1 kg with it is "
+           "some two metres large, so joints respond far too slowly.",
+    .remedy = "Compute the inertia from the geometry and the mass.",
+    .sources = "14 of 322 files of the Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules

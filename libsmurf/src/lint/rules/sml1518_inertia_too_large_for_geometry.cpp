@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/body.hpp"
+#include "lint/inertia.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kSlack = 1.2;   // shapes are simplified
+  constexpr double kMargin = 0.1;  // of the longest edge
+  for_each_link(model, [&](const urdf::Link& link) {
+    const auto extent = extent_of(model, link);
+    const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
+    if (!extent || !body) return;
+    // The unit tensor, and a mass that is wrong itself, have rules of their own.
+    if (is_unit_tensor(*link.inertial) || body->mass < kNegligibleMass) return;
+    if (body->mass > kHeaviestMaterial * extent->volume()) return;
+    const auto excess = excess_over(*body, extent->grown(kMargin * extent->longest_edge()));
+    if (!excess || *excess <= kSlack) return;
+    Diagnostic& diagnostic =
+        findings.report(inertia_place(model, *link.inertial),
+                        "the inertia of " + title(link) + " is too large for its mass and shapes");
+    diagnostic.caret = format_rounded(*excess, 2) + " times what they allow";
+    if (const auto unit = likely_unit(ratio_to_block(*body, *extent))) {
+      diagnostic.help = "is it in " + std::string(*unit) + "?";
+    }
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1518_inertia_too_large_for_geometry{
+    .id = "SML1518",
+    .name = "inertia-too-large-for-geometry",
+    .severity = Severity::warning,
+    .summary = "An inertia is larger than any mass inside the shapes of the link can have.",
+    .why = "The link then turns as if its mass were metres away: joints respond slowly, "
+           "controllers tuned in simulation fail on the robot. Inertias in kg mm2 are a million "
+           "times too large.",
+    .remedy = "Compute the inertia from the geometry and the mass, in kg m2.",
+    .sources = "Bhatia-Davis inequality; MuJoCo documentation on URDF; 48 of 322 files of the "
+               "Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/body.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kMargin = 0.1;  // of the longest edge; shapes are simplified
+  for_each_link(model, [&](const urdf::Link& link) {
+    const auto extent = extent_of(model, link);
+    if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
+    const urdf::Inertial& inertial = *link.inertial;
+    const Vector3 center = urdf::to_pose(inertial.origin).position;
+    if (extent->grown(kMargin * extent->longest_edge()).contains(center)) return;
+    const bool has_origin = !inertial.origin.xyz.span.empty();
+    if (has_origin && !inertial.origin.xyz) return;  // unreadable
+    Diagnostic& diagnostic =
+        findings.report(has_origin ? inertial.origin.xyz.span : tag_name(model, inertial.element),
+                        "the centre of mass of " + title(link) + " lies outside its shapes");
+    std::string box;
+    for (std::size_t i = 0; i < 3; ++i) {
+      box += (i == 0 ? "" : ", ") + std::string(1, "xyz"[i]) + " " +
+             format_rounded(extent->low[i], 3) + " to " + format_rounded(extent->high[i], 3);
+    }
+    diagnostic.notes.push_back("they reach from " + box + " in the frame of the link");
+    if (!has_origin) diagnostic.help = "add an `origin` to the inertial";
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1521_center_of_mass_outside_geometry{
+    .id = "SML1521",
+    .name = "center-of-mass-outside-geometry",
+    .severity = Severity::warning,
+    .summary = "The centre of mass of a link lies outside its shapes.",
+    .why = "No part has its centre of mass outside the box around it: the origin of the inertial "
+           "is in another unit or frame, or was forgotten. The robot then falls over or swings as "
+           "if it were another.",
+    .remedy = "Write the origin of the inertial in metres, in the frame of the link.",
+    .sources = "24 of 322 files of the Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules

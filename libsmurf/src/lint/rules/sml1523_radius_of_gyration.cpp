@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "lint/body.hpp"
+#include "lint/inertia.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kShortest = 1e-3;  // m
+  constexpr double kLongest = 2;      // m
+  for_each_link(model, [&](const urdf::Link& link) {
+    // Where the size of the link is known, the inertia is compared with that.
+    if (!link.inertial || is_unit_tensor(*link.inertial) || extent_of(model, link)) return;
+    const auto body = body_of(*link.inertial);
+    if (!body || body->mass < kNegligibleMass) return;
+    const double radius = std::sqrt((*principal_moments(*link.inertial))[2] / body->mass);
+    if (radius >= kShortest && radius <= kLongest) return;
+    findings
+        .report(inertia_place(model, *link.inertial),
+                "the inertia of " + title(link) + " does not fit its mass")
+        .caret =
+        format_rounded(body->mass, 3) + " kg at " + format_rounded(radius, 2) + " m from the axis";
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml1523_radius_of_gyration{
+    .id = "SML1523",
+    .name = "radius-of-gyration",
+    .severity = Severity::warning,
+    .summary = "An inertia is that of a body of unlikely size.",
+    .why = "The root of inertia over mass is the distance at which the mass would have to turn: "
+           "less than a millimetre or more than two metres is a wrong unit (kg mm2, g mm2) most of "
+           "the time, and joints then jitter or hardly move.",
+    .remedy = "Write the inertia in kg m2.",
+    .sources = "38 of 322 files of the Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules

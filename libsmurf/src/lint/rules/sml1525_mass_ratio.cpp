@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kLargest = 1000;
+  for (const LinkIndex index : model.tree.order) {
+    const auto above = model.tree.parent_joint[to_size(index)];
+    if (!above || !model.joint(*above).is_movable()) continue;
+    const urdf::Link& link = model.link(index);
+    const urdf::Link& parent = model.link(*model.tree.joint_parent[to_size(*above)]);
+    if (!link.inertial || !parent.inertial) continue;
+    const double mass = link.inertial->mass.value_or(0);
+    const double other = parent.inertial->mass.value_or(0);
+    constexpr double kTiny = 1e-6;  // kg; reported as such
+    if (mass <= kTiny || other <= kTiny || (mass <= kLargest * other && other <= kLargest * mass)) {
+      continue;
+    }
+    Diagnostic& diagnostic = findings.report(
+        link.inertial->mass.span,
+        title(link) + " has " +
+            (mass > other ? format_rounded(mass / other, 2) + " times the mass"
+                          : "1/" + format_rounded(other / mass, 2) + " of the mass") +
+            " of " + title(parent) + ", which it hangs on");
+    diagnostic.labels.push_back({parent.inertial->mass.span, "the other mass"});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1525_mass_ratio{
+    .id = "SML1525",
+    .name = "mass-ratio",
+    .severity = Severity::info,
+    .summary = "A link is a thousand times as heavy as the link it carries, or the other way "
+               "round.",
+    .why = "The iterative solvers of ODE (MARS, Gazebo) and Bullet converge slowly at such ratios: "
+           "joints drift apart.",
+    .remedy = "Check the units of both masses; small parts can be merged into what they are fixed "
+              "to.",
+    .sources = "ODE manual, stability; Bullet user manual, mass ratios.",
+    .check_model = check};
+
+}  // namespace smurf::rules

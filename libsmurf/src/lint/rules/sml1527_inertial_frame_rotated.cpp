@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/inertia.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// An exporter does so for every link: one finding a file.
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kSmall = 1e-3;  // rad
+  std::size_t count = 0;
+  Span first;
+  std::string whose;
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (!link.inertial || !link.inertial->origin.rpy) return;
+    const auto moments = principal_moments(*link.inertial);
+    // The inertia of a ball looks alike from everywhere.
+    if (!moments || (*moments)[2] - (*moments)[0] <= kSmall * (*moments)[2]) return;
+    const Quaternion rotation = from_rpy(*link.inertial->origin.rpy);
+    if (angle_between(rotation, Quaternion{}) < kSmall) return;
+    if (count++ > 0) return;
+    first = link.inertial->origin.rpy.span;
+    whose = title(link);
+  });
+  if (count == 0) return;
+  Diagnostic& diagnostic = findings.report(first, "the inertial of " + whose + " is rotated");
+  diagnostic.notes.push_back("Isaac ignores the rotation, Phobos cannot merge such links");
+  if (count > 1) {
+    diagnostic.notes.push_back("so it is with " + std::to_string(count - 1) + " more links");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1527_inertial_frame_rotated{
+    .id = "SML1527",
+    .name = "inertial-frame-rotated",
+    .severity = Severity::info,
+    .summary = "The frame of an inertial is rotated.",
+    .why = "Isaac reads the position of the origin only, so the tensor is about other axes there; "
+           "Phobos cannot merge such links.",
+    .remedy = "Rotate the tensor into the axes of the link and write rpy=\"0 0 0\", if these "
+              "readers matter.",
+    .sources = "Isaac importer UrdfImporter.cpp:406-411; Phobos io/representation.py:1680; 41 of "
+               "322 files of the Tola/Corke dataset.",
+    .check_model = check};
+
+}  // namespace smurf::rules
