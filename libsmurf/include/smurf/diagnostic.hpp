@@ -33,6 +33,10 @@ struct Rule {
   /// Checks run by the linter; both null for findings that a reader or writer reports itself.
   void (*check_model)(const LinkedModel&, Findings&) = nullptr;
   void (*check_scene)(const LinkedScene&, Findings&) = nullptr;
+
+  /// What it finds is fine in general: it runs only for targets of which smurf/readers.hpp knows
+  /// something about it.
+  bool needs_target = false;
 };
 
 /// A second place that explains a diagnostic, possibly in another file.
@@ -63,6 +67,8 @@ struct Diagnostic {
   std::string message;  ///< one sentence, lower case, no full stop; names in backticks
   std::string caret;    ///< short text beside the caret; may be empty
   std::string pointer;  ///< YAML pointer or XPath; filled by locate() when empty
+  /// Which case of its rule it is, when readers tell cases apart: "dae", "hex"; may be empty.
+  std::string construct;
   std::vector<Label> labels;
   std::vector<std::string> notes;  ///< facts without a place
   std::string help;                ///< what to do; may be empty
