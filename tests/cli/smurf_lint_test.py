@@ -79,6 +79,58 @@ class Verdict(LintTest):
         self.assertEqual(done.stdout, "no findings in 3 files (1 model)\n")
 
 
+
+class Targets(LintTest):
+    """--target: the arm's elbow has a limit without effort, which urdfdom refuses."""
+
+    def setUp(self):
+        super().setUp()
+        links = "".join(
+            f'<link name="{name}"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" '
+            'iyy="1.5" iyz="0" izz="1"/></inertial></link>\n' for name in ("base", "forearm"))
+        self.write("arm.urdf", f"""<robot name="arm">
+{links}<joint name="elbow" type="revolute">
+  <parent link="base"/><child link="forearm"/><axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" velocity="1"/>
+</joint>
+</robot>
+""")
+
+    def test_severity_is_that_of_the_targets(self):
+        self.assertIn("error[SML1404]", self.expect(1, "arm.urdf").stdout)
+        self.assertIn("error[SML1404]", self.expect(1, "--target", "ros", "arm.urdf").stdout)
+        self.assertIn("warning[SML1404]", self.expect(0, "--target=drake", "arm.urdf").stdout)
+        self.expect(1, "--target", "drake", "--severity", "SML1404=error", "arm.urdf")
+
+    def test_report_ends_with_the_verdicts(self):
+        done = self.expect(1, "--target", "mujoco, ros,pybullet,ros", "arm.urdf")
+        end = done.stdout.split("(1 model)\n")[1]
+        self.assertEqual(end, """
+mujoco    takes it
+ros       refuses it (1)
+          arm.urdf:6:4: refuses the file (SML1404)
+pybullet  takes it with losses (1)
+          arm.urdf:6:4: reads 0: the joint has no force (SML1404)
+""")
+        self.assertIn("= note: ros: refuses the file\n", done.stdout)
+
+    def test_report_for_programs(self):
+        done = self.expect(1, "--target", "ros,mujoco", "--format", "json", "arm.urdf")
+        targets = json.loads(done.stdout)["targets"]
+        self.assertEqual(targets["mujoco"], {"verdict": "takes", "refusals": 0, "losses": 0})
+        self.assertEqual(targets["ros"]["verdict"], "refuses")
+        self.assertEqual(targets["ros"]["first"]["id"], "SML1404")
+        self.assertEqual(targets["ros"]["first"]["line"], 6)
+        self.assertNotIn("targets", json.loads(
+            self.expect(1, "--format", "json", "arm.urdf").stdout))
+
+    def test_unknown_target(self):
+        done = self.expect(2, "--target", "ros,mujuco", "arm.urdf")
+        self.assertEqual(done.stdout, "")
+        self.assertIn("'mujuco' is none of mars, ", done.stderr)
+        self.assertTrue(done.stderr.endswith("; did you mean 'mujoco'?\n"), done.stderr)
+
+
 class Fixes(LintTest):
     """The case of a joint's type (SML1401) has a safe fix, an unknown joint (SML3101) an unsafe one."""
 

@@ -50,15 +50,16 @@ struct Case {
   std::vector<Diagnostic> diagnostics;
   std::optional<LinkedModel> model;  ///< none when the case is a scene
 
-  explicit Case(const fs::path& folder) : Case(read_folder(folder)) {}
-  explicit Case(MemoryFiles all) : files(std::move(all)) {
+  Case(const fs::path& folder, const RuleSelection& selection)
+      : Case(read_folder(folder), selection) {}
+  Case(MemoryFiles all, const RuleSelection& selection) : files(std::move(all)) {
     DiagnosticSink sink;
     LoadContext context{sources, files, sink, {}, {}, {}, &meshes};
     Suppressions suppressions;
     if (files.is_file("scene.smurfs")) {
       const LinkedScene scene = load_scene("scene.smurfs", context);
-      lint_scene(scene, {}, sink);
-      for (const LinkedModel& one : scene.models) lint_model(one, {}, sink);
+      lint_scene(scene, selection, sink);
+      for (const LinkedModel& one : scene.models) lint_model(one, selection, sink);
       suppressions.add(scene, sources);
       diagnostics = sink.take();
       locate(scene, diagnostics);
@@ -66,14 +67,14 @@ struct Case {
       const std::string entry = files.is_file("model.smurf") ? "model.smurf" : "robot.urdf";
       REQUIRE_MESSAGE(files.is_file(entry), "there is no entry file");
       model = load_model(entry, context);
-      lint_model(*model, {}, sink);
+      lint_model(*model, selection, sink);
       suppressions.add(*model, sources);
       diagnostics = sink.take();
       locate(*model, diagnostics);
     }
-    diagnostics = finish(std::move(diagnostics), sources, {});
-    suppressions.apply(diagnostics, sources, {});
-    diagnostics = finish(std::move(diagnostics), sources, {});
+    diagnostics = finish(std::move(diagnostics), sources, selection);
+    suppressions.apply(diagnostics, sources, selection);
+    diagnostics = finish(std::move(diagnostics), sources, selection);
   }
 
   /// The files after one round of fixes; none when there is nothing to fix.
@@ -111,6 +112,17 @@ void check_snapshot(const fs::path& expected_path, const std::string& actual) {
   CHECK(read(expected_path) == actual);
 }
 
+/// The targets that the file `targets` of a fixture names, blanks between them.
+RuleSelection selection_for(const fs::path& folder) {
+  RuleSelection selection;
+  std::istringstream names(read(folder / "targets"));
+  for (std::string name; names >> name;) {
+    selection.targets.push_back(find_target(name));
+    REQUIRE_MESSAGE(selection.targets.back() != nullptr, name << " is no target");
+  }
+  return selection;
+}
+
 std::string folder_name(const Rule& rule) {
   return std::string(rule.id) + "-" + std::string(rule.name);
 }
@@ -122,7 +134,10 @@ TEST_CASE("bad fixtures raise their rule and nothing else, good ones nothing") {
     const fs::path folder = kFixtures / folder_name(*rule);
     CAPTURE(folder_name(*rule));
     if (!fs::exists(folder)) continue;  // the next test insists on it
-    const Case bad(folder / "bad");
+    const RuleSelection selection = selection_for(folder);
+    // A rule that needs targets says with which its fixtures show it; others are shown to all.
+    CHECK(rule->needs_target == !selection.targets.empty());
+    const Case bad(folder / "bad", selection);
     CHECK_MESSAGE(!bad.diagnostics.empty(), "the bad fixture raises nothing");
     for (const Diagnostic& diagnostic : bad.diagnostics) {
       CHECK_MESSAGE(diagnostic.rule->id == rule->id, bad.text());
@@ -130,7 +145,7 @@ TEST_CASE("bad fixtures raise their rule and nothing else, good ones nothing") {
       CHECK(diagnostic.message.back() != '.');
     }
     check_snapshot(folder / "bad.expected.txt", bad.text());
-    const Case good(folder / "good");
+    const Case good(folder / "good", selection);
     CHECK_MESSAGE(good.diagnostics.empty(), good.text());
   }
 }
@@ -138,22 +153,23 @@ TEST_CASE("bad fixtures raise their rule and nothing else, good ones nothing") {
 TEST_CASE("what a fix was applied for is gone, and nothing new has come") {
   std::size_t fixes = 0;
   for (const Rule* rule : all_rules()) {
-    const fs::path folder = kFixtures / folder_name(*rule) / "bad";
+    const fs::path folder = kFixtures / folder_name(*rule);
     CAPTURE(folder_name(*rule));
     if (!fs::exists(folder)) continue;
+    const RuleSelection selection = selection_for(folder);
     for (const Applicability most : {Applicability::safe, Applicability::unsafe}) {
-      const Case bad(folder);
+      const Case bad(folder / "bad", selection);
       const std::size_t before = bad.diagnostics.size();
       const std::size_t fixable = bad.fixable(most);
       fixes += fixable;
       std::optional<MemoryFiles> files = bad.fixed(most);
       CHECK((fixable > 0) == files.has_value());
       if (!files) continue;
-      Case now(std::move(*files));
+      Case now(std::move(*files), selection);
       for (int round = 0; round < 10; ++round) {
         std::optional<MemoryFiles> again = now.fixed(most);
         if (!again) break;
-        now = Case(std::move(*again));
+        now = Case(std::move(*again), selection);
       }
       CHECK_MESSAGE(now.fixable(most) == 0, now.text());
       // Several findings may share one fix; a fix may not bring other findings.

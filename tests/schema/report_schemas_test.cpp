@@ -50,14 +50,21 @@ TEST_CASE("the report of diagnostics") {
   diagnostics[0].labels.push_back({diagnostics[1].span, "see here"});
   diagnostics[0].notes.emplace_back("a note");
   diagnostics[0].pointer = "/motors/0/p";
-  const Json report = Json::parse(
-      render_json(diagnostics, reading.sources, summarize(diagnostics), {"smurf-lint", "0.1.0"}));
+  const TargetVerdict refused{find_target("mars"), 1, 0, diagnostics.data(),
+                              &find_target("mars")->facts.front()};
+  const TargetVerdict taken{find_target("ros"), 0, 0, nullptr, nullptr};
+  const Json report =
+      Json::parse(render_json(diagnostics, reading.sources, summarize(diagnostics),
+                              {"smurf-lint", "0.1.0"}, std::vector{refused, taken}));
   check("lint-report.schema.json", report,
         {{"", R"({"tool": null})"},
          {"", R"({"schema_version": "2.0"})"},
          {"", R"({"more": 1})"},
          {"/summary", R"({"error": -1})"},
          {"/summary", R"({"models": null})"},
+         {"/targets/mars", R"({"verdict": "maybe"})"},
+         {"/targets/ros", R"({"losses": null})"},
+         {"/targets/mars/first", R"({"source": null})"},
          {"/diagnostics/0", R"({"id": "SML401"})"},
          {"/diagnostics/0", R"({"severity": "fatal"})"},
          {"/diagnostics/0", R"({"line": 0})"},

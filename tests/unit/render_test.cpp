@@ -437,6 +437,33 @@ TEST_CASE("the summary counts in English") {
             {}) == "found 1 error, 2 warnings and 3 infos in 5 files (1 scene)\n4 suppressed\n");
 }
 
+TEST_CASE("the page of a rule says what readers make of it") {
+  const std::string page = render_rule(*find_rule("SML1604"), {});
+  CHECK(page.find("\nWhat readers make of it\n") != std::string::npos);
+  CHECK(page.find("\n  MuJoCo (visual): discards visuals\n") != std::string::npos);
+  CHECK(render_rule(*find_rule("SML1912"), {})
+            .starts_with("SML1912 mesh-package-uri (error, with --target)\n"));
+}
+
+TEST_CASE("targets have a line each, and the first reason below it") {
+  const Reader reader{.name = "abc", .title = "Abc", .basis = "1.0", .facts = {}};
+  const Reader other{.name = "defghi", .title = "Def", .basis = "2.0", .facts = {}};
+  const ReaderFact fact{.rule = "SML3101",
+                        .effect = Effect::loses,
+                        .makes = "leaves the motor out, and with it the controller that would "
+                                 "have moved the joint",
+                        .source = "abc.cpp:1"};
+  SourceMap sources;
+  const Diagnostic diagnostic = diagnose({sources.add("a.yml", "x: y"), 3, 4}, "bad");
+  const std::vector<TargetVerdict> targets = {{&reader, 0, 2, &diagnostic, &fact},
+                                              {&other, 0, 0, nullptr, nullptr}};
+  CHECK(render_targets(targets, sources, {}) ==
+        "abc     takes it with losses (2)\n"
+        "        a.yml:1:4: leaves the motor out, and with it the controller that would\n"
+        "        have moved the joint (SML3101)\n"
+        "defghi  takes it\n");
+}
+
 TEST_CASE("statistics list the most frequent rule first") {
   std::vector<Diagnostic> diagnostics(12, diagnose({}, "bad"));
   diagnostics[3].rule = &kOtherRule;
@@ -448,7 +475,9 @@ TEST_CASE("statistics list the most frequent rule first") {
 }
 
 TEST_CASE("the page of a rule is wrapped at 80 columns") {
-  CHECK(render_rule(kRule, {}) == R"(SML3101 unknown-joint (error)
+  Rule rule = kRule;
+  rule.id = "SML9999";  // no reader is known to do anything about it
+  CHECK(render_rule(rule, {}) == R"(SML9999 unknown-joint (error)
 
 A name is not that of a joint.
 
@@ -463,7 +492,6 @@ Sources
 )");
   std::string why;
   for (int i = 0; i < 100; ++i) why += "word ";
-  Rule rule = kRule;
   rule.why = why;
   const std::string page = render_rule(rule, {});
   for (std::size_t at = 0, end = 0; at < page.size(); at = end + 1) {

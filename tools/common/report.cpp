@@ -9,7 +9,7 @@
 namespace smurf::tools {
 namespace {
 
-/// With the summary, the only format that ends with one.
+/// With the summary and the verdicts of the targets; the only format that ends with them.
 std::string full(const Results& results, const TextStyle& style) {
   std::string out;
   if (results.counts_only) {
@@ -20,7 +20,10 @@ std::string full(const Results& results, const TextStyle& style) {
       out += render_full(diagnostic, results.sources, style);
     }
   }
-  return results.quiet ? out : out + render_summary(results.summary, style) + results.remarks;
+  if (results.quiet) return out;
+  out += render_summary(results.summary, style) + results.remarks;
+  if (!results.targets.empty()) out += "\n";
+  return out + render_targets(results.targets, results.sources, style);
 }
 
 std::string concise(const Results& results, const TextStyle& style) {
@@ -34,7 +37,7 @@ std::string concise(const Results& results, const TextStyle& style) {
 
 std::string json(const Results& results, const TextStyle&) {
   return render_json(results.diagnostics, results.sources, results.summary,
-                     {results.tool, kVersion});
+                     {results.tool, kVersion}, results.targets);
 }
 
 std::string sarif(const Results& results, const TextStyle&) {

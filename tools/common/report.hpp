@@ -19,6 +19,7 @@ struct Results {
   std::span<const Diagnostic> diagnostics;  ///< finished: sorted, without repetitions
   const SourceMap& sources;
   Summary summary;
+  std::span<const TargetVerdict> targets = {};
   std::string_view tool;
   std::string remarks{};     ///< for people: lines after the summary
   bool quiet = false;        ///< no summary

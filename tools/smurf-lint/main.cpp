@@ -43,9 +43,14 @@ ExitCode write_reports(const LintOptions& options, const std::string& place, con
                        std::string remarks) {
   std::vector<ReportRequest> reports = options.reports;
   if (reports.empty()) reports.push_back({find_report_format("auto"), {}});
+  std::vector<TargetVerdict> targets;
+  for (const Reader* reader : options.selection.targets) {
+    targets.push_back(judge_target(*reader, checked.diagnostics));
+  }
   const Results results{.diagnostics = checked.diagnostics,
                         .sources = checked.sources,
                         .summary = checked.summary,
+                        .targets = targets,
                         .tool = kTool,
                         .remarks = std::move(remarks),
                         .quiet = options.quiet,

@@ -55,6 +55,31 @@ std::vector<std::string_view> rule_words() {
   return words;
 }
 
+/// Without duplicates: the report has one row a reader.
+Setter append_targets(std::vector<const Reader*>& targets) {
+  return [&targets](std::string_view value) -> std::optional<std::string> {
+    for (const std::string_view name : split_items(value)) {
+      const Reader* reader = find_target(name);
+      if (reader == nullptr) return none_of(name, target_names());
+      if (std::find(targets.begin(), targets.end(), reader) == targets.end()) {
+        targets.push_back(reader);
+      }
+    }
+    return std::nullopt;
+  };
+}
+
+std::string_view target_help() {
+  static const std::string help = [] {
+    std::string names;
+    for (const std::string_view name : target_names()) {
+      names.append(names.empty() ? "" : ", ").append(name);
+    }
+    return "Judge for these readers, and say what becomes of the files in each: " + names + ".";
+  }();
+  return help;
+}
+
 std::vector<Option> rule_options(LintOptions& options) {
   return {
       {.group = "Rules",
@@ -69,6 +94,11 @@ std::vector<Option> rule_options(LintOptions& options) {
        .help = "All but these rules.",
        .suggestions = rule_words(),
        .set = append_rules(options.selection.ignore)},
+      {.group = "Rules",
+       .name = "target",
+       .metavar = "LIST",
+       .help = target_help(),
+       .set = append_targets(options.selection.targets)},
       {.group = "Rules",
        .name = "severity",
        .metavar = "ID=LEVEL",
@@ -201,6 +231,7 @@ Command lint_command(LintOptions& options) {
        "A model, with a report for programs beside the one for people:"},
       {"smurf-lint --ignore SML19 --severity unknown-joint=warning arm.smurf",
        "Without the rules about portability, and one rule less strict:"},
+      {"smurf-lint --target ros,gazebo,mujoco arm.urdf", "For the programs it is meant for:"},
       {"xacro arm.urdf.xacro | smurf-lint --stdin-filename urdf/arm.urdf -",
        "What another program writes:"},
       {"smurf-lint --diff robots/", "What could be fixed without a thought; then with --fix:"},

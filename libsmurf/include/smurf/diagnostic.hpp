@@ -33,6 +33,10 @@ struct Rule {
   /// Checks run by the linter; both null for findings that a reader or writer reports itself.
   void (*check_model)(const LinkedModel&, Findings&) = nullptr;
   void (*check_scene)(const LinkedScene&, Findings&) = nullptr;
+
+  /// What it finds is fine in general: it runs only for targets of which smurf/readers.hpp knows
+  /// something about it.
+  bool needs_target = false;
 };
 
 /// A second place that explains a diagnostic, possibly in another file.
@@ -65,6 +69,8 @@ struct Diagnostic {
   std::string pointer;  ///< YAML pointer or XPath; filled by locate() when empty
   /// The pointer by names, "/motors/name=elbow/joint": the same after other entries were added.
   std::string named_pointer;
+  /// Which case of its rule it is, when readers tell cases apart: "dae", "hex"; may be empty.
+  std::string construct;
   std::vector<Label> labels;
   std::vector<std::string> notes;  ///< facts without a place
   std::string help;                ///< what to do; may be empty

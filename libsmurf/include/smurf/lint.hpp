@@ -9,6 +9,7 @@
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/linked.hpp"
+#include "smurf/readers.hpp"
 
 namespace smurf {
 
@@ -17,6 +18,7 @@ struct RuleSelection {
   std::vector<std::string> select;  ///< empty: all
   std::vector<std::string> ignore;
   std::map<std::string, Severity> severities;
+  std::vector<const Reader*> targets;  ///< the readers that matter; empty: all, none in particular
 
   bool is_enabled(const Rule& rule) const;
 };
@@ -44,8 +46,14 @@ void lint_scene(const LinkedScene& scene, const RuleSelection& selection, Diagno
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics);
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics);
 
-/// Applies the selection, drops repetitions (one file in two models), sorts by path, line, column
-/// and id.
+/// Applies the selection and the targets, drops repetitions (one file in two models), sorts by
+/// path, line, column and id. Diagnostics are located before, because what a reader makes of a
+/// finding depends on its place.
+///
+/// For targets a finding is an error when one of them reports an error, refuses the file or
+/// crashes, and a warning when one silently loses or changes something. What all of them take and
+/// only others stumble over is one level milder. It stays as it is when nothing is known of any
+/// reader, or when no body can be like that.
 std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
                                const RuleSelection& selection);
 

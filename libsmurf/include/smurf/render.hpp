@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "smurf/diagnostic.hpp"
+#include "smurf/readers.hpp"
 #include "smurf/source.hpp"
 
 namespace smurf {
@@ -45,11 +46,15 @@ std::string render_concise(const Diagnostic& diagnostic, const SourceMap& source
                            const TextStyle& style);
 /// "found 1 error and 2 warnings in 3 files (1 model)" and a line end.
 std::string render_summary(const Summary& summary, const TextStyle& style);
+/// Two columns: what becomes of the files in each reader, and the first reason with its place.
+std::string render_targets(std::span<const TargetVerdict> targets, const SourceMap& sources,
+                           const TextStyle& style);
 /// One line a rule, the most frequent first: "  12  error    SML3101 unknown-joint".
 std::string render_statistics(std::span<const Diagnostic> diagnostics, const TextStyle& style);
 /// The JSON report of schemas/lint-report.schema.json.
 std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
-                        const Summary& summary, const ToolName& tool);
+                        const Summary& summary, const ToolName& tool,
+                        std::span<const TargetVerdict> targets = {});
 
 /// How the formats of code hosts name a file: by its path from the top of the repository, with '/'.
 /// Absolute where it lies outside.

@@ -111,8 +111,10 @@ class NumberReader {
     } else if (is_decimal_comma(text)) {
       report_comma(token, text);
     } else if (bare.starts_with("0x") || has_suffix(bare)) {
-      sink_.report(rules::sml1809_hex_or_suffix, place(token),
-                   shown + " is not a plain decimal number");
+      sink_
+          .report(rules::sml1809_hex_or_suffix, place(token),
+                  shown + " is not a plain decimal number")
+          .construct = bare.starts_with("0x") ? "hex" : "suffix";
     } else if (std::any_of(text.begin(), text.end(),
                            [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
       sink_
@@ -121,8 +123,10 @@ class NumberReader {
                       ", which only looks like part of a number")
           .help = "type the number again";
     } else if (is_out_of_range(bare)) {
-      sink_.report(rules::sml1810_overflow_underflow, place(token),
-                   shown + " is outside the range of a double");
+      sink_
+          .report(rules::sml1810_overflow_underflow, place(token),
+                  shown + " is outside the range of a double")
+          .construct = bare.find("e-") != std::string_view::npos ? "underflow" : "overflow";
     } else {
       sink_.report(rules::sml1801_not_a_number, place(token), shown + " is not a number");
     }

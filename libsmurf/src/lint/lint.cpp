@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "lint/targets.hpp"
+
 namespace smurf {
 namespace {
 
@@ -30,6 +32,11 @@ bool matches(const Rule& rule, std::string_view pattern) {
 
 bool RuleSelection::is_enabled(const Rule& rule) const {
   if (!select.empty() && !matches_any(rule, select)) return false;
+  if (rule.needs_target && std::none_of(targets.begin(), targets.end(), [&](const Reader* reader) {
+        return has_facts(*reader, rule);
+      })) {
+    return false;
+  }
   return !matches_any(rule, ignore);
 }
 
@@ -52,6 +59,7 @@ void lint_scene(const LinkedScene& scene, const RuleSelection& selection, Diagno
 std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
                                const RuleSelection& selection) {
   std::erase_if(diagnostics, [&](const Diagnostic& d) { return !selection.is_enabled(*d.rule); });
+  if (!selection.targets.empty()) apply_targets(diagnostics, selection.targets);
   for (Diagnostic& diagnostic : diagnostics) {
     for (const auto& [pattern, severity] : selection.severities) {
       if (matches(*diagnostic.rule, pattern)) diagnostic.severity = severity;

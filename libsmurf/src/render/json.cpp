@@ -51,10 +51,24 @@ Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
   return json;
 }
 
+Json to_json(const TargetVerdict& target, const SourceMap& sources) {
+  Json json = {
+      {"verdict", text(to_word(target))}, {"refusals", target.refusals}, {"losses", target.losses}};
+  if (target.first == nullptr) return json;
+  Json first = {{"id", text(target.first->rule->id)},
+                {"effect", text(to_string(target.fact->effect))},
+                {"makes", text(target.fact->makes)},
+                {"source", text(target.fact->source)}};
+  add_place(first, target.first->span, sources);
+  json["first"] = std::move(first);
+  return json;
+}
+
 }  // namespace
 
 std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
-                        const Summary& summary, const ToolName& tool) {
+                        const Summary& summary, const ToolName& tool,
+                        std::span<const TargetVerdict> targets) {
   Json report;
   report["schema_version"] = "1.0";
   report["tool"] = {{"name", text(tool.name)}, {"version", text(tool.version)}};
@@ -65,6 +79,9 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
   Json list = Json::array();
   for (const Diagnostic& diagnostic : diagnostics) list.push_back(to_json(diagnostic, sources));
   report["diagnostics"] = std::move(list);
+  for (const TargetVerdict& target : targets) {
+    report["targets"][std::string(target.reader->name)] = to_json(target, sources);
+  }
   return dump(report);
 }
 

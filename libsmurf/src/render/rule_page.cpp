@@ -15,6 +15,20 @@ using render::wrap;
 
 constexpr std::size_t kPageColumns = 80;
 
+/// "MuJoCo (visual): discards visuals"
+std::string line_of(const KnownFact& known) {
+  std::string line(known.reader->title);
+  std::string_view where = known.fact->where;
+  while (where.starts_with('/') || where.starts_with('#')) where.remove_prefix(1);
+  while (where.ends_with('/')) where.remove_suffix(1);
+  if (!where.empty()) line.append(" (").append(where).append(")");
+  return line + ": " + std::string(known.fact->makes);
+}
+
+std::string severity_of(const Rule& rule) {
+  return std::string(to_string(rule.severity)) + (rule.needs_target ? ", with --target" : "");
+}
+
 }  // namespace
 
 std::string render_rule(const Rule& rule, const TextStyle& style) {
@@ -23,13 +37,16 @@ std::string render_rule(const Rule& rule, const TextStyle& style) {
       style.width > 0 ? std::clamp<std::size_t>(static_cast<std::size_t>(style.width), 40, 80)
                       : kPageColumns;
   std::string out = paint(Ink::strong, std::string(rule.id) + " " + std::string(rule.name)) + " (" +
-                    paint(render::ink_of(rule.severity), to_string(rule.severity)) + ")\n\n";
+                    paint(render::ink_of(rule.severity), severity_of(rule)) + ")\n\n";
   out += wrap(rule.summary, 0, columns);
   const auto section = [&](std::string_view heading, std::string_view text) {
     if (!text.empty()) out += "\n" + paint(Ink::strong, heading) + "\n" + wrap(text, 2, columns);
   };
   section("Why it matters", rule.why);
   section("What to do", rule.remedy);
+  std::string readers;
+  for (const KnownFact& known : facts_about(rule)) readers += line_of(known) + "\n";
+  section("What readers make of it", readers.substr(0, readers.rfind('\n')));
   section("Sources", rule.sources);
   return out;
 }

@@ -10,6 +10,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic* diagnostic = check_reference(model, NameKind::link, *joint.parent,
                                              joint.parent.span, title(joint), findings);
     if (diagnostic != nullptr && *joint.parent == "world") {
+      diagnostic->construct = "world";
       diagnostic->notes.push_back("only Drake knows a link `world` that is not declared");
     }
   });

@@ -18,6 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     Diagnostic& diagnostic =
         findings.report(joint.type_name.span, quoted(*joint.type_name) + " is not a joint type");
+    diagnostic.construct = *joint.type_name;
     diagnostic.help = "use revolute, continuous, prismatic, fixed, floating or planar";
     if (const auto near = nearest(*joint.type_name, kTypes)) {
       diagnostic.help = "did you mean " + quoted(*near) + "?";

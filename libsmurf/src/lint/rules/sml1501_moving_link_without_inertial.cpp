@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
-
-/// Mass of a link or of what hangs on it by fixed joints.
-bool has_mass(const LinkedModel& model, LinkIndex start) {
-  std::vector<LinkIndex> queue{start};
-  while (!queue.empty()) {
-    const LinkIndex link = queue.back();
-    queue.pop_back();
-    if (model.link(link).inertial) return true;  // a wrong mass is another rule's finding
-    for (const JointIndex below : model.tree.child_joints[to_size(link)]) {
-      if (model.joint(below).type == urdf::JointType::fixed) {
-        queue.push_back(*model.tree.joint_child[to_size(below)]);
-      }
-    }
-  }
-  return false;
-}
 
 bool is_shape_only(const LinkedModel& model) {
   for (const urdf::Link& link : model.robot->links) {
@@ -30,11 +15,13 @@ bool is_shape_only(const LinkedModel& model) {
 void check(const LinkedModel& model, Findings& findings) {
   // A robot without any inertial is a drawing, and one fact; it is not reported link by link.
   if (!model.robot || is_shape_only(model)) return;
+  const std::vector<bool> massless = massless_bodies(model);
   for (const LinkIndex link : model.tree.order) {
     const auto above = model.tree.parent_joint[to_size(link)];
-    if (!above || !model.joint(*above).is_movable() || has_mass(model, link)) continue;
+    if (!above || !model.joint(*above).is_movable() || has_fixed_mass(model, link)) continue;
     Diagnostic& diagnostic = findings.report(name_place(model, model.link(link)),
                                              title(model.link(link)) + " moves and has no mass");
+    if (massless[to_size(link)]) diagnostic.construct = "without-collision";
     diagnostic.labels.push_back({name_place(model, model.joint(*above)), "moved by this joint"});
   }
 }

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
+  const std::vector<bool> massless = massless_bodies(model);
+  std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
+    const bool is_massless_body = massless[index++];
     if (!link.inertial || !link.inertial->mass || *link.inertial->mass != 0) return;
     // Mass and inertia both zero: how frames are written on purpose for Bullet.
     const auto moments = principal_moments(*link.inertial);
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");
     diagnostic.help = "write the mass, or remove the `inertial` of a link that is only a frame";
+    if (is_massless_body) diagnostic.construct = "massless-body";
     if (moments && (*moments)[2] == 0) diagnostic.severity = Severity::warning;
   });
 }

@@ -10,8 +10,10 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!link.inertial || link.inertial->mass.value_or(0) <= 0) return;
     const auto moments = principal_moments(*link.inertial);
     if (!moments || (*moments)[0] != 0 || (*moments)[2] != 0) return;
-    findings.report(inertia_place(model, *link.inertial),
-                    "the inertia of " + title(link) + " is zero, its mass is not");
+    Diagnostic& diagnostic =
+        findings.report(inertia_place(model, *link.inertial),
+                        "the inertia of " + title(link) + " is zero, its mass is not");
+    if (link.collisions.empty()) diagnostic.construct = "without-collision";
   });
 }
 

@@ -17,6 +17,7 @@ void report_package(const std::vector<const MeshReference*>& uses, std::string_v
       findings.report(uses.front()->span, "cannot find any file of the package " + quoted(package));
   diagnostic.caret = "in no folder above the URDF";
   diagnostic.severity = Severity::warning;
+  diagnostic.construct = "package";
   if (uses.size() > 1) {
     diagnostic.notes.push_back("the URDF names " + std::to_string(uses.size()) + " files of it");
   }
@@ -27,6 +28,7 @@ void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& f
   Diagnostic& diagnostic =
       findings.report(mesh.span, std::string(mesh.is_texture ? "texture" : "mesh") +
                                      " file not found: " + quoted(mesh.filename));
+  diagnostic.construct = mesh.is_texture ? "texture" : "mesh";
   if (mesh.path.empty()) {
     diagnostic.caret = "in no folder above the URDF";
   } else if (mesh.path != mesh.filename) {

@@ -16,6 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (expected.empty() || extension == expected) continue;
     Diagnostic& diagnostic =
         findings.report(file.span, "MARS does not read files that end in " + quoted(extension));
+    diagnostic.construct = expected.substr(1);
     diagnostic.help = "rename the file so that it ends in " + quoted(expected);
   }
 }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What fixed joints hold together.
+#pragma once
+
+#include <vector>
+
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// By link: is it part of a body that moves and has no mass, nor collisions that a reader could
+/// compute one from?
+std::vector<bool> massless_bodies(const LinkedModel& model);
+
+/// Does the link, or what hangs on it by fixed joints, have an inertial?
+bool has_fixed_mass(const LinkedModel& model, LinkIndex link);
+
+}  // namespace smurf

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::vector<const urdf::Link*> links;
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (!link.inertial && link.name.value_or("") != "world") links.push_back(&link);
+  });
+  if (links.empty()) return;
+  const bool has_root = model.tree.roots.size() == 1;
+  const bool is_root_lost = has_root && !has_fixed_mass(model, model.tree.roots.front());
+  const urdf::Link& shown = is_root_lost ? model.link(model.tree.roots.front()) : *links.front();
+  Diagnostic& diagnostic =
+      findings.report(name_place(model, shown), title(shown) + " has no inertial");
+  if (is_root_lost) diagnostic.construct = "root";
+  // One by one they are findings only when some other link has an inertial.
+  const std::vector<bool> massless = massless_bodies(model);
+  if (std::find(massless.begin(), massless.end(), true) != massless.end()) {
+    diagnostic.construct += "#massless-body";
+  }
+  if (links.size() > 1) {
+    diagnostic.notes.push_back("nor have " + std::to_string(links.size() - 1) + " more links");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1916_link_without_inertial{
+    .id = "SML1916",
+    .name = "link-without-inertial",
+    .severity = Severity::warning,
+    .summary = "A link has no inertial, which a target makes up or drops the link for.",
+    .why = "URDF means no mass. Bullet gives every such link 1 kg and 1 kg m2, frames and sensors "
+           "included. sdformat drops a root without mass, and with it all below: a model without "
+           "links.",
+    .remedy = "Add an inertial to what has a mass; for Bullet, a small one to every frame.",
+    .sources = "Bullet UrdfParser.cpp:1043-1059 (bullet3 issues 3097, 3110); sdformat 12.3, "
+               "executed: 102 of 322 files of the Tola/Corke dataset.",
+    .check_model = check,
+    .needs_target = true};
+
+}  // namespace smurf::rules

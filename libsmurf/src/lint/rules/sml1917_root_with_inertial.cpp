@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot || model.tree.roots.size() != 1) return;
+  const LinkIndex root = model.tree.roots.front();
+  const urdf::Link& link = model.link(root);
+  if (!link.inertial || model.tree.child_joints[to_size(root)].empty()) return;
+  findings.report(tag_name(model, link.inertial->element),
+                  "the root " + title(link) + " has an inertial");
+}
+
+}  // namespace
+
+extern constinit const Rule sml1917_root_with_inertial{
+    .id = "SML1917",
+    .name = "root-with-inertial",
+    .severity = Severity::warning,
+    .summary = "The root link has an inertial, which a target leaves out.",
+    .why = "KDL knows no root with a mass: it warns and computes without.",
+    .remedy = "Put a link without inertial above it, joined by a fixed joint.",
+    .sources = "kdl_parser; 84 of 322 files of the Tola/Corke "
+               "dataset.",
+    .check_model = check,
+    .needs_target = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (joint.type != urdf::JointType::continuous || joint.limit) return;
+    findings.report(joint.type_name.span, "continuous " + title(joint) + " has no `limit`").help =
+        "add `<limit effort=\"...\" velocity=\"...\"/>`";
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml7001_continuous_without_limit{
+    .id = "SML7001",
+    .name = "continuous-without-limit",
+    .severity = Severity::error,
+    .summary = "A continuous joint has no limit element.",
+    .why = "URDF needs none there. MARS 2 and MARS with envire read effort and velocity of the "
+           "limit of every joint that moves and dereference a null pointer.",
+    .remedy = "Add a limit with effort and velocity.",
+    .sources = "envire_smurf_loader Model.cpp:636-641; rock-cpp/smurf Robot.cpp:233-241.",
+    .check_model = check,
+    .needs_target = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// The keys that MARS 2 reads without looking whether they are there.
+std::vector<std::string_view> missing_keys(const Motor& motor) {
+  std::vector<std::string_view> missing;
+  const auto need = [&](bool is_written, std::string_view key) {
+    if (!is_written) missing.push_back(key);
+  };
+  need(motor.type.written, "type");
+  need(motor.min_value.written, "minValue");
+  need(motor.max_value.written, "maxValue");
+  need(motor.max_effort.written, "maxEffort");
+  need(motor.max_speed.written, "maxSpeed");
+  if (motor.type.value_or("") == "PID") {
+    need(motor.p.written, "p");
+    need(motor.i.written, "i");
+    need(motor.d.written, "d");
+  }
+  return missing;
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    const std::vector<std::string_view> missing = missing_keys(motor);
+    if (missing.empty()) continue;
+    std::string list;
+    for (const std::string_view key : missing) {
+      list.append(list.empty() ? "" : ", ").append(quoted(key));
+    }
+    Diagnostic& diagnostic = findings.report(motor.name.written ? motor.name.span : motor.span,
+                                             subject("motor", motor) + " has no " + list);
+    if (!motor.type.written) diagnostic.construct = "type";
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml7004_motor_key_missing{
+    .id = "SML7004",
+    .name = "motor-key-missing",
+    .severity = Severity::error,
+    .summary = "A motor lacks a key that a target does not do without.",
+    .why = "MARS has defaults for most keys of a motor. MARS 2 has none: without `type` it ends "
+           "with an exception, without the others it computes with whatever is in memory. It "
+           "does not know `minPosition` and `maxPosition`.",
+    .remedy = "Write the key.",
+    .sources = "envire_smurf_loader Model.cpp:443-456; envire_types motors.",
+    .check_model = check,
+    .needs_target = true};
+
+}  // namespace smurf::rules

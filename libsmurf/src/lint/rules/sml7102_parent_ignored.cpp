@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
+    if (!entity.parent || *entity.parent == "world" || entity.parent->empty()) return;
+    findings.report(entity.parent.span,
+                    title(entity) + " is placed relative to " + quoted(*entity.parent));
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml7102_parent_ignored{
+    .id = "SML7102",
+    .name = "parent-ignored",
+    .severity = Severity::warning,
+    .summary = "An entity is placed relative to another one, which a target does not do.",
+    .why = "MARS 2 does not read `parent` and places the entity in the world frame; the pybullet "
+           "script of Phobos stops with a KeyError.",
+    .remedy = "Place the entity in the world frame: smurfs-flatten computes it.",
+    .sources = "MarsSceneLoader.cpp; Phobos scripts/smurfs_in_pybullet.py:149-169.",
+    .check_scene = check,
+    .needs_target = true};
+
+}  // namespace smurf::rules

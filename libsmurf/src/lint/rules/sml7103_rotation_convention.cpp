@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+std::string_view form_of(const Rotation& rotation) {
+  switch (rotation.form) {
+  case RotationForm::yaw: return "yaw";
+  case RotationForm::euler: return "euler";
+  case RotationForm::quaternion: return "quaternion";
+  case RotationForm::absent:
+  case RotationForm::invalid: break;
+  }
+  return {};
+}
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
+    const Rotation& rotation = entity.rotation;
+    const std::string_view form = form_of(rotation);
+    if (form.empty() || rotation.is_mapping) return;
+    const bool is_zero = std::all_of(rotation.values.begin(), rotation.values.end(),
+                                     [](double value) { return value == 0; });
+    if (is_zero) return;
+    findings
+        .report(rotation.span, "the rotation of " + title(entity) + " is written as " +
+                                   (form == "quaternion" ? "a quaternion w, x, y, z" : "degrees"))
+        .construct = form;
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml7103_rotation_convention{
+    .id = "SML7103",
+    .name = "rotation-convention",
+    .severity = Severity::warning,
+    .summary = "A rotation is written in a way that a target reads as another one.",
+    .why = "MARS and MARS 2 read one or three numbers as degrees and four as w, x, y, z. Phobos "
+           "2 reads them as radians and as x, y, z, w; its pybullet script stops at four "
+           "numbers.",
+    .remedy = "For Phobos 2 write a mapping with the keys w, x, y, z, which MARS reads since 2025.",
+    .sources = "MARS SimEntity.cpp:405-431; Phobos io/representation.py:141-160, "
+               "utils/transform.py:9-48, scripts/smurfs_in_pybullet.py:115-122.",
+    .check_scene = check,
+    .needs_target = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/path.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+bool has_pose(const Entity& entity) {
+  return entity.position.written || entity.rotation.form != RotationForm::absent;
+}
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
+    if (!entity.file) return;
+    const std::string extension = path::to_lower(path::extension(*entity.file));
+    if (extension != ".smurfs" && extension != ".smurfa") return;
+    findings.report(entity.file.span, title(entity) + " includes another scene").construct =
+        has_pose(entity) ? "placed" : "";
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml7105_included_scene{
+    .id = "SML7105",
+    .name = "included-scene",
+    .severity = Severity::warning,
+    .summary = "A scene includes another one, of which a target takes a part.",
+    .why = "MARS composes the poses and takes all entities. MARS 2 takes only the .yml entities "
+           "of an included scene and its physics; it and the pybullet script of Phobos ignore "
+           "the pose of the include.",
+    .remedy = "Write all entities into one scene: smurfs-flatten computes their poses.",
+    .sources = "MarsSceneLoader.cpp:209, 249-298; Phobos scripts/smurfs_in_pybullet.py:105-107.",
+    .check_scene = check,
+    .needs_target = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <set>
+
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  std::set<std::pair<SourceId, EntityList>> seen;
+  for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
+    if (entity.list == EntityList::entities || !file.document) return;
+    if (!seen.insert({file.source, entity.list}).second) return;
+    const std::string_view name = entity.list == EntityList::smurfs ? "smurfs" : "smurfa";
+    const yaml::View list = file.document->view().find(name);
+    if (list) findings.report(list.key_span(), "the entities stand in the list " + quoted(name));
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml7108_old_entity_list{
+    .id = "SML7108",
+    .name = "old-entity-list",
+    .severity = Severity::warning,
+    .summary = "Entities stand in a list that a target does not read.",
+    .why = "MARS reads `smurfs`, `entities` and `smurfa`, MARS 2 `entities` only.",
+    .remedy = "Call the list `entities`.",
+    .sources = "MARS SMURFLoader.cpp:431-450; MarsSceneLoader.cpp.",
+    .check_scene = check,
+    .needs_target = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  constexpr double kSmallestMilliseconds = 0.05;  // below, seconds are meant: SML5304
+  for (const SceneFile& file : scene.scenes) {
+    if (!file.scene.physics || !file.scene.physics->step_size) continue;
+    if (*file.scene.physics->step_size < kSmallestMilliseconds) continue;
+    findings.report(file.scene.physics->step_size.span,
+                    "the step is " + format_rounded(*file.scene.physics->step_size) + " ms");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml7109_step_size{
+    .id = "SML7109",
+    .name = "step-size",
+    .severity = Severity::warning,
+    .summary = "A scene sets the step of the physics, which a target reads in another unit.",
+    .why = "MARS reads `stepsize` in milliseconds, the pybullet script of Phobos in seconds.",
+    .remedy = "Set the step where pybullet is started.",
+    .sources = "MARS SMURFLoader.cpp:471-473; Phobos scripts/smurfs_in_pybullet.py:92-96.",
+    .check_scene = check,
+    .needs_target = true};
+
+}  // namespace smurf::rules

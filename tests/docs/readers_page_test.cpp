@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// docs/readers.md is made from the table of readers; this test fails when it is stale.
+// SMURF_UPDATE_SNAPSHOTS=1 writes it.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "smurf/readers.hpp"
+
+namespace fs = std::filesystem;
+using namespace smurf;
+
+namespace {
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// "[SML1408](rules.md#bounds-equal)", or "SML18xx" for a whole family.
+std::string link_to(std::string_view id) {
+  const Rule* rule = find_rule(id);
+  if (rule != nullptr) {
+    return "[" + std::string(id) + "](rules.md#" + std::string(rule->name) + ")";
+  }
+  return std::string(id) + std::string(7 - id.size(), 'x');
+}
+
+void write_reader(std::ostream& page, const Reader& reader) {
+  page << "\n## " << reader.title;
+  if (reader.is_target) page << " (`" << reader.name << "`)";
+  page << "\n\nBasis: " << reader.basis << ".";
+  if (reader.like != nullptr) {
+    page << " What is not said here is as for " << reader.like->title << ".";
+  }
+  page << "\n\n| rule | where | effect | what it makes of it | source |\n|---|---|---|---|---|\n";
+  for (const ReaderFact& fact : reader.facts) {
+    page << "| " << link_to(fact.rule) << " | "
+         << (fact.where.empty() ? "" : "`" + std::string(fact.where) + "`") << " | "
+         << to_string(fact.effect) << " | " << fact.makes << " | " << fact.source << " |\n";
+  }
+}
+
+std::string readers_page() {
+  std::ostringstream page;
+  page << "# Readers\n\n"
+          "What each reader makes of what the rules find. Made from the table in "
+          "`libsmurf/src/base/readers/` by `readers_page_test`; do not edit.\n\n"
+          "`smurf-lint --target LIST` judges findings by this table. The first row of a reader "
+          "that fits a finding counts; `where` is a part of its path, or after `#` the case of its "
+          "rule. The effects, and the severity they give a finding:\n\n"
+          "| effect | the reader ... | severity |\n|---|---|---|\n"
+          "| takes | reads it as it is meant | as if no reader stumbled |\n"
+          "| ignores | has no use for it, and nothing else changes | info |\n"
+          "| changes | silently makes something else of it | warning |\n"
+          "| loses | silently leaves a part of the robot out | warning |\n"
+          "| breaks | reports an error and goes on with the rest | error |\n"
+          "| refuses | does not load the file | error |\n"
+          "| crashes | ends or hangs | error |\n\n"
+          "The worst of the targets counts. When none of them stumbles over what others stumble "
+          "over, an error becomes a warning and a warning an info. Findings about which nothing "
+          "is known of any reader stay as they are, and so does what no body can be: a negative "
+          "mass, an impossible inertia, a joint from a link to itself.\n";
+  for (const Reader* reader : all_readers()) write_reader(page, *reader);
+  return page.str();
+}
+
+}  // namespace
+
+TEST_CASE("docs/readers.md is what the table of readers says") {
+  const fs::path path = fs::path(SMURF_FIXTURES) / ".." / "docs" / "readers.md";
+  const std::string page = readers_page();
+  if (std::getenv("SMURF_UPDATE_SNAPSHOTS") != nullptr) {
+    std::ofstream(path, std::ios::binary) << page;
+  }
+  CHECK_MESSAGE(read(path) == page, "docs/readers.md is stale: run with SMURF_UPDATE_SNAPSHOTS=1");
+}
