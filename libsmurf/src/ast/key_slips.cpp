@@ -13,16 +13,18 @@ namespace {
 
 bool is_separator(char c) { return c == '_' || c == '-' || c == ' '; }
 
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 /// `max_speed` and `maxSpeed`.
 bool differ_in_style(std::string_view a, std::string_view b) {
-  const auto letters = [](std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-      if (!is_separator(c)) result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return result;
-  };
-  return a != b && letters(a) == letters(b);
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (true) {
+    while (i < a.size() && is_separator(a[i])) ++i;
+    while (j < b.size() && is_separator(b[j])) ++j;
+    if (i == a.size() || j == b.size()) return i == a.size() && j == b.size() && a != b;
+    if (lower(a[i++]) != lower(b[j++])) return false;
+  }
 }
 
 bool ends_in_digit(std::string_view text) {
