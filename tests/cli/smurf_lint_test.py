@@ -17,16 +17,23 @@ import cli  # noqa: E402
 URDF = """<?xml version="1.0"?>
 <robot name="arm">
   <link name="base"/>
-  <link name="forearm"/>
-  <joint name="elbow" type="fixed">
+  <link name="forearm">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+    </inertial>
+  </link>
+  <joint name="elbow" type="continuous">
     <parent link="base"/>
     <child link="forearm"/>
+    <axis xyz="0 0 1"/>
+    <limit effort="1" velocity="1"/>
   </joint>
 </robot>
 """
 BROKEN_URDF = URDF.replace('child link="forearm"', 'child link="forarm"')
 SMURF = "modelname: arm\nfiles:\n- ../urdf/arm.urdf\n- arm_motors.yml\n"
-MOTORS = "motors:\n- name: elbow\n  joint: elbow\n  type: PID\n"
+MOTORS = "motors:\n- name: elbow\n  joint: elbow\n  type: PID\n  maxEffort: 1.0\n  maxSpeed: 1.0\n"
 BROKEN_MOTORS = MOTORS.replace("joint: elbow", "joint: elbwo")
 
 
@@ -135,7 +142,7 @@ class Fixes(LintTest):
     """The case of a joint's type (SML1401) has a safe fix, an unknown joint (SML3101) an unsafe one."""
 
     def test_safe_fix(self):
-        urdf = URDF.replace('type="fixed"', 'type="Fixed"')
+        urdf = URDF.replace('type="continuous"', 'type="Continuous"')
         self.write_model(urdf=urdf, motors=BROKEN_MOTORS)
         os.chmod(self.folder / "arm/urdf/arm.urdf", 0o640)
         done = self.expect(1, "--fix", "arm")
@@ -157,7 +164,7 @@ class Fixes(LintTest):
         self.assertIn("no findings", self.expect(0, "--fix", "--unsafe-fixes", "arm").stdout)
 
     def test_fix_only(self):
-        self.write_model(motors=BROKEN_MOTORS, urdf=URDF.replace('type="fixed"', 'type="Fixed"'))
+        self.write_model(motors=BROKEN_MOTORS, urdf=URDF.replace('type="continuous"', 'type="Continuous"'))
         self.assertEqual(self.expect(0, "--fix-only", "arm").stdout, "")
         self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
 
@@ -167,12 +174,14 @@ class Fixes(LintTest):
         done = self.expect(1, "--diff", "--unsafe-fixes", "arm")
         self.assertEqual(done.stdout, """--- a/arm/smurf/arm_motors.yml
 +++ b/arm/smurf/arm_motors.yml
-@@ -1,4 +1,4 @@
+@@ -1,6 +1,6 @@
  motors:
  - name: elbow
 -  joint: elbwo
 +  joint: elbow
    type: PID
+   maxEffort: 1.0
+   maxSpeed: 1.0
 \\ No newline at end of file
 """)
         self.expect(0, "--diff", "--unsafe-fixes", "--exit-zero", "arm")
@@ -182,7 +191,7 @@ class Fixes(LintTest):
         self.assertEqual(self.read("arm/smurf/arm_motors.yml"), MOTORS.rstrip("\n"))
 
     def test_standard_input(self):
-        broken = URDF.replace('type="fixed"', 'type="Fixed"')
+        broken = URDF.replace('type="continuous"', 'type="Continuous"')
         done = self.run_tool("--fix", "-", stdin=broken)
         self.assertEqual(done.returncode, 0)
         self.assertEqual(done.stdout, URDF)
@@ -587,6 +596,13 @@ class Inputs(LintTest):
         self.assertEqual(self.findings("cell.smurfs").count(expected), 1)
         self.assertEqual(self.findings(".").count(expected), 1)
         self.assertIn("(1 model, 1 scene)\n", self.expect(1, ".").stdout)
+
+
+class JsonAnnotations(LintTest):
+    def test_alone_and_listed(self):
+        self.write("arm_motors.json", '{"motors": [{"name": "elbow", "joint": "elbow", "type": "PIDD"}]}')
+        self.assertIn(("arm_motors.json", "SML4101"), self.findings("arm_motors.json"))
+        self.assertNotIn(("arm_motors.json", "SML1001"), self.findings("arm_motors.json"))
 
 
 class Terminal(LintTest):

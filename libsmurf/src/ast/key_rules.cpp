@@ -51,4 +51,34 @@ constinit const Rule sml4004_missing_key{
     .remedy = "Add the key.",
     .sources = "configmaps (run); MARS smurf.cpp:264; Phobos representation.py:2399."};
 
+constinit const Rule sml4005_misspelt_key{
+    .id = "SML4005",
+    .name = "misspelt-key",
+    .severity = Severity::warning,
+    .summary = "A key that no reader knows is nearly one that they know.",
+    .why = "Every reader looks keys up by their exact names: a misspelt one is carried along, and "
+           "the value it was to replace stays as it was.",
+    .remedy = "Correct the key. Keys of your own are welcome; name them less alike.",
+    .sources = "configmaps (run); MARS MotorData.cpp, NodeData.cpp:98-286, JointData.cpp:89-164."};
+
+constinit const Rule sml4006_number_notation{
+    .id = "SML4006",
+    .name = "number-notation",
+    .severity = Severity::error,
+    .summary = "A number is written in a notation that MARS reads as another number.",
+    .why = "MARS reads whole numbers with scanf's %d, which stops at the first character that is "
+           "no digit: `1e3` is 1, `0x10` is 0. Other numbers may have exponents, but `0o17` is 0.",
+    .remedy = "Write plain decimal digits.",
+    .sources = "configmaps ConfigAtom.hpp:335-386 (run)."};
+
+constinit const Rule sml4007_yaml_version{
+    .id = "SML4007",
+    .name = "yaml-version",
+    .severity = Severity::warning,
+    .summary = "A value means something else to readers of YAML 1.1, such as Phobos.",
+    .why = "PyYAML follows YAML 1.1: `1e-5` and `-.5` are texts, `010` is 8, `on` and `no` are "
+           "booleans, `12:30` is 750. yaml-cpp and configmaps (MARS) read what is written.",
+    .remedy = "Write numbers with a point and a sign in the exponent (1.0e-5), and quote texts.",
+    .sources = "PyYAML 6.0 resolver.py (run); configmaps ConfigAtom.hpp:335-386 (run)."};
+
 }  // namespace smurf::rules

@@ -5,9 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "base/rules.hpp"
-#include "base/suggest.hpp"
-
 namespace smurf {
 
 Bounds bounds_of(const KeySpec& spec) {
@@ -52,31 +49,19 @@ yaml::ScalarType type_without_quotes(yaml::View value) {
              : yaml::ScalarType::text;
 }
 
-Span without_quotes(Span span, std::string_view text) {
-  const bool is_quoted = span.end - span.begin == text.size() + 2;
-  return is_quoted ? Span{span.source, span.begin + 1, span.end - 1} : span;
+Span within_quotes(yaml::View value) {
+  const yaml::Node& own = value.document().nodes[static_cast<std::size_t>(value.id())];
+  const bool is_quoted =
+      own.style == yaml::Style::single_quoted || own.style == yaml::Style::double_quoted;
+  const Span span = own.span;
+  return is_quoted && own.target == yaml::kNoNode ? Span{span.source, span.begin + 1, span.end - 1}
+                                                  : span;
 }
 
-/// A key that says nothing or is a slip of the pen is the place; otherwise the entry's first key.
-void report_missing(std::span<const KeySpec* const> missing, yaml::View mapping,
-                    std::string_view what, DiagnosticSink& sink) {
-  if (missing.empty()) return;
-  std::vector<std::string_view> names;
-  for (const yaml::View key : mapping) names.push_back(key.key());
-  for (const KeySpec* spec : missing) {
-    const std::string name = "`" + std::string(spec->name) + "`";
-    const auto near = nearest(spec->name, names);
-    const yaml::View key = mapping.find(near.value_or(spec->name));
-    const Span place = key             ? key.key_span()
-                       : names.empty() ? mapping.span()
-                                       : (*mapping.begin()).key_span();
-    Diagnostic& diagnostic = sink.report(rules::sml4004_missing_key, place,
-                                         "this " + std::string(what) + " has no " + name);
-    if (!near) continue;
-    diagnostic.help = "did you mean " + name + " by `" + std::string(*near) + "`?";
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{without_quotes(place, *near), std::string(spec->name)}}});
-  }
+/// Plain keys stand there as they are.
+Span without_quotes(Span key, std::string_view text) {
+  const bool is_quoted = key.end - key.begin >= text.size() + 2;
+  return is_quoted ? Span{key.source, key.begin + 1, key.end - 1} : key;
 }
 
 std::string_view describe(ValueType type) {

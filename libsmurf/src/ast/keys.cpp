@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ast/notation.hpp"
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
@@ -41,6 +42,39 @@ void report_not_number(const KeySpec& spec, yaml::View value, std::string_view e
   }
 }
 
+/// What readers with other grammars than ours make of a number or a text. JSON has one meaning.
+void check_notation(const KeySpec& spec, yaml::View value, bool is_whole, DiagnosticSink& sink) {
+  const std::optional<double> number = value.number();
+  if (!number || is_json(value.document())) return;
+  const std::optional<std::string> in_mars = read_by_scanf(value.text(), is_whole);
+  const std::optional<std::string> in_yaml11 = read_by_yaml11(value);
+  if (in_mars) {
+    Diagnostic& diagnostic = sink.report(rules::sml4006_number_notation, value.span(),
+                                         "MARS reads `" + std::string(value.text()) + "` of " +
+                                             name_of(spec) + " as " + *in_mars);
+    offer(diagnostic, "write " + format_number(*number), value.span(), format_number(*number));
+  } else if (in_yaml11) {
+    Diagnostic& diagnostic = sink.report(rules::sml4007_yaml_version, value.span(),
+                                         "Phobos reads `" + std::string(value.text()) + "` of " +
+                                             name_of(spec) + " as " + *in_yaml11);
+    const std::string text = in_all_notations(*number);
+    offer(diagnostic, "write " + text, value.span(), text);
+  }
+}
+
+/// Words that YAML 1.1 takes for booleans, times and dates.
+void check_text(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
+  if (value.number()) return;  // a type or a version may be a number
+  const std::optional<std::string> in_yaml11 = read_by_yaml11(value);
+  if (!in_yaml11) return;
+  Diagnostic& diagnostic = sink.report(rules::sml4007_yaml_version, value.span(),
+                                       "Phobos reads `" + std::string(value.text()) + "` of " +
+                                           name_of(spec) + " as " + *in_yaml11);
+  diagnostic.help = "put it in quotes";
+  diagnostic.fixes.push_back(
+      {Applicability::safe, {{value.span(), "'" + std::string(value.text()) + "'"}}});
+}
+
 /// A finite number, reported otherwise.
 std::optional<double> finite_number(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   const std::optional<double> number = value.number();
@@ -73,8 +107,8 @@ void check_choice(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
       sink.report(rules::sml4002_unknown_value, value.span(),
                   "`" + std::string(value.text()) + "` is not a value of " + name_of(spec));
   if (const auto near = nearest(value.text(), spec.choices)) {
-    return offer(diagnostic, "did you mean `" + std::string(*near) + "`?",
-                 without_quotes(value.span(), value.text()), *near);
+    return offer(diagnostic, "did you mean `" + std::string(*near) + "`?", within_quotes(value),
+                 *near);
   }
   diagnostic.help = "known values:";
   for (const std::string_view choice : spec.choices) {
@@ -95,6 +129,7 @@ void read_text(const KeySpec& spec, yaml::View value, Target target, DiagnosticS
   std::optional<std::string> text;
   if (value.is_scalar()) {
     check_choice(spec, value, sink);
+    check_text(spec, value, sink);
     text = std::string(value.text());
   } else {
     report_type(spec, value, "a text", sink);
@@ -104,7 +139,7 @@ void read_text(const KeySpec& spec, yaml::View value, Target target, DiagnosticS
 
 void read_number(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
   const std::optional<double> number = finite_number(spec, value, sink);
-  if (number) check_range(spec, value, *number, sink);
+  if (number && check_range(spec, value, *number, sink)) check_notation(spec, value, false, sink);
   store(target, value, number);
 }
 
@@ -116,6 +151,7 @@ void read_integer(const KeySpec& spec, yaml::View value, Target target, Diagnost
     report_not_number(spec, value, "a whole number", sink);
   } else if (check_range(spec, value, *number, sink)) {
     whole = static_cast<std::int64_t>(*number);
+    check_notation(spec, value, true, sink);
   }
   store(target, value, whole);
 }
@@ -143,6 +179,7 @@ void read_boolean(const KeySpec& spec, yaml::View value, Target target, Diagnost
 void read_names(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
   NameList names;
   if (spec.type == ValueType::names && value.is_scalar()) {
+    check_text(spec, value, sink);
     names.push_back({std::string(value.text()), value.span()});
     return store(target, value, std::optional(std::move(names)));
   }
@@ -152,6 +189,7 @@ void read_names(const KeySpec& spec, yaml::View value, Target target, Diagnostic
   }
   for (const yaml::View item : value) {
     if (item.is_scalar()) {
+      check_text(spec, item, sink);
       names.push_back({std::string(item.text()), item.span()});
     } else {
       report_type(spec, item, "a list of names", sink);
@@ -285,13 +323,18 @@ void read_value(const KeySpec& spec, yaml::View value, Target target, Diagnostic
 
 void check_keys(std::span<const KeySpec> keys, yaml::View mapping, std::string_view what,
                 DiagnosticSink& sink) {
-  std::vector<const KeySpec*> missing;
+  KeyDifference difference;
   for (const KeySpec& spec : keys) {
     const yaml::View value = mapping.find(spec.name);
     if (value) read_value(spec, value, {}, sink);
-    if (spec.required && (!value || value.is_null())) missing.push_back(&spec);
+    if (spec.required && (!value || value.is_null())) difference.missing.push_back(&spec);
   }
-  report_missing(missing, mapping, what, sink);
+  if (!difference.missing.empty()) {
+    for (const yaml::View value : mapping) {
+      if (find_key({keys}, value.key()) == nullptr) difference.unknown.push_back(value);
+    }
+  }
+  report_difference(difference, mapping, what, sink);
 }
 
 }  // namespace smurf

@@ -104,15 +104,28 @@ void read_value(const KeySpec& spec, yaml::View value, Target target, Diagnostic
 void check_keys(std::span<const KeySpec> keys, yaml::View mapping, std::string_view what,
                 DiagnosticSink& sink);
 
-/// Reports SML4004 for each required key that `mapping`, a `what` ("motor"), does not hold.
-void report_missing(std::span<const KeySpec* const> missing, yaml::View mapping,
-                    std::string_view what, DiagnosticSink& sink);
+/// How the keys of a mapping differ from its tables.
+struct KeyDifference {
+  std::vector<const KeySpec*> missing;  ///< required, but not given
+  std::vector<yaml::View> unknown;      ///< given, but in no table
+  std::vector<std::string_view> known;  ///< all keys of the tables, when slips are looked for
+};
+
+/// Whether unknown keys that are nearly known ones are reported where the keys are read.
+enum class Slips : std::uint8_t { ignored, reported };
+
+/// Reports SML4004 for each required key that `mapping`, a `what` ("motor"), does not hold, and
+/// SML4005 for each unknown key that is a slip of the pen for another one.
+void report_difference(const KeyDifference& difference, yaml::View mapping, std::string_view what,
+                       DiagnosticSink& sink);
 
 /// The type of a quoted scalar when the quotes are taken away; text for everything else.
 yaml::ScalarType type_without_quotes(yaml::View value);
 
-/// The bytes of `text` within the quotes of a scalar or key, so that an edit keeps them (JSON).
-Span without_quotes(Span span, std::string_view text);
+/// The bytes of a scalar within its quotes, if it has any, so that an edit keeps them (JSON).
+Span within_quotes(yaml::View value);
+/// Same, for a key that reads `text`.
+Span without_quotes(Span key, std::string_view text);
 
 /// "a number", "a list of names": for messages.
 std::string_view describe(ValueType type);
@@ -128,14 +141,16 @@ const KeySpec* find_key(MoreKeys tables, std::string_view name);
 /// Reads `mapping` into `out` by tables. Keys without a row are left to the tree.
 template <class T>
 void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, T& out,
-               std::string_view what, DiagnosticSink& sink) {
+               std::string_view what, DiagnosticSink& sink, Slips slips = Slips::ignored) {
   std::vector<bool> seen(keys.size(), false);
   std::vector<bool> given(keys.size(), false);
+  KeyDifference difference;
   for (const yaml::View value : mapping) {
     std::size_t i = 0;
     while (i < keys.size() && keys[i].spec.name != value.key()) ++i;
     if (i == keys.size()) {
       const KeySpec* spec = find_key(more, value.key());
+      if (spec == nullptr) difference.unknown.push_back(value);
       if (spec != nullptr && !value.is_repeated()) read_value(*spec, value, {}, sink);
       continue;
     }
@@ -153,20 +168,25 @@ void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, 
         keys[i].member);
     read_value(keys[i].spec, value, target, sink);
   }
-  std::vector<const KeySpec*> missing;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (keys[i].spec.required && !given[i]) missing.push_back(&keys[i].spec);
+    if (keys[i].spec.required && !given[i]) difference.missing.push_back(&keys[i].spec);
   }
-  report_missing(missing, mapping, what, sink);
+  if (slips == Slips::reported && !difference.unknown.empty()) {
+    for (const Key<T>& key : keys) difference.known.push_back(key.spec.name);
+    for (const std::span<const KeySpec> table : more) {
+      for (const KeySpec& spec : table) difference.known.push_back(spec.name);
+    }
+  }
+  report_difference(difference, mapping, what, sink);
 }
 
 /// Reads an entry of a list; `out` learns its place as well.
 template <class T>
 void read_entry(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, T& out,
-                std::string_view what, DiagnosticSink& sink) {
+                std::string_view what, DiagnosticSink& sink, Slips slips = Slips::ignored) {
   out.span = mapping.span();
   out.node = mapping.id();
-  if (mapping.is_mapping()) read_keys(keys, more, mapping, out, what, sink);
+  if (mapping.is_mapping()) read_keys(keys, more, mapping, out, what, sink, slips);
 }
 
 template <class T>

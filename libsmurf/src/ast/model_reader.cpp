@@ -65,11 +65,24 @@ std::optional<Model> read_model(const yaml::Document& document, DiagnosticSink& 
   if (!is_mapping(document, "main file", sink)) return std::nullopt;
   Model model;
   const yaml::View root = document.view();
-  read_keys<Model>(kMainKeys, {}, root, model, "main file", sink);
+  read_keys<Model>(kMainKeys, {}, root, model, "main file", sink, Slips::reported);
   read_sections(root, is_main_key, model.inline_annotations, sink);
   model.extra = std::move(model.inline_annotations.custom);
   model.inline_annotations.custom.clear();
   return model;
+}
+
+bool holds_templates(const yaml::Document& document) {
+  const yaml::View root = document.view();
+  if (!root || !root.is_mapping()) return false;
+  const auto is_template = [](yaml::View value) {
+    const SectionSpec* section = find_section(value.key());
+    if (section == nullptr || section->form != SectionForm::list || !value.is_mapping()) {
+      return false;
+    }
+    return std::all_of(value.begin(), value.end(), [](yaml::View e) { return e.is_mapping(); });
+  };
+  return std::any_of(root.begin(), root.end(), is_template);
 }
 
 std::optional<Annotations> read_annotations(const yaml::Document& document, DiagnosticSink& sink) {

@@ -21,4 +21,8 @@ std::span<const Key<Model>> main_keys();
 /// Reads an annotation file (.yml). None when the root is not a mapping.
 std::optional<Annotations> read_annotations(const yaml::Document& document, DiagnosticSink& sink);
 
+/// True for a file that keeps templates of parts under the names of sections: mappings from names
+/// to mappings. Such files are no annotation files unless a model lists them.
+bool holds_templates(const yaml::Document& document);
+
 }  // namespace smurf

@@ -50,7 +50,7 @@ void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view ent
                yaml::View entry, Span section, std::vector<T>& entries, DiagnosticSink& sink) {
   T& item = entries.emplace_back();
   item.section = section;
-  read_entry(keys, more, entry, item, entry_name, sink);
+  read_entry(keys, more, entry, item, entry_name, sink, Slips::reported);
 }
 
 /// The keys that describe a node of MARS: entries of `collision`, `visuals`, `link` and `nodes`

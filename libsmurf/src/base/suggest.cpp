@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 
 namespace smurf {
 namespace {
@@ -109,6 +110,15 @@ std::optional<std::string_view> nearest(std::string_view name,
     }
   }
   return found;
+}
+
+bool differ_only_in_digits(std::string_view a, std::string_view b) {
+  const auto without_digits = [](std::string_view text) {
+    std::string rest(text);
+    std::erase_if(rest, [](char c) { return c >= '0' && c <= '9'; });
+    return rest;
+  };
+  return a != b && without_digits(a) == without_digits(b);
 }
 
 }  // namespace smurf

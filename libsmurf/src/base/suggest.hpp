@@ -17,4 +17,7 @@ int edit_distance(std::string_view a, std::string_view b, int limit);
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known);
 
+/// Names in a row, such as `finger_1` and `finger_3`: nobody means the one by the other.
+bool differ_only_in_digits(std::string_view a, std::string_view b);
+
 }  // namespace smurf

@@ -2,6 +2,7 @@
 // The files of a model: read once each, merged as smurf_parser does (SMURFParser.cpp:43-69), linked
 // by name.
 #include <algorithm>
+#include <set>
 
 #include "ast/model_reader.hpp"
 #include "ast/sections.hpp"
@@ -44,6 +45,11 @@ void merge(Annotations& to, Annotations&& from) {
   append(to.custom, std::move(from.custom));
 }
 
+/// MARS reads .yml only, which a rule reports; Phobos reads the others too.
+bool is_annotation(std::string_view extension) {
+  return extension == ".yml" || extension == ".yaml" || extension == ".json";
+}
+
 class ModelLoader {
  public:
   explicit ModelLoader(LoadContext& context) : context_(context) {}
@@ -54,8 +60,9 @@ class ModelLoader {
     if (extension == ".smurf") {
       model_.has_main = true;
       main_file(path);
-    } else if (extension == ".yml" || extension == ".yaml") {
+    } else if (is_annotation(extension)) {
       annotation_file(path, {}, rules::sml0001_unreadable_file);
+      model_.is_complete = false;  // motors and sensors may be named in other files
     } else {
       urdf_file(path, {}, rules::sml0001_unreadable_file);
     }
@@ -94,12 +101,22 @@ class ModelLoader {
   void listed_files(const std::string& main_path) {
     const std::string_view folder = path::parent(main_path);
     const NameList none;
+    std::set<std::string> read;  // a rule reports what is listed twice
     for (const Spanned<std::string>& entry : model_.main.files ? *model_.main.files : none) {
       const std::string path = path::join(folder, entry.value);
+      if (!read.insert(path::normalize(path)).second) continue;
+      if (entry.value.starts_with('/')) {
+        context_.sink.report(rules::sml2004_absolute_path, entry.span,
+                             "MARS takes this path as relative to the .smurf's folder");
+        if (!context_.files.is_file(path)) {  // one cause, one diagnostic
+          model_.is_complete = false;
+          continue;
+        }
+      }
       const std::string extension = path::to_lower(path::extension(entry.value));
       if (extension == ".urdf") {
         urdf_file(path, entry.span, rules::sml2001_missing_file);
-      } else if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
+      } else if (is_annotation(extension)) {
         annotation_file(path, entry.span, rules::sml2001_missing_file);
       }
     }
@@ -130,6 +147,7 @@ class ModelLoader {
     }
     auto document = parse(*source, ModelFile::Kind::annotation);
     if (!document) return;
+    if (!model_.has_main && holds_templates(*document)) return;
     auto annotations = read_annotations(*document, context_.sink);
     model_.files.back().document = std::move(document);
     if (annotations) {
@@ -211,6 +229,16 @@ constinit const Rule sml2001_missing_file{
            "(URDF); Phobos logs an error and goes on without the annotations.",
     .remedy = "Correct the path (relative to the .smurf's folder), or take the entry out.",
     .sources = "smurf_parser SMURFParser.cpp:45-77 (run); Phobos io/smurfrobot.py:171-197."};
+
+constinit const Rule sml2004_absolute_path{
+    .id = "SML2004",
+    .name = "absolute-path",
+    .severity = Severity::error,
+    .summary = "`files` lists an absolute path.",
+    .why = "MARS, MARS 2 and rock-cpp/smurf put the folder of the .smurf before every entry, so "
+           "the file is not found; and no other machine has it there.",
+    .remedy = "Write the path relative to the .smurf's folder.",
+    .sources = "smurf_parser SMURFParser.cpp:40-54 (run)."};
 
 }  // namespace rules
 }  // namespace smurf

@@ -26,16 +26,6 @@ Span visual_or_collision(const LinkedModel& model, NameKind kind, std::string_vi
   return {};
 }
 
-/// Names in a row, such as `finger_1` and `finger_3`: nobody means the one by the other.
-bool differ_in_digits(std::string_view a, std::string_view b) {
-  const auto without_digits = [](std::string_view text) {
-    std::string rest(text);
-    std::erase_if(rest, [](char c) { return c >= '0' && c <= '9'; });
-    return rest;
-  };
-  return without_digits(a) == without_digits(b);
-}
-
 }  // namespace
 
 std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
@@ -111,7 +101,7 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
     diagnostic.caret += " in `" + model.urdf_path + "`";
   }
   const auto near = nearest(name, names(model, kind).names());
-  if (!near || differ_in_digits(name, *near)) return &diagnostic;
+  if (!near || differ_only_in_digits(name, *near)) return &diagnostic;
   diagnostic.help = "did you mean " + quoted(*near) + "?";
   diagnostic.fixes.push_back(
       {Applicability::unsafe, {{within_quotes(model, place), std::string(*near)}}});

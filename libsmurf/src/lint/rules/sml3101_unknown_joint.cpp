@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -25,6 +25,14 @@ void check(const LinkedModel& model, Findings& findings) {
     if (joint.name) {
       check_reference(model, NameKind::joint, *joint.name, joint.name.span, "this joint entry",
                       findings);
+    }
+    const yaml::View dependencies = mapping_of(model, joint).find("joint_dependencies");
+    if (!dependencies || !dependencies.is_sequence()) continue;
+    for (const yaml::View dependency : dependencies) {
+      if (const auto leader = text_at(dependency, "joint")) {
+        check_reference(model, NameKind::joint, leader->value, leader->span,
+                        subject("joint", joint), findings);
+      }
     }
   }
 }

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
 namespace {
+
+void check_link(const LinkedModel& model, const Field<std::string>& name, const std::string& who,
+                Findings& findings) {
+  if (name) check_reference(model, NameKind::link, *name, name.span, who, findings);
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const Sensor& sensor : model.annotations.sensors) {
@@ -23,9 +28,25 @@ void check(const LinkedModel& model, Findings& findings) {
     check_reference(model, NameKind::link, *name, name.span, "this link entry", findings);
   }
   for (const NodeAnnotation& entry : model.annotations.nodes) {
-    if (!entry.parent) continue;
-    check_reference(model, NameKind::link, *entry.parent, entry.parent.span, subject("node", entry),
-                    findings);
+    check_link(model, entry.parent, subject("node", entry), findings);
+    check_link(model, entry.viz_link, subject("node", entry), findings);
+  }
+  for (const VisualAnnotation& entry : model.annotations.visuals) {
+    check_link(model, entry.link, subject("visual entry", entry), findings);
+  }
+  for (const JointAnnotation& entry : model.annotations.joints) {
+    const std::string who = subject("joint", entry);
+    check_link(model, entry.parent, who, findings);
+    check_link(model, entry.child, who, findings);
+    const auto body = text_at(mapping_of(model, entry), "gearbox_reference_body");
+    if (body) check_reference(model, NameKind::link, body->value, body->span, who, findings);
+  }
+  for (const Interface& entry : model.annotations.interfaces) {
+    check_link(model, entry.parent, subject("interface", entry), findings);
+  }
+  for (const Submodel& entry : model.annotations.submodels) {
+    check_link(model, entry.start, subject("submodel", entry), findings);
+    check_references(model, NameKind::link, entry.stop, subject("submodel", entry), findings);
   }
 }
 

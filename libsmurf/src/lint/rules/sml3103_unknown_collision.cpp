@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -11,6 +11,12 @@ void check(const LinkedModel& model, Findings& findings) {
     if (entry.link && !model.link_names.contains(*entry.link)) continue;
     check_reference(model, NameKind::collision, *entry.name, entry.name.span,
                     "this collision entry", findings);
+  }
+  for (const LinkAnnotation& link : model.annotations.links) {
+    for (const Spanned<std::string>& name : texts_at(mapping_of(model, link), "collisions")) {
+      check_reference(model, NameKind::collision, name.value, name.span, subject("link", link),
+                      findings);
+    }
   }
   for (const Sensor& sensor : model.annotations.sensors) {
     const std::string who = subject("sensor", sensor);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -14,6 +14,11 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!entry.material_name) continue;
     check_reference(model, NameKind::material, *entry.material_name, entry.material_name.span,
                     subject("visual entry", entry), findings);
+  }
+  for (const NodeAnnotation& entry : model.annotations.nodes) {
+    if (!entry.material_name) continue;
+    check_reference(model, NameKind::material, *entry.material_name, entry.material_name.span,
+                    subject("node", entry), findings);
   }
 }
 

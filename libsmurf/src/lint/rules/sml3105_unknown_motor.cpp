@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -16,8 +16,15 @@ void check(const LinkedModel& model, Findings& findings) {
     check_references(model, NameKind::motor, controller.motors, subject("controller", controller),
                      findings);
   }
+  for (const JointAnnotation& joint : model.annotations.joints) {
+    const auto motor = text_at(mapping_of(model, joint), "motor");
+    if (motor) {
+      check_reference(model, NameKind::motor, motor->value, motor->span, subject("joint", joint),
+                      findings);
+    }
+  }
   for (const Motor& motor : model.annotations.motors) {
-    // Phobos writes the joint that is mimicked, MARS wants the motor.
+    // Phobos writes the joint that is mimicked; another rule reports it.
     if (!motor.mimic_motor || model.joint_names.contains(*motor.mimic_motor)) continue;
     check_reference(model, NameKind::motor, *motor.mimic_motor, motor.mimic_motor.span,
                     subject("motor", motor), findings);

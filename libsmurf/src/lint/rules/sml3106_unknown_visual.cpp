@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -9,6 +9,12 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!entry.name) continue;
     check_reference(model, NameKind::visual, *entry.name, entry.name.span, "this visual entry",
                     findings);
+  }
+  for (const LinkAnnotation& link : model.annotations.links) {
+    for (const Spanned<std::string>& name : texts_at(mapping_of(model, link), "visuals")) {
+      check_reference(model, NameKind::visual, name.value, name.span, subject("link", link),
+                      findings);
+    }
   }
 }
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keys that are missing, and keys that nobody knows because they are misspelt. Unknown keys as such
+// are welcome: annotation is open.
+#include <algorithm>
+#include <unordered_set>
+
+#include "ast/keys.hpp"
+#include "base/rules.hpp"
+#include "base/suggest.hpp"
+
+namespace smurf {
+namespace {
+
+bool is_separator(char c) { return c == '_' || c == '-' || c == ' '; }
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// `max_speed` and `maxSpeed`.
+bool differ_in_style(std::string_view a, std::string_view b) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (true) {
+    while (i < a.size() && is_separator(a[i])) ++i;
+    while (j < b.size() && is_separator(b[j])) ++j;
+    if (i == a.size() || j == b.size()) return i == a.size() && j == b.size() && a != b;
+    if (lower(a[i++]) != lower(b[j++])) return false;
+  }
+}
+
+bool ends_in_digit(std::string_view text) {
+  return !text.empty() && text.back() >= '0' && text.back() <= '9';
+}
+
+/// The known key that an unknown one was meant to be. Stricter than for names of things: any key is
+/// allowed, and short words resemble each other by chance.
+std::optional<std::string_view> meant_key(std::string_view key,
+                                          std::span<const std::string_view> known) {
+  constexpr std::size_t kShortest = 4;
+  constexpr std::size_t kLong = 9;  // from here on two slips are still one word
+  constexpr std::size_t kLongest = 64;
+  if (key.size() < kShortest || key.size() > kLongest) return std::nullopt;
+  for (const std::string_view other : known) {
+    if (differ_in_style(key, other)) return other;
+  }
+  const auto near = nearest(key, known);
+  if (!near || near->size() < kShortest) return std::nullopt;
+  const int allowed = key.size() < kLong ? 1 : 2;
+  const bool is_numbered = ends_in_digit(key) && ends_in_digit(*near);
+  if (is_numbered || edit_distance(key, *near, allowed) > allowed) return std::nullopt;
+  return near;
+}
+
+/// URI, URIs and merge keys bring further keys, which are not looked at.
+bool takes_keys_from_elsewhere(yaml::View mapping) {
+  return std::any_of(mapping.begin(), mapping.end(), [](yaml::View value) {
+    return value.key() == "URI" || value.key() == "URIs" || value.key() == "<<";
+  });
+}
+
+void suggest(Diagnostic& diagnostic, yaml::View key, std::string_view meant) {
+  diagnostic.fixes.push_back(
+      {Applicability::unsafe, {{without_quotes(key.key_span(), key.key()), std::string(meant)}}});
+}
+
+/// A key that says nothing or is a slip of the pen is the place; otherwise the entry's first key.
+/// Returns the slip.
+yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unknown,
+                          yaml::View mapping, std::string_view what, DiagnosticSink& sink) {
+  std::vector<std::string_view> names;
+  for (const yaml::View key : unknown) names.push_back(key.key());
+  const std::string name = "`" + std::string(spec.name) + "`";
+  const auto near = nearest(spec.name, names);
+  const yaml::View key = mapping.find(near.value_or(spec.name));
+  const Span place = key                  ? key.key_span()
+                     : mapping.size() > 0 ? (*mapping.begin()).key_span()
+                                          : mapping.span();
+  Diagnostic& diagnostic = sink.report(rules::sml4004_missing_key, place,
+                                       "this " + std::string(what) + " has no " + name);
+  if (!near) return {};
+  diagnostic.help = "did you mean " + name + " by `" + std::string(*near) + "`?";
+  suggest(diagnostic, key, spec.name);
+  return key;
+}
+
+}  // namespace
+
+void report_difference(const KeyDifference& difference, yaml::View mapping, std::string_view what,
+                       DiagnosticSink& sink) {
+  std::vector<yaml::View> slips;
+  if (!difference.missing.empty() && !takes_keys_from_elsewhere(mapping)) {
+    for (const KeySpec* spec : difference.missing) {
+      slips.push_back(report_missing(*spec, difference.unknown, mapping, what, sink));
+    }
+  }
+  std::unordered_set<std::string_view> given;
+  for (const yaml::View key : difference.unknown) {
+    const auto is_this = [&](yaml::View slip) { return slip && slip.key() == key.key(); };
+    if (key.is_repeated() || std::any_of(slips.begin(), slips.end(), is_this)) continue;
+    const auto meant = meant_key(key.key(), difference.known);
+    if (!meant) continue;
+    if (given.empty()) {
+      for (const yaml::View value : mapping) given.insert(value.key());
+    }
+    if (given.contains(*meant)) continue;
+    Diagnostic& diagnostic = sink.report(rules::sml4005_misspelt_key, key.key_span(),
+                                         "no reader knows `" + std::string(key.key()) +
+                                             "` in this " + std::string(what));
+    diagnostic.help = "did you mean `" + std::string(*meant) + "`?";
+    suggest(diagnostic, key, *meant);
+  }
+}
+
+}  // namespace smurf

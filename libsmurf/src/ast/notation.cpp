@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: configmaps ConfigAtom.hpp:335-386; PyYAML resolver.py. Both were run.
+#include "ast/notation.hpp"
+
+#include <algorithm>
+
+#include "base/numbers.hpp"
+
+namespace smurf {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string_view without_sign(std::string_view text) {
+  if (!text.empty() && (text.front() == '+' || text.front() == '-')) text.remove_prefix(1);
+  return text;
+}
+
+std::string_view leading_digits(std::string_view text) {
+  const auto* const end = std::find_if_not(text.begin(), text.end(), is_digit);
+  return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+}
+
+/// 12:30, and 20150617_17:34 as in Phobos' dates.
+bool is_sexagesimal(std::string_view text) {
+  text = without_sign(text);
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos || text.front() < '1' || text.front() > '9') return false;
+  const auto is_part = [](char c) { return is_digit(c) || c == '_'; };
+  if (!std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(colon), is_part)) {
+    return false;
+  }
+  std::string_view rest = text.substr(colon);
+  while (rest.starts_with(':')) {
+    const std::string_view part = leading_digits(rest.substr(1));
+    if (part.empty() || part.size() > 2 || (part.size() == 2 && part.front() > '5')) return false;
+    rest.remove_prefix(1 + part.size());
+  }
+  return rest.empty();
+}
+
+/// 2015-06-17.
+bool is_date(std::string_view text) {
+  constexpr std::string_view kPattern = "0000-00-00";
+  return text.size() == kPattern.size() &&
+         std::equal(text.begin(), text.end(), kPattern.begin(),
+                    [](char c, char p) { return p == '0' ? is_digit(c) : c == p; });
+}
+
+bool is_boolean(std::string_view text) {
+  constexpr std::string_view kWords[] = {"yes",  "Yes",  "YES",  "no",    "No",    "NO",
+                                         "on",   "On",   "ON",   "off",   "Off",   "OFF",
+                                         "true", "True", "TRUE", "false", "False", "FALSE"};
+  return std::find(std::begin(kWords), std::end(kWords), text) != std::end(kWords);
+}
+
+std::string octal_value(std::string_view digits) {
+  double value = 0;
+  for (const char c : digits) value = value * 8 + (c - '0');
+  return format_number(value);
+}
+
+/// PyYAML wants a point, and a sign in the exponent; a sign and no digit before the point is text.
+std::optional<std::string> number_by_yaml11(std::string_view text) {
+  const std::string_view digits = without_sign(text);
+  if (digits.starts_with("0x")) return std::nullopt;
+  if (digits.starts_with("0o")) return "a text";
+  const bool has_point = digits.find('.') != std::string_view::npos;
+  const std::size_t exponent = digits.find_first_of("eE");
+  if (exponent != std::string_view::npos) {
+    const char sign = digits[exponent + 1];
+    if (!has_point || (sign != '+' && sign != '-')) return "a text";
+  }
+  if (digits.front() == '.' && digits.size() != text.size()) return "a text";
+  if (has_point || digits.size() == 1 || digits.front() != '0') return std::nullopt;
+  const bool is_octal =
+      std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '7'; });
+  if (!is_octal) return "a text";
+  const std::string value = octal_value(digits);
+  if (value == "0") return std::nullopt;
+  return (text.front() == '-' ? "-" : "") + value;
+}
+
+}  // namespace
+
+bool is_json(const yaml::Document& document) {
+  const yaml::View root = document.view();
+  if (!root || !root.is_mapping() || root.size() == 0) return false;
+  const yaml::View first = *root.begin();
+  return first.key_span().end - first.key_span().begin == first.key().size() + 2;
+}
+
+std::optional<std::string> read_by_scanf(std::string_view number, bool is_whole) {
+  const std::string_view digits = without_sign(number);
+  if (digits.starts_with("0o")) return "0";
+  if (!is_whole) return std::nullopt;
+  const std::string_view whole = leading_digits(digits);
+  const std::string_view rest = digits.substr(whole.size());
+  if (rest.find_first_not_of(".0") == std::string_view::npos && !whole.empty()) {
+    return std::nullopt;
+  }
+  if (whole.empty()) return "undefined memory";
+  const double read = parse_number(whole).value_or(0);
+  return format_number(number.front() == '-' ? -read : read);
+}
+
+std::optional<std::string> read_by_yaml11(yaml::View value) {
+  if (!value.is_scalar() || value.style() != yaml::Style::plain) return std::nullopt;
+  const std::string_view text = value.text();
+  if (text.empty()) return std::nullopt;
+  if (value.number()) return number_by_yaml11(text);
+  if (is_boolean(text)) return "a boolean";
+  if (is_sexagesimal(text)) return "a number to the base 60";
+  if (is_date(text)) return "a date";
+  return std::nullopt;
+}
+
+std::string in_all_notations(double number) {
+  std::string text = format_number(number);
+  const std::size_t exponent = text.find('e');
+  if (exponent == std::string::npos) return text;
+  if (text[exponent + 1] != '-' && text[exponent + 1] != '+') text.insert(exponent + 1, "+");
+  if (text.find('.') == std::string::npos) text.insert(exponent, ".0");
+  return text;
+}
+
+}  // namespace smurf

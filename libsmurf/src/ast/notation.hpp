@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What readers with other scalar grammars make of a plain scalar.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "smurf/yaml.hpp"
+
+namespace smurf {
+
+/// True for a document that is written as JSON, which leaves no room for notations.
+bool is_json(const yaml::Document& document);
+
+/// What scanf's %lf, or %d when the number is to be whole, reads from a YAML number; none when it
+/// is the same number.
+std::optional<std::string> read_by_scanf(std::string_view number, bool is_whole);
+
+/// What PyYAML makes of a plain scalar: "a text", "8", "a boolean"; none when it agrees with the
+/// YAML 1.2 core schema.
+std::optional<std::string> read_by_yaml11(yaml::View value);
+
+/// A number as every reader understands it: 1.0e-07.
+std::string in_all_notations(double number);
+
+}  // namespace smurf

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/suggest.hpp"
+
+namespace smurf {
+
+yaml::View mapping_of(const LinkedModel& model, const Annotation& entry) {
+  const yaml::Document* document = model.document(entry.span.source);
+  return document == nullptr ? yaml::View() : yaml::View(*document, entry.node);
+}
+
+std::optional<double> number_at(yaml::View mapping, std::string_view key) {
+  const yaml::View value = mapping ? mapping.find(key) : yaml::View();
+  const std::optional<double> number = value ? value.number() : std::nullopt;
+  return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<Spanned<std::string>> text_at(yaml::View mapping, std::string_view key) {
+  const yaml::View value = mapping ? mapping.find(key) : yaml::View();
+  if (!value || !value.is_scalar()) return std::nullopt;
+  return Spanned<std::string>{std::string(value.text()), value.span()};
+}
+
+NameList texts_at(yaml::View mapping, std::string_view key) {
+  NameList texts;
+  const yaml::View list = mapping ? mapping.find(key) : yaml::View();
+  if (!list || !list.is_sequence()) return texts;
+  for (const yaml::View item : list) {
+    if (item.is_scalar()) texts.push_back({std::string(item.text()), item.span()});
+  }
+  return texts;
+}
+
+bool has_misspelt(yaml::View mapping, std::string_view key) {
+  const std::string_view known[] = {key};
+  return std::any_of(mapping.begin(), mapping.end(),
+                     [&](yaml::View value) { return nearest(value.key(), known).has_value(); });
+}
+
+std::vector<TopLevelKey> top_level_keys(const LinkedModel& model) {
+  std::vector<TopLevelKey> keys;
+  for (const ModelFile& file : model.files) {
+    if (!file.document) continue;
+    const yaml::View root = file.document->view();
+    if (!root || !root.is_mapping()) continue;
+    for (const yaml::View value : root) {
+      if (!value.is_repeated()) keys.push_back({file, value});
+    }
+  }
+  return keys;
+}
+
+MotorControl control_in_mars(const Motor& motor) {
+  const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
+    return motor.type && std::find(words.begin(), words.end(), *motor.type) != words.end();
+  };
+  if (is_one_of({"2", "DC", "generic_dc"})) return MotorControl::velocity;
+  if (is_one_of({"7", "direct_torque", "direct_effort"})) return MotorControl::torque;
+  return MotorControl::position;
+}
+
+const urdf::Joint* find_joint(const LinkedModel& model, std::string_view name) {
+  const auto index = model.joint_names.find(name);
+  return index ? &model.robot->joints[*index] : nullptr;
+}
+
+const urdf::Link* find_link(const LinkedModel& model, std::string_view name) {
+  const auto index = model.link_names.find(name);
+  return index ? &model.robot->links[*index] : nullptr;
+}
+
+const urdf::Joint* joint_of(const LinkedModel& model, const Motor& motor) {
+  return motor.joint ? find_joint(model, *motor.joint) : nullptr;
+}
+
+const Field<double>& lower_bound(const Motor& motor) {
+  return motor.min_position.written ? motor.min_position : motor.min_value;
+}
+
+const Field<double>& upper_bound(const Motor& motor) {
+  return motor.max_position.written ? motor.max_position : motor.max_value;
+}
+
+bool is_clearly_less(double a, double b) {
+  constexpr double kRounding = 0.002;  // relative; numbers are often rounded to three digits
+  return b - a > kRounding * std::max({1.0, std::fabs(a), std::fabs(b)});
+}
+
+bool is_slip(const LinkedModel& model, NameKind kind, std::string_view name) {
+  if (!can_judge(model, kind) || names(model, kind).contains(name)) return false;
+  for (const NameKind other : {NameKind::link, NameKind::joint, NameKind::visual,
+                               NameKind::collision, NameKind::material}) {
+    if (names(model, other).contains(name)) return true;
+  }
+  const auto near = nearest(name, names(model, kind).names());
+  return near && edit_distance(name, *near, 1) <= 1 && !differ_only_in_digits(name, *near);
+}
+
+}  // namespace smurf

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Questions that several rules ask of annotations.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lint/queries.hpp"
+
+namespace smurf {
+
+/// The mapping of an entry as written, with the keys that have no member.
+yaml::View mapping_of(const LinkedModel& model, const Annotation& entry);
+
+/// The finite number under a key; none when it is absent or no number.
+std::optional<double> number_at(yaml::View mapping, std::string_view key);
+/// The scalar under a key, with its place.
+std::optional<Spanned<std::string>> text_at(yaml::View mapping, std::string_view key);
+/// The scalars of the list under a key.
+NameList texts_at(yaml::View mapping, std::string_view key);
+
+/// True when an unknown key of the mapping is a slip for `key`, which is then reported.
+bool has_misspelt(yaml::View mapping, std::string_view key);
+
+/// A top-level key of the main file or of an annotation file.
+struct TopLevelKey {
+  const ModelFile& file;
+  yaml::View value;
+};
+/// All of them in the order in which MARS meets them: main file first, then `files`. Repeated keys
+/// are left out.
+std::vector<TopLevelKey> top_level_keys(const LinkedModel& model);
+
+/// What MARS makes of a motor, by its type.
+enum class MotorControl : std::uint8_t { position, velocity, torque };
+MotorControl control_in_mars(const Motor& motor);
+
+/// The joint that a motor drives; null when it is unknown.
+const urdf::Joint* joint_of(const LinkedModel& model, const Motor& motor);
+/// The joint of a name; null when it is unknown.
+const urdf::Joint* find_joint(const LinkedModel& model, std::string_view name);
+const urdf::Link* find_link(const LinkedModel& model, std::string_view name);
+
+/// Bounds of the commanded position as MARS reads them: the newer names win.
+const Field<double>& lower_bound(const Motor& motor);
+const Field<double>& upper_bound(const Motor& motor);
+
+/// Numbers of 2.094 and 2.0944 are the same bound.
+bool is_clearly_less(double a, double b);
+
+/// True when a name is no name of this kind, but surely was meant to be one: it is nearly one, or
+/// the name of something else.
+bool is_slip(const LinkedModel& model, NameKind kind, std::string_view name);
+
+}  // namespace smurf

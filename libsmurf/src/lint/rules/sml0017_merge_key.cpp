@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_document(const yaml::Document& document, Findings& findings) {
+  for (const yaml::Node& node : document.nodes) {
+    const bool is_quoted = node.key_span.end - node.key_span.begin != node.key.size();
+    if (node.key != "<<" || is_quoted) continue;
+    findings.report(node.key_span, "MARS does not merge `<<` into this mapping, Phobos does").help =
+        "write the keys here";
+  }
+}
+
+void check_model_files(const LinkedModel& model, Findings& findings) {
+  for (const ModelFile& file : model.files) {
+    if (file.document) check_document(*file.document, findings);
+  }
+}
+
+void check_scene_files(const LinkedScene& scene, Findings& findings) {
+  for (const SceneFile& file : scene.scenes) {
+    if (file.document) check_document(*file.document, findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml0017_merge_key{
+    .id = "SML0017",
+    .name = "merge-key",
+    .severity = Severity::warning,
+    .summary = "A mapping uses the YAML merge key `<<`.",
+    .why = "yaml-cpp leaves `<<` alone, so MARS and rock-cpp/smurf see an unknown key and "
+           "none of the merged ones; PyYAML (Phobos) merges. The same file is two "
+           "different models.",
+    .remedy = "Write the keys in each mapping.",
+    .sources = "yaml-cpp 0.7 and configmaps (run); PyYAML 6.0 constructor.py (run).",
+    .check_model = check_model_files,
+    .check_scene = check_scene_files};
+
+}  // namespace smurf::rules

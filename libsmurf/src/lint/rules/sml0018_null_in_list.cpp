@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <vector>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.has_main) return;
+  for (const ModelFile& file : model.files) {
+    if (!file.document) continue;
+    std::vector<bool> is_known(file.document->nodes.size(), false);
+    for (std::size_t i = 0; i < file.document->nodes.size(); ++i) {
+      const yaml::Node& node = file.document->nodes[i];
+      if (node.parent == yaml::kNoNode) continue;
+      const auto parent = static_cast<std::size_t>(node.parent);
+      // What stands in the sections of the format is checked where it is read.
+      is_known[i] =
+          is_known[parent] || (node.parent == file.document->root && is_section_name(node.key));
+      const bool is_item = file.document->nodes[parent].kind == yaml::Kind::sequence;
+      if (is_known[i] || !is_item || node.kind != yaml::Kind::null) continue;
+      const bool is_alias = node.target != yaml::kNoNode;
+      if (is_alias || file.document->nodes[parent].key == "files") continue;
+      const Span place = node.span.empty() ? file.document->nodes[parent].key_span : node.span;
+      findings.report(place, "a list must not hold an empty item: MARS ends with an exception");
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml0018_null_in_list{
+    .id = "SML0018",
+    .name = "null-in-list",
+    .severity = Severity::error,
+    .summary = "A list of a section of its own holds an empty item.",
+    .why = "configmaps (MARS) throws an uncaught exception on a null inside a list, "
+           "wherever it is.",
+    .remedy = "Fill the item, or delete it.",
+    .sources = "configmaps ConfigItem.cpp (run).",
+    .check_model = check};
+
+}  // namespace smurf::rules

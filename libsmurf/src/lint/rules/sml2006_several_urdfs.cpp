@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/path.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.main.files) return;
+  const Spanned<std::string>* last = nullptr;
+  for (const Spanned<std::string>& file : *model.main.files) {
+    if (path::to_lower(path::extension(file.value)) != ".urdf") continue;
+    if (last != nullptr && last->value != file.value) {
+      Diagnostic& diagnostic =
+          findings.report(file.span, "MARS reads this URDF instead of " + quoted(last->value));
+      diagnostic.labels.push_back({last->span, "the URDF before it"});
+      diagnostic.notes.push_back("Phobos refuses two URDFs");
+    }
+    last = &file;
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml2006_several_urdfs{
+    .id = "SML2006",
+    .name = "several-urdfs",
+    .severity = Severity::error,
+    .summary = "`files` lists more than one URDF.",
+    .why = "MARS takes the last one and ignores the others; Phobos stops with an "
+           "assertion, or takes the first when they stand side by side.",
+    .remedy = "List one URDF.",
+    .sources = "smurf_parser SMURFParser.cpp:49-51; Phobos io/smurfrobot.py:174-190 (run).",
+    .check_model = check};
+
+}  // namespace smurf::rules

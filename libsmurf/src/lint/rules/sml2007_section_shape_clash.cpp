@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::map<std::string_view, yaml::View> first;
+  for (const TopLevelKey& key : top_level_keys(model)) {
+    // Sections of the format have one shape, which is checked where they are read.
+    if (!(key.value.is_sequence() || key.value.is_mapping())) continue;
+    if (is_section_name(key.value.key())) continue;
+    const auto [found, is_new] = first.emplace(key.value.key(), key.value);
+    if (is_new || found->second.kind() == key.value.kind()) continue;
+    const bool is_list = key.value.is_sequence();
+    Diagnostic& diagnostic =
+        findings.report(key.value.key_span(),
+                        quoted(key.value.key()) + " is " +
+                            (is_list ? "a list here and a mapping" : "a mapping here and a list") +
+                            " in a file before");
+    diagnostic.labels.push_back({found->second.key_span(), is_list ? "a mapping" : "a list"});
+    diagnostic.notes.push_back(is_list ? "MARS makes the mapping the first item of the list"
+                                       : "MARS ends with an exception");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml2007_section_shape_clash{
+    .id = "SML2007",
+    .name = "section-shape-clash",
+    .severity = Severity::error,
+    .summary = "A section is a list in one file and a mapping in another.",
+    .why = "MARS merges the files one after the other: a mapping after a list is an "
+           "uncaught exception, a list after a mapping makes the mapping its first item.",
+    .remedy = "Give the section the same shape in all files.",
+    .sources = "smurf_parser SMURFParser.cpp:57-65 (run).",
+    .check_model = check};
+
+}  // namespace smurf::rules

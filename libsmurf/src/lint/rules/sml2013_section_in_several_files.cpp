@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.has_main) return;
+  std::map<std::string_view, TopLevelKey> first;
+  for (const TopLevelKey& key : top_level_keys(model)) {
+    if (!is_section_name(key.value.key()) || key.value.is_null()) continue;
+    const auto [found, is_new] = first.emplace(key.value.key(), key);
+    const SourceId before = found->second.file.source;
+    if (is_new || before == key.file.source) continue;
+    Diagnostic& diagnostic = findings.report(
+        key.value.key_span(), quoted(key.value.key()) + " stands in another file, too");
+    diagnostic.labels.push_back({found->second.value.key_span(), "the first part"});
+    diagnostic.notes.push_back("MARS joins the parts, Phobos reads the last one only");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml2013_section_in_several_files{
+    .id = "SML2013",
+    .name = "section-in-several-files",
+    .severity = Severity::warning,
+    .summary = "A section stands in several files.",
+    .why = "MARS joins the parts; Phobos keeps the last part only, and nothing that stands "
+           "in the main file.",
+    .remedy = "Keep each section in one annotation file.",
+    .sources = "smurf_parser SMURFParser.cpp:57-62; Phobos io/smurfrobot.py:196 (run).",
+    .check_model = check};
+
+}  // namespace smurf::rules

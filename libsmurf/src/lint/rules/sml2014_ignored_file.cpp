@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "base/path.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr std::string_view kKinds[] = {".urdf", ".yml", ".yaml", ".json"};
+  if (!model.main.files) return;
+  for (const Spanned<std::string>& file : *model.main.files) {
+    const std::string extension = path::to_lower(path::extension(file.value));
+    if (std::find(std::begin(kKinds), std::end(kKinds), extension) != std::end(kKinds)) continue;
+    Diagnostic& diagnostic = findings.report(file.span, "MARS ignores " + quoted(file.value) +
+                                                            ": it is no .urdf or .yml");
+    if (extension == ".sdf") {
+      diagnostic.notes.push_back("Phobos reads it instead of a URDF");
+    } else {
+      diagnostic.notes.push_back("Phobos takes it for an annotation file");
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml2014_ignored_file{
+    .id = "SML2014",
+    .name = "ignored-file",
+    .severity = Severity::warning,
+    .summary = "`files` lists a file of a kind that MARS ignores.",
+    .why = "MARS takes .urdf and .yml and passes over everything else without a message; "
+           "Phobos takes everything but .urdf and .sdf for an annotation file and fails to "
+           "parse it.",
+    .remedy = "Take the file out of `files`; a key of your own can name it.",
+    .sources = "smurf_parser SMURFParser.cpp:49-52 (run); Phobos io/smurfrobot.py:179-197.",
+    .check_model = check};
+
+}  // namespace smurf::rules

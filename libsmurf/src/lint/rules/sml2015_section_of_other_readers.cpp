@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ast/sections.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const TopLevelKey& key : top_level_keys(model)) {
+    const std::string_view name = key.value.key();
+    const SectionSpec* section = find_section(name);
+    // MARS reads `material` as well.
+    if (section == nullptr || section->name == name || name == "material") continue;
+    if (key.value.size() == 0 || key.value.is_scalar()) continue;
+    Diagnostic& diagnostic =
+        findings.report(key.value.key_span(),
+                        "MARS does not read " + quoted(name) + ", only " + quoted(section->name));
+    diagnostic.help = "rename it; Phobos reads both";
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe,
+         {{without_quotes(key.value.key_span(), name), std::string(section->name)}}});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml2015_section_of_other_readers{
+    .id = "SML2015",
+    .name = "section-of-other-readers",
+    .severity = Severity::warning,
+    .summary = "A section has a name that MARS does not know, but Phobos does.",
+    .why = "MARS, MARS 2 and rock-cpp/smurf know exactly `motors`, `sensors`, `materials`, "
+           "`joint`, `link`, `collision`, `visuals`, `controllers` and `lights`; they pass "
+           "over `joints`, `links` and `collisions`, which Phobos 2 writes, and over "
+           "`motor` or `sensor`, without a message. Phobos reads both numbers.",
+    .remedy = "Rename the section.",
+    .sources = "MARS smurf.cpp:257-485; Phobos io/smurfrobot.py:201-205.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "ast/sections.hpp"
+#include "base/suggest.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Some entry holds a key of the section beside its name.
+bool looks_like(const SectionSpec& section, yaml::View value) {
+  const std::vector<const KeySpec*> keys = section.keys();
+  const auto has_key = [&](yaml::View entry) {
+    return entry.is_mapping() && std::any_of(entry.begin(), entry.end(), [&](yaml::View member) {
+             return member.key() != "name" &&
+                    std::any_of(keys.begin(), keys.end(),
+                                [&](const KeySpec* spec) { return spec->name == member.key(); });
+           });
+  };
+  if (section.form == SectionForm::list_or_mapping && has_key(value)) return true;
+  const bool is_list = value.is_sequence();
+  return (is_list || section.form == SectionForm::named) &&
+         std::any_of(value.begin(), value.end(), has_key);
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  const std::vector<std::string_view> known = section_names();
+  for (const TopLevelKey& key : top_level_keys(model)) {
+    const auto near = nearest(key.value.key(), known);
+    if (!near || key.value.is_scalar() || key.value.is_null()) continue;
+    const SectionSpec& section = *find_section(*near);
+    if (!looks_like(section, key.value)) continue;
+    Diagnostic& diagnostic = findings.report(key.value.key_span(), "no reader knows a section " +
+                                                                       quoted(key.value.key()));
+    diagnostic.help = "did you mean " + quoted(section.name) + "?";
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe,
+         {{without_quotes(key.value.key_span(), key.value.key()), std::string(section.name)}}});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml2016_misspelt_section{
+    .id = "SML2016",
+    .name = "misspelt-section",
+    .severity = Severity::warning,
+    .summary = "A section that no reader knows is nearly one of the format, by name and "
+               "content.",
+    .why = "MARS, MARS 2 and Phobos look sections up by their exact names: the entries of "
+           "this one have no effect.",
+    .remedy = "Correct the name. Sections of your own are welcome; name them less alike.",
+    .sources = "MARS smurf.cpp:257-485.",
+    .check_model = check};
+
+}  // namespace smurf::rules

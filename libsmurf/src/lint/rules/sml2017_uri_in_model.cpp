@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const ModelFile& file : model.files) {
+    if (!file.document) continue;
+    for (const yaml::Node& node : file.document->nodes) {
+      if (node.key != "URI" && node.key != "URIs") continue;
+      Diagnostic& diagnostic = findings.report(
+          node.key_span, "MARS puts the keys of another file over those written here");
+      const bool is_main = file.kind == ModelFile::Kind::main;
+      if (is_main && node.text.starts_with('/')) {
+        diagnostic.notes.push_back("the absolute path is not found in the main file");
+      }
+      diagnostic.help = "write the keys of that file here";
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml2017_uri_in_model{
+    .id = "SML2017",
+    .name = "uri-in-model",
+    .severity = Severity::warning,
+    .summary = "A mapping of a model has the key `URI` or `URIs`, which readers resolve "
+               "differently.",
+    .why = "MARS merges the named files into the entry, and their keys win over those "
+           "written beside them, though the documentation says the reverse; it looks in "
+           "the folder of the .smurf, MARS 2 in that of the annotation file, and Phobos "
+           "and rock-cpp/smurf ignore the key. In the main file absolute paths do not "
+           "work. A circle overflows the stack. This tool does not look into the files "
+           "either.",
+    .remedy = "Write the keys in place.",
+    .sources = "configmaps ConfigMap.cpp:607-638 (run); MARS smurf.cpp:125-149; "
+               "envire_smurf_loader Model.cpp:719.",
+    .check_model = check};
+
+}  // namespace smurf::rules

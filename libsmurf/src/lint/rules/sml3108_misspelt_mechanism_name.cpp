@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_name(const LinkedModel& model, NameKind kind, const Spanned<std::string>& name,
+                const std::string& who, Findings& findings) {
+  if (!is_slip(model, kind, name.value)) return;
+  check_reference(model, kind, name.value, name.span, who, findings);
+}
+
+void check_list(const LinkedModel& model, const Field<NameList>& list, const std::string& who,
+                Findings& findings) {
+  if (!list) return;
+  for (const Spanned<std::string>& name : *list) {
+    check_name(model, NameKind::joint, name, who, findings);
+  }
+}
+
+void check_loops(const LinkedModel& model, const Submechanism& entry, const std::string& who,
+                 Findings& findings) {
+  const yaml::View loops = mapping_of(model, entry).find("loop_constraints");
+  if (!loops || !loops.is_sequence()) return;
+  for (const yaml::View loop : loops) {
+    for (const std::string_view key : {"predecessor_body", "successor_body"}) {
+      if (const auto body = text_at(loop, key)) {
+        check_name(model, NameKind::link, *body, who, findings);
+      }
+    }
+    if (const auto joint = text_at(loop, "cut_joint")) {
+      check_name(model, NameKind::joint, *joint, who, findings);
+    }
+  }
+}
+
+template <class Entry>
+std::string title_of(std::string_view what, const Entry& entry) {
+  return std::string(what) + (entry.contextual_name ? " " + quoted(*entry.contextual_name) : "");
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Submechanism& entry : model.annotations.submechanisms) {
+    const std::string who = title_of("submechanism", entry);
+    for (const Field<NameList>* list :
+         {&entry.joint_names, &entry.joint_names_spanning_tree, &entry.joint_names_active,
+          &entry.joint_names_independent}) {
+      check_list(model, *list, who, findings);
+    }
+    check_loops(model, entry, who, findings);
+  }
+  for (const Exoskeleton& entry : model.annotations.exoskeletons) {
+    const std::string who = title_of("exoskeleton", entry);
+    for (const Field<NameList>* list :
+         {&entry.joint_names, &entry.joint_names_spanning_tree, &entry.joint_names_dependent}) {
+      check_list(model, *list, who, findings);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3108_misspelt_mechanism_name{
+    .id = "SML3108",
+    .name = "misspelt-mechanism-name",
+    .severity = Severity::warning,
+    .summary = "A submechanism or exoskeleton names what is nearly a joint or link of the "
+               "URDF.",
+    .why = "Phobos and HyRoDyn look the names up in the URDF and find nothing. Names that "
+           "are altogether unknown are left alone: the joints of a floating base need not "
+           "be in the URDF.",
+    .remedy = "Correct the name.",
+    .sources = "Phobos io/hyrodyn.py, core/robot.py:352-360.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (!sensor.type || *sensor.type != "Joint6DOF" || !sensor.link) continue;
+    const auto index = model.link_names.find(*sensor.link);
+    if (!index || model.tree.parent_joint[*index]) continue;
+    Diagnostic& diagnostic = findings.report(
+        sensor.link.span, "no joint leads to " + quoted(*sensor.link) + ", whose forces " +
+                              subject("sensor", sensor) + " is to measure");
+    diagnostic.labels.push_back({model.robot->links[*index].name.span, "the root link"});
+    diagnostic.notes.push_back("MARS dereferences a null pointer");
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3112_joint6dof_on_root{
+    .id = "SML3112",
+    .name = "joint6dof-on-root",
+    .severity = Severity::error,
+    .summary = "A Joint6DOF sensor is on the root link.",
+    .why = "MARS measures the joint that leads to the link and dereferences a null pointer "
+           "when there is none.",
+    .remedy = "Name a link that is the child of a joint.",
+    .sources = "MARS smurf.cpp:277-283.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kInertial = "inertial_";
+
+/// "the link `a`" when MARS calls it or its inertial so.
+const urdf::Link* namesake(const LinkedModel& model, std::string_view name) {
+  if (const urdf::Link* link = find_link(model, name)) return link;
+  if (!name.starts_with(kInertial)) return nullptr;
+  const urdf::Link* link = find_link(model, name.substr(kInertial.size()));
+  return link != nullptr && link->inertial ? link : nullptr;
+}
+
+void check_shape(const LinkedModel& model, const Field<std::string>& name, std::string_view kind,
+                 Findings& findings) {
+  const urdf::Link* link = name ? namesake(model, *name) : nullptr;
+  if (link == nullptr) return;
+  const bool is_inertial = *link->name != *name;
+  Diagnostic& diagnostic = findings.report(
+      name.span, "MARS attaches what belongs to " +
+                     std::string(is_inertial ? "the inertial of " : "") + title(*link) +
+                     " to the " + std::string(kind) + " of the same name");
+  diagnostic.labels.push_back({link->name.span, "the link"});
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.has_main) return;  // readers of plain URDFs do not mind
+  for_each_link(model, [&](const urdf::Link& link) {
+    for (const urdf::Visual& visual : link.visuals) {
+      check_shape(model, visual.name, "visual", findings);
+    }
+    for (const urdf::Collision& collision : link.collisions) {
+      check_shape(model, collision.name, "collision", findings);
+    }
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml3114_shape_named_like_link{
+    .id = "SML3114",
+    .name = "shape-named-like-link",
+    .severity = Severity::error,
+    .summary = "A visual or collision has the name of a link.",
+    .why = "MARS keeps links, their inertials, collisions and visuals in one map of names, "
+           "and the last one wins: joints and sensors of the link are then attached to the "
+           "shape, which has another place, or the loading stops.",
+    .remedy = "Rename the shape.",
+    .sources = "MARS smurf.cpp:619-620, 661, 715, 788, 899-900.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    const urdf::Joint* joint = joint_of(model, motor);
+    if (joint == nullptr || joint->has_one_axis() || joint->type == urdf::JointType::unknown)
+      continue;
+    Diagnostic& diagnostic =
+        findings.report(motor.joint.span, subject("motor", motor) + " drives " + title(*joint) +
+                                              ", which is " + *joint->type_name);
+    if (joint->type != urdf::JointType::fixed) diagnostic.notes.push_back("MARS makes it fixed");
+    diagnostic.labels.push_back({joint->type_name.span, "the type of the joint"});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3201_motor_on_immovable_joint{
+    .id = "SML3201",
+    .name = "motor-on-immovable-joint",
+    .severity = Severity::warning,
+    .summary = "A motor drives a joint that does not move.",
+    .why = "A fixed joint stays fixed in every reader; MARS makes floating and planar "
+           "joints fixed, too. The motor has no effect.",
+    .remedy = "Drive another joint, or change the type of this one.",
+    .sources = "MARS smurf.cpp:893-939.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <unordered_map>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::unordered_map<std::string_view, const Motor*> first;
+  for (const Motor& motor : model.annotations.motors) {
+    if (!motor.joint) continue;
+    const auto [found, is_new] = first.emplace(*motor.joint, &motor);
+    const Motor& other = *found->second;
+    if (is_new || (motor.name && other.name && *motor.name == *other.name)) continue;
+    Diagnostic& diagnostic =
+        findings.report(motor.joint.span, "the joint " + quoted(*motor.joint) + " is driven by " +
+                                              subject("motor", other) + " as well");
+    diagnostic.labels.push_back({other.joint.span, "driven here"});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3202_several_motors_on_joint{
+    .id = "SML3202",
+    .name = "several-motors-on-joint",
+    .severity = Severity::warning,
+    .summary = "Two motors drive one joint.",
+    .why = "Each motor of MARS sets the velocity and force limit of the joint in every "
+           "step, so the last one decides alone.",
+    .remedy = "Drive each joint by one motor.",
+    .sources = "MARS SimMotor.cpp:352-444.",
+    .check_model = check};
+
+}  // namespace smurf::rules

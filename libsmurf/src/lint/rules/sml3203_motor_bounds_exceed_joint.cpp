@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void report(const Motor& motor, const urdf::Joint& joint, const Field<double>& bound,
+            const Field<double>& limit, Findings& findings) {
+  Diagnostic& diagnostic = findings.report(
+      bound.span, subject("motor", motor) + " goes to " + format_rounded(*bound) +
+                      " in MARS, but " + title(joint) + " only to " + format_rounded(*limit));
+  diagnostic.labels.push_back({limit.span, "the limit of the joint"});
+}
+
+bool looks_like_degrees(double bound, const urdf::Joint& joint) {
+  constexpr double kManyTurns = 4 * std::numbers::pi;
+  return joint.type == urdf::JointType::revolute && std::fabs(bound) > kManyTurns;
+}
+
+void check_motor(const Motor& motor, const urdf::Joint& joint, Findings& findings) {
+  if (!joint.limit || joint.type == urdf::JointType::continuous) return;
+  const Field<double>& lower = joint.limit->lower;
+  const Field<double>& upper = joint.limit->upper;
+  // Limits that are equal say nothing, and are reported where they stand.
+  if (!lower || !upper || *lower >= *upper) return;
+  const Field<double>& low = lower_bound(motor);
+  const Field<double>& high = upper_bound(motor);
+  if (low && high && *low > *high) return;  // reported
+  if (low && !looks_like_degrees(*low, joint) && is_clearly_less(*low, *lower)) {
+    report(motor, joint, low, lower, findings);
+  }
+  if (high && !looks_like_degrees(*high, joint) && is_clearly_less(*upper, *high)) {
+    report(motor, joint, high, upper, findings);
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    const urdf::Joint* joint = joint_of(model, motor);
+    // Only position controllers are clamped.
+    if (joint == nullptr || !joint->has_one_axis()) continue;
+    if (control_in_mars(motor) == MotorControl::position) check_motor(motor, *joint, findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3203_motor_bounds_exceed_joint{
+    .id = "SML3203",
+    .name = "motor-bounds-exceed-joint",
+    .severity = Severity::warning,
+    .summary = "A motor may be sent beyond the limits of its joint.",
+    .why = "MARS ignores the limits of the URDF and clamps commands to the bounds of the "
+           "motor only; MARS 2 gives the joint no stops either. Readers of the URDF stop "
+           "at the joint's limits.",
+    .remedy = "Give the motor the bounds of its joint.",
+    .sources = "MARS smurf.cpp:902-910, SimMotor.cpp:352-365; MotorData.cpp.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+struct Pair {
+  const Field<double>& of_motor;
+  const Field<double>& of_joint;
+  std::string_view key, attribute;
+};
+
+void check_pair(const Motor& motor, const urdf::Joint& joint, const Pair& pair,
+                Findings& findings) {
+  if (!pair.of_motor || !pair.of_joint || *pair.of_joint <= 0) return;  // 0 is reported in the URDF
+  if (!is_clearly_less(*pair.of_joint, *pair.of_motor)) return;
+  Diagnostic& diagnostic = findings.report(
+      pair.of_motor.span, quoted(pair.key) + " of " + subject("motor", motor) + " is " +
+                              format_rounded(*pair.of_motor) + ", but the " +
+                              std::string(pair.attribute) + " limit of " + title(joint) + " is " +
+                              format_rounded(*pair.of_joint));
+  diagnostic.labels.push_back({pair.of_joint.span, "the limit of the joint"});
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    const urdf::Joint* joint = joint_of(model, motor);
+    if (joint == nullptr || !joint->limit) continue;
+    check_pair(motor, *joint, {motor.max_effort, joint->limit->effort, "maxEffort", "effort"},
+               findings);
+    check_pair(motor, *joint, {motor.max_speed, joint->limit->velocity, "maxSpeed", "velocity"},
+               findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3204_motor_stronger_than_joint{
+    .id = "SML3204",
+    .name = "motor-stronger-than-joint",
+    .severity = Severity::warning,
+    .summary = "A motor is stronger or faster than the URDF allows its joint to be.",
+    .why = "MARS takes effort and speed from the motor only; readers of the URDF take them "
+           "from the joint, and Phobos overwrites those of the motor when it saves the "
+           "model. The robot behaves differently in each.",
+    .remedy = "Make the two agree.",
+    .sources = "MARS smurf.cpp:902-910; Phobos representation.py:2399 (run).",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// True when the leader of the motor drives the joint that the URDF names, or is that joint.
+bool is_same_leader(const LinkedModel& model, const std::string& leader, const std::string& joint) {
+  if (leader == joint) return true;
+  const auto index = model.motor_names.find(leader);
+  if (!index) return true;  // reported as unknown
+  const Motor& motor = model.annotations.motors[*index];
+  return !motor.joint || *motor.joint == joint;
+}
+
+void check_number(const Motor& motor, const Field<double>& of_motor, const Field<double>& of_joint,
+                  double fallback, std::string_view key, Span mimic, Findings& findings) {
+  if (!of_motor || (of_joint.written && !of_joint)) return;
+  const double in_urdf = of_joint.value_or(fallback);
+  if (!is_clearly_less(*of_motor, in_urdf) && !is_clearly_less(in_urdf, *of_motor)) return;
+  Diagnostic& diagnostic =
+      findings.report(of_motor.span, quoted(key) + " of " + subject("motor", motor) + " is " +
+                                         format_rounded(*of_motor) + ", but " +
+                                         format_rounded(in_urdf) + " in the URDF");
+  diagnostic.labels.push_back({of_joint.written ? of_joint.span : mimic, "in the URDF"});
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    const urdf::Joint* joint = joint_of(model, motor);
+    if (joint == nullptr || !joint->mimic) continue;
+    const urdf::Mimic& mimic = *joint->mimic;
+    const Span place = tag_name(model, mimic.element);
+    if (!motor.mimic_motor.written) {
+      Diagnostic& diagnostic = findings.report(
+          motor.joint.span, subject("motor", motor) + " moves on its own in MARS, but " +
+                                title(*joint) + " mimics another one in the URDF");
+      diagnostic.labels.push_back({place, "the mimic element"});
+      diagnostic.help = "add `mimic_motor` and `mimic_multiplier`";
+      continue;
+    }
+    if (!motor.mimic_motor || !mimic.joint) continue;
+    if (!is_same_leader(model, *motor.mimic_motor, *mimic.joint)) {
+      Diagnostic& diagnostic = findings.report(
+          motor.mimic_motor.span, subject("motor", motor) + " follows " +
+                                      quoted(*motor.mimic_motor) + ", but " + title(*joint) +
+                                      " follows " + quoted(*mimic.joint) + " in the URDF");
+      diagnostic.labels.push_back({mimic.joint.span, "in the URDF"});
+    }
+    check_number(motor, motor.mimic_multiplier, mimic.multiplier, 1, "mimic_multiplier", place,
+                 findings);
+    check_number(motor, motor.mimic_offset, mimic.offset, 0, "mimic_offset", place, findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3207_mimic_disagrees{
+    .id = "SML3207",
+    .name = "mimic-disagrees",
+    .severity = Severity::warning,
+    .summary = "A motor mimics otherwise than its joint does in the URDF.",
+    .why = "MARS follows `mimic_motor` and ignores the mimic element of the URDF; ROS and "
+           "the physics engines that read URDF do the reverse.",
+    .remedy = "Make the two agree.",
+    .sources = "MARS smurf.cpp:902-910, MotorManager.cpp:104-109.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_text(const Field<std::string>& in_urdf, const std::optional<Spanned<std::string>>& here,
+                std::string_view key, const urdf::Joint& joint, Findings& findings) {
+  if (!in_urdf || !here || here->value == *in_urdf) return;
+  Diagnostic& diagnostic = findings.report(
+      here->span, quoted(key) + " of " + title(joint) + " is " + quoted(here->value) +
+                      " here, but " + quoted(*in_urdf) + " in the URDF");
+  diagnostic.labels.push_back({in_urdf.span, "in the URDF"});
+}
+
+/// A joint type of the physics engine that has other degrees of freedom than the URDF's.
+bool is_other_kind(std::string_view type, urdf::JointType in_urdf) {
+  const bool is_hinge = type == "hinge" || type == "1";
+  const bool is_slider = type == "slider" || type == "3";
+  const bool turns = in_urdf == urdf::JointType::revolute || in_urdf == urdf::JointType::continuous;
+  return (is_hinge && in_urdf == urdf::JointType::prismatic) || (is_slider && turns);
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const JointAnnotation& entry : model.annotations.joints) {
+    const urdf::Joint* joint = entry.name ? find_joint(model, *entry.name) : nullptr;
+    if (joint == nullptr) continue;
+    const yaml::View mapping = mapping_of(model, entry);
+    const auto parent = text_at(mapping, "parent");
+    const auto child = text_at(mapping, "child");
+    // Unknown links are reported as such.
+    if (parent && model.link_names.contains(parent->value)) {
+      check_text(joint->parent, parent, "parent", *joint, findings);
+    }
+    if (child && model.link_names.contains(child->value)) {
+      check_text(joint->child, child, "child", *joint, findings);
+    }
+    check_text(joint->type_name, text_at(mapping, "joint_type"), "joint_type", *joint, findings);
+    if (entry.type && is_other_kind(*entry.type, joint->type)) {
+      check_text(joint->type_name, text_at(mapping, "type"), "type", *joint, findings);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3213_joint_entry_disagrees{
+    .id = "SML3213",
+    .name = "joint-entry-disagrees",
+    .severity = Severity::warning,
+    .summary = "An entry of `joint` says something else of the joint than the URDF.",
+    .why = "MARS builds the joint of the entry, readers of the URDF that of the URDF; "
+           "Phobos keeps what it read last.",
+    .remedy = "Make the two agree.",
+    .sources = "MARS smurf.cpp:391-403, 893-939; Phobos representation.py:2001-2119.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+template <class Shapes>
+bool has_shape(const Shapes& shapes, std::string_view name) {
+  return std::any_of(shapes.begin(), shapes.end(),
+                     [&](const auto& shape) { return shape.name && *shape.name == name; });
+}
+
+template <class Entries, class ShapesOf>
+void check_entries(const LinkedModel& model, const Entries& entries, NameKind kind,
+                   const ShapesOf& shapes_of, Findings& findings) {
+  for (const auto& entry : entries) {
+    if (!entry.name || !entry.link) continue;
+    const auto owner = names(model, kind).find(*entry.name);
+    const urdf::Link* link = find_link(model, *entry.link);
+    if (!owner || link == nullptr || has_shape(shapes_of(*link), *entry.name)) continue;
+    const urdf::Link& other = model.robot->links[*owner];
+    if (!other.name) continue;
+    const std::string shape(to_string(kind));
+    Diagnostic& diagnostic = findings.report(
+        entry.link.span, "the " + shape + " " + quoted(*entry.name) + " belongs to " +
+                             title(other) + ", not to " + quoted(*entry.link));
+    diagnostic.labels.push_back({definition(model, kind, *entry.name), "the " + shape});
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{within_quotes(model, entry.link.span), *other.name}}});
+    diagnostic.help = "did you mean " + quoted(*other.name) + "?";
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  check_entries(
+      model, model.annotations.collisions, NameKind::collision,
+      [](const urdf::Link& link) -> const auto& { return link.collisions; }, findings);
+  check_entries(
+      model, model.annotations.visuals, NameKind::visual,
+      [](const urdf::Link& link) -> const auto& { return link.visuals; }, findings);
+}
+
+}  // namespace
+
+extern constinit const Rule sml3220_shape_on_other_link{
+    .id = "SML3220",
+    .name = "shape-on-other-link",
+    .severity = Severity::error,
+    .summary = "A collision or visual entry names a link that does not have it.",
+    .why = "MARS matches by name alone, but MARS 2 and rock-cpp/smurf by name and link: "
+           "they find nothing, and the bitmask and contact parameters have no effect.",
+    .remedy = "Correct `link`.",
+    .sources = "envire_smurf_loader Model.cpp; rock-cpp/smurf Robot.cpp:53-83.",
+    .check_model = check};
+
+}  // namespace smurf::rules

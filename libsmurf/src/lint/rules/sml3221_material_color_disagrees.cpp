@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr double kVisible = 2.0 / 255;
+
+bool differs(const Field<double>& component, double in_urdf) {
+  if (component && (*component < 0 || *component > 1)) return false;  // reported as out of range
+  return component && std::fabs(*component - in_urdf) > kVisible;
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::unordered_map<std::string_view, const urdf::Material*> colours;
+  for_each_material(model, [&](const urdf::Material& material) {
+    if (material.name && material.rgba) colours.emplace(*material.name, &material);
+  });
+  for (const MaterialAnnotation& entry : model.annotations.materials) {
+    if (!entry.name || !entry.diffuse_color) continue;
+    const auto found = colours.find(*entry.name);
+    if (found == colours.end()) continue;
+    const std::array<double, 4>& rgba = *found->second->rgba;
+    const Color& color = *entry.diffuse_color;
+    if (!differs(color.r, rgba[0]) && !differs(color.g, rgba[1]) && !differs(color.b, rgba[2]))
+      continue;
+    Diagnostic& diagnostic =
+        findings.report(entry.diffuse_color.span,
+                        "the material " + quoted(*entry.name) + " has another colour in the URDF");
+    diagnostic.labels.push_back({found->second->rgba.span, "the colour of the URDF"});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3221_material_color_disagrees{
+    .id = "SML3221",
+    .name = "material-color-disagrees",
+    .severity = Severity::info,
+    .summary = "A material has another colour in the annotation than in the URDF.",
+    .why = "MARS shows the colour of the annotation, readers of the URDF that of the URDF.",
+    .remedy = "Make the two agree, when the robot is to look the same everywhere.",
+    .sources = "MARS smurf.cpp:333-352.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_entry(const LinkedModel& model, const JointPoseSet::Entry& entry, Findings& findings) {
+  const urdf::Joint* joint = find_joint(model, entry.name.value);
+  const auto motor = model.motor_names.find(entry.name.value);
+  if (joint == nullptr && motor) joint = joint_of(model, model.annotations.motors[*motor]);
+  if (joint == nullptr || !joint->limit || !entry.position) return;
+  if (joint->type == urdf::JointType::continuous) return;
+  const double position = *entry.position;
+  const Field<double>& lower = joint->limit->lower;
+  const Field<double>& upper = joint->limit->upper;
+  if (!lower || !upper || *lower >= *upper) return;
+  constexpr double kTwoTurns = 4 * std::numbers::pi;
+  const bool is_angle = joint->type == urdf::JointType::revolute;
+  if (is_angle && std::fabs(position) > kTwoTurns) return;  // in degrees, reported
+  const bool is_below = is_clearly_less(position, *lower);
+  if (!is_below && !is_clearly_less(*upper, position)) return;
+  const Field<double>& limit = is_below ? lower : upper;
+  Diagnostic& diagnostic =
+      findings.report(entry.position.span, "the position " + format_number(position) + " lies " +
+                                               (is_below ? "below" : "above") + " the limit " +
+                                               format_number(*limit) + " of " + title(*joint));
+  diagnostic.labels.push_back({limit.span, "the limit"});
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const JointPoseSet& pose : model.annotations.poses) {
+    for (const JointPoseSet::Entry& entry : pose.joints) check_entry(model, entry, findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3230_pose_outside_limits{
+    .id = "SML3230",
+    .name = "pose-outside-limits",
+    .severity = Severity::warning,
+    .summary = "A joint pose lies outside the limits of the joint.",
+    .why = "MARS moves the joint there without looking at the limits; Phobos clamps the "
+           "position to them.",
+    .remedy = "Correct the position, or the limits.",
+    .sources = "MARS SimEntity.cpp:503-513, SimJoint.cpp:524-528; Phobos io/poses.py.",
+    .check_model = check};
+
+}  // namespace smurf::rules

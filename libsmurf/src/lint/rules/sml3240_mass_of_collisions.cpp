@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  constexpr double kOfCollision = 0.001;  // kg
+  constexpr double kNoticeable = 0.1;     // relative
+  if (!model.has_main) return;
+  for_each_link(model, [&](const urdf::Link& link) {
+    if (!link.inertial || !link.inertial->mass || *link.inertial->mass <= 0) return;
+    const double added = kOfCollision * static_cast<double>(link.collisions.size());
+    const double mass = *link.inertial->mass;
+    if (added <= kNoticeable * mass) return;
+    findings.report(link.inertial->mass.span, "in MARS " + title(link) + " weighs " +
+                                                  format_rounded(mass + added) +
+                                                  " kg: one gram more for each collision");
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml3240_mass_of_collisions{
+    .id = "SML3240",
+    .name = "mass-of-collisions",
+    .severity = Severity::info,
+    .summary = "MARS makes a light link much heavier than the URDF says.",
+    .why = "MARS adds one gram for each collision of a link, and a milligram for its "
+           "frame: a link of a few grams, or one of many collisions, gets another mass and "
+           "inertia.",
+    .remedy = "Set `mass: 0.0001` for its collisions under `collision`, or merge them.",
+    .sources = "MARS smurf.cpp:719, NodeData defaults.",
+    .check_model = check};
+
+}  // namespace smurf::rules

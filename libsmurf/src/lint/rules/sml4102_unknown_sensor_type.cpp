@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "base/suggest.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kTypes[] = {"JointPosition",
+                                       "JointVelocity",
+                                       "JointLoad",
+                                       "JointTorque",
+                                       "JointAVGTorque",
+                                       "NodePosition",
+                                       "NodeRotation",
+                                       "NodeVelocity",
+                                       "NodeAngularVelocity",
+                                       "NodeIMU",
+                                       "NodeCOM",
+                                       "NodeContact",
+                                       "NodeContactForce",
+                                       "MotorCurrent",
+                                       "Joint6DOF",
+                                       "CameraSensor",
+                                       "RaySensor",
+                                       "RotatingRaySensor",
+                                       "MultiLevelLaserRangeFinder",
+                                       "ScanningSonar",
+                                       "HapticField"};
+constexpr std::string_view kPhobosTypes[] = {"IMU", "GPS"};
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (!sensor.type) continue;
+    const auto is_type = [&](std::string_view type) { return type == *sensor.type; };
+    if (std::any_of(std::begin(kTypes), std::end(kTypes), is_type)) continue;
+    Diagnostic& diagnostic = findings.report(
+        sensor.type.span, "MARS does not know the sensor type " + quoted(*sensor.type));
+    diagnostic.notes.push_back(
+        "it stops loading here: later objects, the pose and the anchor of the robot are missing");
+    if (std::any_of(std::begin(kPhobosTypes), std::end(kPhobosTypes), is_type)) {
+      diagnostic.notes.push_back("Phobos knows it");
+      diagnostic.help = *sensor.type == "IMU" ? "the type of MARS is `NodeIMU`" : "";
+    } else if (const auto near = nearest(*sensor.type, kTypes)) {
+      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      diagnostic.fixes.push_back(
+          {Applicability::unsafe, {{within_quotes(model, sensor.type.span), std::string(*near)}}});
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml4102_unknown_sensor_type{
+    .id = "SML4102",
+    .name = "unknown-sensor-type",
+    .severity = Severity::error,
+    .summary = "A sensor has a type that MARS does not know.",
+    .why = "MARS stops loading at it: all later objects are missing, and the pose, the "
+           "anchor and the joint pose of the robot are skipped. Phobos 2 stops with an "
+           "AttributeError at types that it has no class for.",
+    .remedy = "Use one of the known types; they are case-sensitive. A type that a plug-in of "
+              "yours brings: `--severity SML4102=info`.",
+    .sources = "MARS SensorManager.cpp:351-360, smurf.cpp:1034-1037; Phobos "
+               "sensor_representations.py.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+struct Foreign {
+  std::string_view type, reader, in_mars;
+};
+constexpr Foreign kForeign[] = {{"velocity", "Phobos", "DC"},
+                                {"force", "Phobos", "direct_effort"},
+                                {"DirectEffort", "MARS 2", "direct_effort"},
+                                {"FeedForwardEffort", "MARS 2", "direct_effort"},
+                                {"ff_torque", "MARS 2", "direct_effort"}};
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    for (const Foreign& foreign : kForeign) {
+      if (!motor.type || *motor.type != foreign.type) continue;
+      Diagnostic& diagnostic = findings.report(
+          motor.type.span, "MARS takes " + quoted(foreign.type) + ", a type of " +
+                               std::string(foreign.reader) + ", for a position controller");
+      diagnostic.help = "the type of MARS is " + quoted(foreign.in_mars);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml4104_motor_type_of_other_readers{
+    .id = "SML4104",
+    .name = "motor-type-of-other-readers",
+    .severity = Severity::warning,
+    .summary = "A motor has a type that MARS takes for a position controller, but others do "
+               "not.",
+    .why = "MARS knows PID, DC, generic_bldc, generic_dc, direct_torque, direct_effort; "
+           "with any other type the motor is a position controller. `velocity` and `force` "
+           "are types of Phobos 2, `DirectEffort`, `FeedForwardEffort` and `ff_torque` of "
+           "MARS 2.",
+    .remedy = "Write `DC` for a speed and `direct_effort` for a torque when MARS is to "
+              "understand it.",
+    .sources = "MARS MotorData.cpp:126-135, SimMotor.cpp:290-297; envire_smurf_loader "
+               "Model.cpp:455-478; Phobos representation.py:2399.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    if (!motor.mimic_motor.written || motor.mimic_multiplier.written) continue;
+    const yaml::View mapping = mapping_of(model, motor);
+    if (!mapping || has_misspelt(mapping, "mimic_multiplier")) continue;
+    findings
+        .report(mapping.find("mimic_motor").key_span(), subject("motor", motor) +
+                                                            " does not follow in MARS: without "
+                                                            "`mimic_multiplier` the factor is 0")
+        .help = "add `mimic_multiplier: 1.0`";
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml4105_mimic_multiplier_missing{
+    .id = "SML4105",
+    .name = "mimic-multiplier-missing",
+    .severity = Severity::error,
+    .summary = "A motor mimics another one without `mimic_multiplier`.",
+    .why = "MARS enables the mimic by `mimic_motor` and reads the absent multiplier as 0: "
+           "the motor holds `mimic_offset` and follows nobody. The URDF default of 1 does "
+           "not apply.",
+    .remedy = "Write `mimic_multiplier: 1.0`.",
+    .sources = "MARS MotorManager.cpp:104-109.",
+    .check_model = check};
+
+}  // namespace smurf::rules

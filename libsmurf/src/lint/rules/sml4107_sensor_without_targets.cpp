@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "ast/keys.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (!sensor.type || !sensor_target(*sensor.type)) continue;
+    const auto is_given = [](const Field<NameList>* list) {
+      return list->written && (!list->value || !list->value->empty());
+    };
+    const Field<NameList>* lists[] = {&sensor.id, &sensor.links, &sensor.joints, &sensor.collisions,
+                                      &sensor.motors};
+    if (std::any_of(std::begin(lists), std::end(lists), is_given)) continue;
+    const yaml::View mapping = mapping_of(model, sensor);
+    if (!mapping || mapping.find("URI") || mapping.find("URIs")) continue;
+    const yaml::View targets = mapping.find("targets");
+    const Span place = sensor.id.written ? sensor.id.span
+                       : targets         ? targets.key_span()
+                                         : sensor.type.span;
+    Diagnostic& diagnostic = findings.report(
+        place, subject("sensor", sensor) + " names no " +
+                   std::string(to_string(*sensor_target(*sensor.type))) + " to measure");
+    if (!targets) continue;
+    diagnostic.help = "did you mean `id` by `targets`?";
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{without_quotes(targets.key_span(), targets.key()), "id"}}});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml4107_sensor_without_targets{
+    .id = "SML4107",
+    .name = "sensor-without-targets",
+    .severity = Severity::warning,
+    .summary = "A sensor that measures things by name names none.",
+    .why = "MARS collects the targets in `id`, `links`, `joints`, `collisions` and "
+           "`motors`; without any of them the sensor delivers nothing. `link` and `joint` "
+           "do not count.",
+    .remedy = "List what is measured in `id`.",
+    .sources = "MARS smurf.cpp:151-182, IDListConfig.h:60-64.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+#include <vector>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::int64_t kSeenByRays = 32768;
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::vector<const CollisionAnnotation*> hidden;
+  for (const CollisionAnnotation& entry : model.annotations.collisions) {
+    if (!entry.bitmask) continue;
+    if (*entry.bitmask == 0) {
+      findings.report(entry.bitmask.span,
+                      subject("collision", entry) + " collides with nothing: its bitmask is 0");
+    } else if ((*entry.bitmask & kSeenByRays) == 0) {
+      hidden.push_back(&entry);
+    }
+  }
+  if (hidden.empty()) return;
+  // Models give all collisions such masks, or none.
+  const CollisionAnnotation& first = *hidden.front();
+  const std::size_t others = hidden.size() - 1;
+  std::string who = subject("collision", first);
+  if (others > 0) who += " and " + std::to_string(others) + (others == 1 ? " other" : " others");
+  findings
+      .report(first.bitmask.span, "ray sensors of MARS do not see " + who + ": bit 15 is not set")
+      .help = "with it the bitmask is " + std::to_string(*first.bitmask | kSeenByRays);
+}
+
+}  // namespace
+
+extern constinit const Rule sml4110_bitmask_hides_body{
+    .id = "SML4110",
+    .name = "bitmask-hides-body",
+    .severity = Severity::info,
+    .summary = "A bitmask takes a collision out of something.",
+    .why = "Two objects collide when their masks share a bit, so a mask of 0 collides with "
+           "nothing. Ray sensors of MARS see bit 15 (32768) only.",
+    .remedy = "Add 32768 to the mask when lasers and sonars are to see the body.",
+    .sources = "MARS NodePhysics.cpp:1389-1390, 1449.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_rate(const Field<double>& rate, const std::string& who, Findings& findings) {
+  if (!rate || *rate < 0 || std::trunc(*rate) == *rate) return;
+  findings
+      .report(rate.span,
+              "MARS reads the rate of " + who + " as " + format_number(std::trunc(*rate)) + " ms")
+      .help = "a rate is a period in whole milliseconds";
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Sensor& sensor : model.annotations.sensors) {
+    check_rate(sensor.rate, subject("sensor", sensor), findings);
+  }
+  for (const Controller& controller : model.annotations.controllers) {
+    check_rate(controller.rate, subject("controller", controller), findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml4112_rate_not_whole{
+    .id = "SML4112",
+    .name = "rate-not-whole",
+    .severity = Severity::warning,
+    .summary = "A rate is not a whole number of milliseconds.",
+    .why = "MARS reads `rate` as an unsigned whole number and cuts off the rest: 0.5 is 0, "
+           "which means every step. A rate in MARS is a period; Phobos and Gazebo read Hz.",
+    .remedy = "Write whole milliseconds.",
+    .sources = "MARS IDListConfig.h:60, Controller.cpp:173; configmaps (run).",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <initializer_list>
+#include <utility>
+
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// `lower` and `upper` of one entry.
+void check_pair(yaml::View mapping, std::string_view lower, std::string_view upper,
+                Findings& findings) {
+  const auto low = number_at(mapping, lower);
+  const auto high = number_at(mapping, upper);
+  if (!low || !high || *low <= *high) return;
+  const yaml::View place = mapping.find(lower);
+  Diagnostic& diagnostic = findings.report(
+      place.span(), quoted(lower) + " is " + format_number(*low) + ", which is more than " +
+                        quoted(upper) + ", " + format_number(*high));
+  diagnostic.labels.push_back({mapping.find(upper).span(), "the upper bound"});
+}
+
+template <class Entries>
+void check_entries(const LinkedModel& model, const Entries& entries,
+                   std::initializer_list<std::pair<std::string_view, std::string_view>> pairs,
+                   Findings& findings) {
+  for (const auto& entry : entries) {
+    const yaml::View mapping = mapping_of(model, entry);
+    for (const auto& [lower, upper] : pairs) check_pair(mapping, lower, upper, findings);
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  const Annotations& all = model.annotations;
+  check_entries(model, all.motors, {{"minValue", "maxValue"}, {"minPosition", "maxPosition"}},
+                findings);
+  check_entries(model, all.sensors, {{"min_distance", "max_distance"}}, findings);
+  check_entries(model, all.joints,
+                {{"lowStopAxis1", "highStopAxis1"},
+                 {"lowStopAxis2", "highStopAxis2"},
+                 {"minPosition", "maxPosition"}},
+                findings);
+  check_entries(model, all.graphics, {{"fogStart", "fogEnd"}}, findings);
+}
+
+}  // namespace
+
+extern constinit const Rule sml4113_minimum_above_maximum{
+    .id = "SML4113",
+    .name = "minimum-above-maximum",
+    .severity = Severity::error,
+    .summary = "A lower bound lies above the upper one.",
+    .why = "MARS clamps to one bound after the other, so the motor goes to the bound that "
+           "is checked last; fog and ray distances turn inside out.",
+    .remedy = "Swap the two.",
+    .sources = "MARS SimMotor.cpp:352-365, GraphicData.cpp, RotatingRaySensor.cpp.",
+    .check_model = check};
+
+}  // namespace smurf::rules

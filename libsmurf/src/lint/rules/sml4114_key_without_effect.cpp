@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <initializer_list>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+template <class Entry>
+void check_keys(const LinkedModel& model, const Entry& entry, std::string_view what,
+                std::initializer_list<std::string_view> keys, Findings& findings) {
+  const yaml::View mapping = mapping_of(model, entry);
+  if (!mapping) return;
+  for (const yaml::View value : mapping) {
+    if (std::find(keys.begin(), keys.end(), value.key()) == keys.end()) continue;
+    if (value.is_null() || value.is_repeated()) continue;
+    findings.report(value.key_span(),
+                    quoted(value.key()) + " of " + std::string(what) + " has no effect in MARS");
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    check_keys(model, motor, "a motor", {"position", "axis", "index", "jointIndex"}, findings);
+  }
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (!sensor.type) continue;
+    if (*sensor.type == "RaySensor") {
+      check_keys(model, sensor, "a RaySensor",
+                 {"height", "opening_height", "stepX", "stepY", "cols", "rows"}, findings);
+    } else if (*sensor.type == "MultiLevelLaserRangeFinder") {
+      check_keys(model, sensor, "a MultiLevelLaserRangeFinder", {"rate"}, findings);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml4114_key_without_effect{
+    .id = "SML4114",
+    .name = "key-without-effect",
+    .severity = Severity::info,
+    .summary = "A key that MARS reads has no effect.",
+    .why = "MARS overwrites `axis`, `index` and `jointIndex` of a motor when it loads it, "
+           "and takes the control value before it stores `position`, so the motor starts "
+           "at 0. A RaySensor casts one row of rays: its height says nothing.",
+    .remedy = "Delete the key. A pose under `poses` sets the positions in which the robot "
+              "starts.",
+    .sources = "MARS smurf.cpp:261-264, SimMotor.cpp:49-89, RaySensor.cpp.",
+    .check_model = check};
+
+}  // namespace smurf::rules

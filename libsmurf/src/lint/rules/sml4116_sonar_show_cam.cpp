@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (!sensor.type || *sensor.type != "ScanningSonar") continue;
+    const yaml::View mapping = mapping_of(model, sensor);
+    const yaml::View show = mapping ? mapping.find("show_cam") : yaml::View();
+    if (!show || !(show.boolean() == true || show.number() == 1)) continue;
+    Diagnostic& diagnostic = findings.report(
+        show.span(), "`show_cam` of a ScanningSonar is undefined behaviour in MARS");
+    diagnostic.fixes.push_back({Applicability::unsafe, {{show.span(), "false"}}});
+    diagnostic.help = "write `false`";
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml4116_sonar_show_cam{
+    .id = "SML4116",
+    .name = "sonar-show-cam",
+    .severity = Severity::error,
+    .summary = "A ScanningSonar has `show_cam: true`.",
+    .why = "MARS dereferences an iterator that it never set.",
+    .remedy = "Write `show_cam: false`, or leave the key out.",
+    .sources = "MARS ScanningSonar.cpp:317-320.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_angle(std::optional<double> angle, Span place, const std::string& what,
+                 Findings& findings) {
+  constexpr double kTwoTurns = 4 * std::numbers::pi;
+  constexpr double kPlaceholder = 1000;  // 1e16 and the like mean "no limit"
+  if (!angle || std::fabs(*angle) <= kTwoTurns || std::fabs(*angle) >= kPlaceholder) return;
+  findings
+      .report(place, what + " is " + format_number(*angle) + " rad, " +
+                         format_rounded(std::fabs(*angle) / (2 * std::numbers::pi), 3) +
+                         " turns; is it in degrees?")
+      .help = format_number(*angle) + " degrees are " +
+              format_rounded(*angle * std::numbers::pi / 180, 6) + " rad";
+}
+
+void check_motor(const LinkedModel& model, const Motor& motor, Findings& findings) {
+  const urdf::Joint* joint = joint_of(model, motor);
+  if (joint == nullptr || joint->type != urdf::JointType::revolute) return;
+  for (const Field<double>* bound :
+       {&motor.min_value, &motor.max_value, &motor.min_position, &motor.max_position}) {
+    check_angle(bound->value, bound->span, "a bound of " + subject("motor", motor), findings);
+  }
+}
+
+void check_pose(const LinkedModel& model, const JointPoseSet& pose, Findings& findings) {
+  for (const JointPoseSet::Entry& entry : pose.joints) {
+    const urdf::Joint* joint = find_joint(model, entry.name.value);
+    const auto motor = model.motor_names.find(entry.name.value);
+    if (joint == nullptr && motor) joint = joint_of(model, model.annotations.motors[*motor]);
+    const bool is_angle = joint != nullptr && joint->type == urdf::JointType::revolute;
+    if (is_angle) {
+      check_angle(entry.position.value, entry.position.span,
+                  "the position of " + quoted(entry.name.value), findings);
+    }
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) check_motor(model, motor, findings);
+  for (const JointPoseSet& pose : model.annotations.poses) check_pose(model, pose, findings);
+  for (const Interface& entry : model.annotations.interfaces) {
+    if (!entry.rotation) continue;
+    for (const double angle : *entry.rotation) {
+      check_angle(angle, entry.rotation.span, "a rotation of " + subject("interface", entry),
+                  findings);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml4117_angle_looks_like_degrees{
+    .id = "SML4117",
+    .name = "angle-looks-like-degrees",
+    .severity = Severity::warning,
+    .summary = "An angle of a motor, joint pose or interface looks like degrees.",
+    .why = "Motors, joint poses and interfaces take radians in all readers: 90 is more "
+           "than 14 turns.",
+    .remedy = "Multiply by pi/180.",
+    .sources = "MARS MotorData.cpp, SimEntity.cpp:503-513; Phobos representation.py:2289-2326.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+struct Function {
+  std::string_view name;
+  std::size_t coefficients;
+};
+constexpr Function kFunctions[] = {
+    {"polynom2", 3}, {"polynom3", 4}, {"polynom4", 5}, {"polynom5", 6}};
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    const yaml::View mapping = mapping_of(model, motor);
+    for (const std::string prefix : {"maxeffort", "maxspeed"}) {
+      const auto name = text_at(mapping, prefix + "_approximation");
+      if (!name) continue;
+      const yaml::View list = mapping.find(prefix + "_coefficients");
+      const std::size_t count = list && list.is_sequence() ? list.size() : 0;
+      for (const Function& function : kFunctions) {
+        if (name->value != function.name || count >= function.coefficients) continue;
+        findings.report(list ? list.key_span() : name->span,
+                        quoted(function.name) + " takes " + std::to_string(function.coefficients) +
+                            " coefficients, but there are " + std::to_string(count));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml4119_approximation_coefficients{
+    .id = "SML4119",
+    .name = "approximation-coefficients",
+    .severity = Severity::error,
+    .summary = "An approximation of a motor has fewer coefficients than its function needs.",
+    .why = "MARS reads the coefficients by number without looking how many there are: "
+           "beyond the end of the list it reads foreign memory.",
+    .remedy = "Write all coefficients.",
+    .sources = "MARS MotorData.cpp.",
+    .check_model = check};
+
+}  // namespace smurf::rules
