@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 
+#include "smurf/config.hpp"
 #include "smurf/fix.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
@@ -52,7 +53,10 @@ struct Case {
   explicit Case(const fs::path& folder) : Case(read_folder(folder)) {}
   explicit Case(MemoryFiles all) : files(std::move(all)) {
     DiagnosticSink sink;
-    LoadContext context{sources, files, sink, {}, {}, {}, &meshes};
+    Config config;
+    const std::string config_path(kConfigName);
+    if (files.is_file(config_path)) config = read_config(config_path, sources, files, sink);
+    LoadContext context{sources, files, sink, {}, {}, {}, &meshes, &config.schemas};
     if (files.is_file("scene.smurfs")) {
       const LinkedScene scene = load_scene("scene.smurfs", context);
       lint_scene(scene, {}, sink);

@@ -7,23 +7,40 @@
 #include <set>
 
 #include "common/input.hpp"
+#include "smurf/config.hpp"
 #include "smurf/load.hpp"
 
 namespace smurf::tools {
 namespace {
 
+/// What the command line says wins over the configuration; both name rules to ignore.
+RuleSelection merge(RuleSelection config, const RuleSelection& options) {
+  if (!options.select.empty()) config.select = options.select;
+  config.ignore.insert(config.ignore.end(), options.ignore.begin(), options.ignore.end());
+  for (const auto& [pattern, severity] : options.severities) config.severities[pattern] = severity;
+  return config;
+}
+
 class Checker {
  public:
   Checker(const LintOptions& options, const FileReader& files, Checked& checked)
-      : options_(options), files_(files), checked_(checked) {}
+      : options_(options), files_(files), checked_(checked), selection_(options.selection) {}
+
+  void configure(const std::string& path) {
+    if (path.empty()) return;
+    DiagnosticSink sink;
+    config_ = read_config(path, checked_.sources, files_, sink);
+    selection_ = merge(std::move(config_.selection), options_.selection);
+    diagnostics_ = sink.take();
+  }
 
   void check_scene(const std::string& path) {
     DiagnosticSink sink;
     LoadContext context = make_context(sink);
     const LinkedScene scene = load_scene(path, context);
-    lint_scene(scene, options_.selection, sink);
+    lint_scene(scene, selection_, sink);
     for (const LinkedModel& model : scene.models) {
-      lint_model(model, options_.selection, sink);
+      lint_model(model, selection_, sink);
       note_files(model);
     }
     for (const SceneFile& file : scene.scenes) scenes_.insert(identity(file.path));
@@ -35,13 +52,13 @@ class Checker {
     DiagnosticSink sink;
     LoadContext context = make_context(sink);
     const LinkedModel model = load_model(path, context);
-    lint_model(model, options_.selection, sink);
+    lint_model(model, selection_, sink);
     note_files(model);
     collect(sink, model);
   }
 
   void finish_all() {
-    checked_.diagnostics = finish(std::move(diagnostics_), checked_.sources, options_.selection);
+    checked_.diagnostics = finish(std::move(diagnostics_), checked_.sources, selection_);
     checked_.summary = summarize(checked_.diagnostics);
     checked_.summary.models = models_.size();
     checked_.summary.scenes = scenes_.size();
@@ -50,7 +67,8 @@ class Checker {
 
  private:
   LoadContext make_context(DiagnosticSink& sink) {
-    return {checked_.sources, files_, sink, {}, options_.packages, package_folders_, &meshes_};
+    return {checked_.sources,  files_,           sink,     {},
+            options_.packages, package_folders_, &meshes_, &config_.schemas};
   }
 
   template <class Loaded>
@@ -84,6 +102,8 @@ class Checker {
   Checked& checked_;
   const std::vector<std::string> package_folders_ = package_folders_of_environment();
   MeshLibrary meshes_;
+  Config config_;
+  RuleSelection selection_;
   std::vector<Diagnostic> diagnostics_;
   std::set<std::string> models_, scenes_, read_;  ///< by identity
 };
@@ -93,6 +113,7 @@ class Checker {
 Checked check(const LintOptions& options, const Plan& plan, const FileReader& files) {
   Checked checked;
   Checker checker(options, files, checked);
+  checker.configure(plan.config);
   for (const std::string& path : plan.scenes) checker.check_scene(path);
   for (const std::string& path : plan.models) checker.check_model(path);
   for (const std::string& path : plan.strays) checker.check_model(path);

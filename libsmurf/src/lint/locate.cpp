@@ -33,6 +33,14 @@ std::string pointer_in(const LinkedModel& model, std::optional<xml::XPaths>& pat
   return {};
 }
 
+void locate_in(const yaml::Document& document, std::span<Diagnostic> diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (!diagnostic.pointer.empty() || diagnostic.span.source != document.source) continue;
+    const yaml::NodeId id = yaml::node_at(document, diagnostic.span.begin);
+    if (id != yaml::kNoNode) diagnostic.pointer = yaml::pointer(document, id);
+  }
+}
+
 }  // namespace
 
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
@@ -45,13 +53,9 @@ void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
   for (const SceneFile& file : scene.scenes) {
-    if (!file.document) continue;
-    for (Diagnostic& diagnostic : diagnostics) {
-      if (!diagnostic.pointer.empty() || diagnostic.span.source != file.source) continue;
-      const yaml::NodeId id = yaml::node_at(*file.document, diagnostic.span.begin);
-      if (id != yaml::kNoNode) diagnostic.pointer = yaml::pointer(*file.document, id);
-    }
+    if (file.document) locate_in(*file.document, diagnostics);
   }
+  for (const DataFile& file : scene.data_files) locate_in(file.document, diagnostics);
   for (const LinkedModel& model : scene.models) locate(model, diagnostics);
 }
 
