@@ -13,14 +13,17 @@ SOURCE = ROOT / "libsmurf" / "src"
 PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
 
 # Each stage and the stages it may include besides itself. An include points left only:
-# base < syntax < {ast, mesh} < link < {lint, flatten, convert} < write ; base < render.
+# base < syntax < {ast, mesh} < link < {lint, flatten, convert} < write ; base < render ;
+# ast < {schema, config}.
 STAGES = {
     "base": set(),
     "syntax": {"base"},
     "ast": {"base", "syntax"},
     "mesh": {"base", "syntax"},
+    "schema": {"base", "syntax", "ast"},
     "link": {"base", "syntax", "ast", "mesh"},
     "lint": {"base", "ast", "link"},
+    "config": {"base", "syntax", "ast"},
     "flatten": {"base", "syntax", "ast", "link"},
     "convert": {"base", "syntax", "ast", "link"},
     "write": {"base", "syntax", "ast", "link", "lint", "flatten", "convert"},
@@ -31,7 +34,8 @@ STAGES = {
 THIRD_PARTY = {
     "yaml-cpp": {"syntax"},
     "tinyxml2.h": {"syntax"},
-    "nlohmann": {"render", "write"},
+    "nlohmann": {"render", "schema", "write"},
+    "valijson": {"schema"},
     "Eigen": set(STAGES),
     "urdf_parser": {"convert"},
     "urdf_model": {"convert"},

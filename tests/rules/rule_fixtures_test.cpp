@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 
+#include "smurf/config.hpp"
 #include "smurf/fix.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
@@ -54,7 +55,10 @@ struct Case {
       : Case(read_folder(folder), selection) {}
   Case(MemoryFiles all, const RuleSelection& selection) : files(std::move(all)) {
     DiagnosticSink sink;
-    LoadContext context{sources, files, sink, {}, {}, {}, &meshes};
+    Config config;
+    const std::string config_path(kConfigName);
+    if (files.is_file(config_path)) config = read_config(config_path, sources, files, sink);
+    LoadContext context{sources, files, sink, {}, {}, {}, &meshes, &config.schemas};
     Suppressions suppressions;
     if (files.is_file("scene.smurfs")) {
       const LinkedScene scene = load_scene("scene.smurfs", context);

@@ -8,6 +8,7 @@
 
 #include "common/input.hpp"
 #include "common/repository.hpp"
+#include "smurf/config.hpp"
 #include "smurf/load.hpp"
 #include "smurf/suppress.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -15,19 +16,35 @@
 namespace smurf::tools {
 namespace {
 
+/// What the command line says wins over the configuration; both name rules to ignore.
+RuleSelection merge(RuleSelection config, const RuleSelection& options) {
+  if (!options.select.empty()) config.select = options.select;
+  config.ignore.insert(config.ignore.end(), options.ignore.begin(), options.ignore.end());
+  for (const auto& [pattern, severity] : options.severities) config.severities[pattern] = severity;
+  return config;
+}
+
 class Checker {
  public:
   Checker(const LintOptions& options, const FileReader& files, Checked& checked)
-      : options_(options), files_(files), checked_(checked) {}
+      : options_(options), files_(files), checked_(checked), selection_(options.selection) {}
+
+  void configure(const std::string& path) {
+    if (path.empty()) return;
+    DiagnosticSink sink;
+    config_ = read_config(path, checked_.sources, files_, sink);
+    selection_ = merge(std::move(config_.selection), options_.selection);
+    diagnostics_ = sink.take();
+  }
 
   void check_scene(const std::string& path) {
     DiagnosticSink sink;
     LoadContext context = make_context(sink);
     const LinkedScene scene = load_scene(path, context);
-    lint_scene(scene, options_.selection, sink);
+    lint_scene(scene, selection_, sink);
     suppressions_.add(scene, checked_.sources);
     for (const LinkedModel& model : scene.models) {
-      lint_model(model, options_.selection, sink);
+      lint_model(model, selection_, sink);
       note_files(model);
     }
     for (const SceneFile& file : scene.scenes) scenes_.insert(identity(file.path));
@@ -39,24 +56,23 @@ class Checker {
     DiagnosticSink sink;
     LoadContext context = make_context(sink);
     const LinkedModel model = load_model(path, context);
-    lint_model(model, options_.selection, sink);
+    lint_model(model, selection_, sink);
     suppressions_.add(model, checked_.sources);
     note_files(model);
     collect(sink, model);
   }
 
   void finish_all() {
-    const RuleSelection& selection = options_.selection;
-    std::vector<Diagnostic> found = finish(std::move(diagnostics_), checked_.sources, selection);
+    std::vector<Diagnostic> found = finish(std::move(diagnostics_), checked_.sources, selection_);
     std::size_t suppressed = 0;
     if (!options_.no_ignores) {
-      suppressed = suppressions_.apply(found, checked_.sources, selection);
-      found = finish(std::move(found), checked_.sources, selection);
+      suppressed = suppressions_.apply(found, checked_.sources, selection_);
+      found = finish(std::move(found), checked_.sources, selection_);
       if (!options_.baseline.empty() && !options_.generate_baseline) {
         suppressed += apply_baseline(found);
       }
     }
-    checked_.diagnostics = finish(std::move(found), checked_.sources, selection);
+    checked_.diagnostics = finish(std::move(found), checked_.sources, selection_);
     checked_.summary = summarize(checked_.diagnostics);
     checked_.summary.suppressed = suppressed;
     checked_.summary.models = models_.size();
@@ -73,7 +89,7 @@ class Checker {
       baseline.read(*document, sink);
     }
     const std::size_t count = baseline.apply(found, checked_.sources);
-    baseline.report_stale(checked_.sources, options_.selection, sink);
+    baseline.report_stale(checked_.sources, selection_, sink);
     std::vector<Diagnostic> own = sink.take();
     std::move(own.begin(), own.end(), std::back_inserter(found));
     return count;
@@ -85,7 +101,8 @@ class Checker {
   }
 
   LoadContext make_context(DiagnosticSink& sink) {
-    return {checked_.sources, files_, sink, {}, options_.packages, package_folders_, &meshes_};
+    return {checked_.sources,  files_,           sink,     {},
+            options_.packages, package_folders_, &meshes_, &config_.schemas};
   }
 
   template <class Loaded>
@@ -119,6 +136,8 @@ class Checker {
   Checked& checked_;
   const std::vector<std::string> package_folders_ = package_folders_of_environment();
   MeshLibrary meshes_;
+  Config config_;
+  RuleSelection selection_;
   std::vector<Diagnostic> diagnostics_;
   Suppressions suppressions_;
   std::set<std::string> models_, scenes_, read_;  ///< by identity
@@ -129,6 +148,7 @@ class Checker {
 Checked check(const LintOptions& options, const Plan& plan, const FileReader& files) {
   Checked checked;
   Checker checker(options, files, checked);
+  checker.configure(plan.config);
   for (const std::string& path : plan.scenes) checker.check_scene(path);
   for (const std::string& path : plan.models) checker.check_model(path);
   for (const std::string& path : plan.strays) checker.check_model(path);

@@ -105,6 +105,16 @@ std::vector<Option> rule_options(LintOptions& options) {
        .help = "Make a rule an error, a warning or an info.",
        .set = set_severity(options.selection.severities)},
       {.group = "Rules",
+       .name = "config",
+       .metavar = "FILE",
+       .help = "Read this configuration. Without it: the .smurf-lint.yaml in the folder of the "
+               "first PATH or the nearest folder above.",
+       .set = set_text(options.config)},
+      {.group = "Rules",
+       .name = "isolated",
+       .help = "Read no configuration.",
+       .set = set_flag(options.isolated)},
+      {.group = "Rules",
        .name = "explain",
        .metavar = "ID",
        .help = "Show why a rule matters and what to do, and check nothing.",
@@ -251,6 +261,9 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
     const std::string where = place == "-" ? "standard output" : "'" + place + "'";
     return "two reports go to " + where + "; give one a file of its own: --format " +
            std::string(report.format->name) + "=FILE";
+  }
+  if (options.isolated && !options.config.empty()) {
+    return "--isolated reads no configuration, --config names one";
   }
   if (std::count(options.paths.begin(), options.paths.end(), "-") > 1) {
     return "standard input can be read only once";

@@ -20,6 +20,8 @@ struct LintOptions {
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
 
+  std::string config;     ///< "": the nearest one
+  bool isolated = false;  ///< read no configuration
   RuleSelection selection;
   Threshold threshold;
 

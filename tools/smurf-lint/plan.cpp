@@ -7,6 +7,7 @@
 #include "base/path.hpp"
 #include "common/discover.hpp"
 #include "common/input.hpp"
+#include "smurf/config.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -20,6 +21,7 @@ class Planner {
   Plan run() {
     std::vector<std::string> paths = options_.paths;
     if (paths.empty()) paths.emplace_back(".");
+    find_config(paths.front() == "-" ? options_.stdin_filename : paths.front());
     for (const std::string& path : paths) {
       std::error_code ignored;
       if (path == "-") {
@@ -34,6 +36,29 @@ class Planner {
   }
 
  private:
+  void find_config(const std::string& path) {
+    if (options_.isolated) return;
+    if (!options_.config.empty()) {
+      plan_.config = options_.config;
+      const auto reason = why_unreadable(plan_.config, files_);
+      if (reason) fail("cannot read '" + plan_.config + "': " + *reason);
+      if (reason) plan_.config.clear();
+      return;
+    }
+    std::error_code ignored;
+    const bool is_folder = std::filesystem::is_directory(path, ignored);
+    std::string folder(is_folder ? path : std::string(path::parent(path)));
+    const auto absolute = std::filesystem::absolute(folder.empty() ? "." : folder, ignored);
+    for (auto level = std::distance(absolute.begin(), absolute.end()); level > 0; --level) {
+      const std::string config = path::join(folder, kConfigName);
+      if (files_.is_file(config)) {
+        plan_.config = config;
+        return;
+      }
+      folder = path::join(folder, "..");
+    }
+  }
+
   void fail(const std::string& message) {
     complain(kTool, message);
     plan_.has_failed = true;

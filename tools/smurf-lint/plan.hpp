@@ -15,6 +15,7 @@ struct Plan {
   std::vector<std::string> models;
   std::vector<std::string> strays;  ///< .urdf and .yml files: alone, unless a model reads them
   std::string standard_input;       ///< its name in `files`; "": it was not read
+  std::string config;               ///< "": none
   bool has_failed = false;          ///< something could not be read; it was said
 };
 

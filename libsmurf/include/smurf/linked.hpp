@@ -19,6 +19,8 @@
 
 namespace smurf {
 
+class UserSchemas;
+
 enum class LinkIndex : std::uint32_t {};
 enum class JointIndex : std::uint32_t {};
 enum class ModelIndex : std::uint32_t {};
@@ -107,6 +109,7 @@ struct LinkedModel {
   std::vector<TextureReference> annotation_textures;
   /// Annotation files beside the main file, named like its own, that `files` does not list.
   std::vector<std::string> unlisted_files;
+  const UserSchemas* schemas = nullptr;  ///< those it was loaded with; may be null
   /// False when a file is missing or broken: names that seem unknown may be in it.
   bool is_complete = true;
 
@@ -161,6 +164,12 @@ struct SceneFile {
   Scene scene;
 };
 
+/// A YAML file of an entity whose type is the user's own: what it holds are sections.
+struct DataFile {
+  SourceId source{};
+  yaml::Document document;
+};
+
 /// One use of a scene file: the scene that was loaded, or an include.
 struct SceneUse {
   SceneIndex scene{};
@@ -189,11 +198,13 @@ struct Instance {
 /// document.
 struct LinkedScene {
   std::string path;
-  std::vector<SceneFile> scenes;    ///< the loaded one first
-  std::vector<SceneUse> uses;       ///< the loaded scene first, outer uses before inner ones
-  std::vector<LinkedModel> models;  ///< each file once
-  std::vector<Instance> instances;  ///< depth-first, in file order
-  bool is_complete = true;          ///< false when a file is missing or broken
+  std::vector<SceneFile> scenes;         ///< the loaded one first
+  std::vector<SceneUse> uses;            ///< the loaded scene first, outer uses before inner ones
+  std::vector<LinkedModel> models;       ///< each file once
+  std::vector<Instance> instances;       ///< depth-first, in file order
+  std::vector<DataFile> data_files;      ///< each once
+  const UserSchemas* schemas = nullptr;  ///< those it was loaded with; may be null
+  bool is_complete = true;               ///< false when a file is missing or broken
 
   LinkedScene() = default;
   LinkedScene(LinkedScene&&) = default;

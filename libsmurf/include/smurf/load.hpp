@@ -10,6 +10,7 @@
 #include "smurf/limits.hpp"
 #include "smurf/linked.hpp"
 #include "smurf/mesh.hpp"
+#include "smurf/user_schemas.hpp"
 
 namespace smurf {
 
@@ -22,7 +23,8 @@ struct LoadContext {
   std::map<std::string, std::string> packages;  ///< package:// names to folders
   /// Folders that hold packages: those of ROS_PACKAGE_PATH, and share/ of AMENT_PREFIX_PATH.
   std::vector<std::string> package_folders = {};
-  MeshLibrary* meshes = nullptr;  ///< null: meshes are looked up, but not opened
+  MeshLibrary* meshes = nullptr;         ///< null: meshes are looked up, but not opened
+  const UserSchemas* schemas = nullptr;  ///< of the user's own sections and entity types
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Everything wrong is reported; what could

@@ -209,7 +209,9 @@ class ModelLoader {
 }  // namespace
 
 LinkedModel load_model(const std::string& path, LoadContext& context) {
-  return ModelLoader(context).load(path);
+  LinkedModel model = ModelLoader(context).load(path);
+  model.schemas = context.schemas;
+  return model;
 }
 
 std::optional<xml::Document> load_xml(const std::string& path, LoadContext& context) {

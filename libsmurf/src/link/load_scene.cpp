@@ -44,6 +44,7 @@ void load_single_model(const std::string& path, LoadContext& context, LinkedScen
 
 LinkedScene load_scene(const std::string& path, LoadContext& context) {
   LinkedScene scene;
+  scene.schemas = context.schemas;
   if (is_model_file(path)) {
     load_single_model(path, context, scene);
     return scene;

@@ -157,11 +157,25 @@ class SceneExpander {
     return index;
   }
 
+  /// The files of types that the user has schemas for may hold sections with schemas.
+  void read_data_file(const std::string& path, Span reference, const std::string& type) {
+    if (context_.schemas == nullptr || !context_.schemas->has_entity_type(type)) return;
+    const std::string extension = path::to_lower(path::extension(path));
+    if (extension != ".yml" && extension != ".yaml" && extension != ".json") return;
+    const auto source = read_source(path, reference, rules::sml5006_missing_entity_file, context_);
+    if (!source) return;
+    auto document = parse_yaml(context_.sources, *source, context_.limits, context_.sink);
+    if (document) scene_.data_files.push_back({*source, std::move(*document)});
+  }
+
   /// Files of other types are not read. A plug-in may look for its file elsewhere.
   void check_data_file(const std::string& path, Span reference, const std::string& type) {
     const auto [known, is_new] = data_files_.emplace(path, true);
     if (is_new) known->second = context_.files.is_file(path);
-    if (known->second) return;
+    if (known->second) {
+      if (is_new) read_data_file(path, reference, type);
+      return;
+    }
     Diagnostic& diagnostic = context_.sink.report(rules::sml5006_missing_entity_file, reference,
                                                   "there is no file `" + path + "`");
     if (!is_old_scene(type)) diagnostic.severity = Severity::warning;

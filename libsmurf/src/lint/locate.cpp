@@ -35,6 +35,13 @@ void point(Diagnostic& diagnostic, const xml::Document& document, xml::XPaths& p
   diagnostic.named_pointer = diagnostic.pointer;
 }
 
+void locate_in(const yaml::Document& document, std::span<Diagnostic> diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (!diagnostic.named_pointer.empty() || diagnostic.span.source != document.source) continue;
+    point(diagnostic, document);
+  }
+}
+
 }  // namespace
 
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
@@ -53,12 +60,9 @@ void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
   for (const SceneFile& file : scene.scenes) {
-    if (!file.document) continue;
-    for (Diagnostic& diagnostic : diagnostics) {
-      if (diagnostic.span.source != file.source || !diagnostic.named_pointer.empty()) continue;
-      point(diagnostic, *file.document);
-    }
+    if (file.document) locate_in(*file.document, diagnostics);
   }
+  for (const DataFile& file : scene.data_files) locate_in(file.document, diagnostics);
   for (const LinkedModel& model : scene.models) locate(model, diagnostics);
 }
 

@@ -4,6 +4,7 @@
 #include "base/path.hpp"
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
+#include "smurf/user_schemas.hpp"
 
 namespace smurf {
 
@@ -40,6 +41,10 @@ yaml::View world_value(const SceneFile& file, std::string_view key) {
   if (!root || !root.is_mapping()) return {};
   const yaml::View value = root.find(key);
   return value && !value.is_null() ? value : yaml::View();
+}
+
+bool has_schema(const LinkedScene& scene, std::string_view type) {
+  return scene.schemas != nullptr && scene.schemas->has_entity_type(type);
 }
 
 const CustomSection* slip_of(const Entity& entity, std::string_view key) {

@@ -46,6 +46,9 @@ Span type_place(const Entity& entity);
 /// The value of a top-level key that MARS reads here; none in an assembly, where it reads no world.
 yaml::View world_value(const SceneFile& file, std::string_view key);
 
+/// True for an entity type that the user registered a schema for, and so knows.
+bool has_schema(const LinkedScene& scene, std::string_view type);
+
 /// A key of the entity that is nearly `key`, which it does not have; null when there is none.
 const CustomSection* slip_of(const Entity& entity, std::string_view key);
 

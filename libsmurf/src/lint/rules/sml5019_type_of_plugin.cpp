@@ -13,10 +13,9 @@ constexpr std::string_view kPhobosTypes[] = {"light", "heightmap", "mesh", "gene
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     const std::string type = entity_type(entity);
-    if (std::find(std::begin(kPhobosTypes), std::end(kPhobosTypes), type) ==
-        std::end(kPhobosTypes)) {
-      return;
-    }
+    const bool is_of_phobos =
+        std::find(std::begin(kPhobosTypes), std::end(kPhobosTypes), type) != std::end(kPhobosTypes);
+    if (!is_of_phobos || has_schema(scene, type)) return;
     findings.report(type_place(entity), "MARS has no plug-in of its own for entities of type " +
                                             quoted(type) + " and leaves this one out");
   });

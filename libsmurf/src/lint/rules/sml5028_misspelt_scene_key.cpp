@@ -60,7 +60,9 @@ bool is_reported_as_missing(const KeySpec& meant, const Entity& entity) {
   return type.empty() || kind_of(type) != EntityKind::other || is_old_scene(type);
 }
 
-void check_entity(const SceneFile& file, const Entity& entity, Findings& findings) {
+void check_entity(const LinkedScene& scene, const SceneFile& file, const Entity& entity,
+                  Findings& findings) {
+  if (has_schema(scene, entity_type(entity))) return;  // which says what keys there are
   const yaml::View mapping = mapping_of(file, entity);
   const bool is_node = entity_type(entity) == "primitive";
   for (const CustomSection& extra : entity.extra) {
@@ -82,7 +84,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (root && root.is_mapping()) check_mapping(root, scene_keys(), findings);
   }
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
-    check_entity(file, entity, findings);
+    check_entity(scene, file, entity, findings);
   });
 }
 

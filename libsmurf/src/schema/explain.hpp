@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From what the schema library says to findings: one a cause, at the token at fault, with the
+// schema's own words.
+#pragma once
+
+#include <vector>
+
+#include "schema/json_schema.hpp"
+#include "smurf/diagnostic.hpp"
+#include "smurf/yaml.hpp"
+
+namespace smurf {
+
+/// A finding without a rule. `schema` and `value` are the trees that the faults are about.
+struct Violation {
+  Span span;
+  std::string message;
+  std::string help;
+  std::vector<std::string> notes;
+  Span schema_span;  ///< the keyword of the schema that is broken; may be empty
+  std::vector<Fix> fixes;
+};
+
+std::vector<Violation> explain(const std::vector<SchemaFault>& faults, yaml::View schema,
+                               yaml::View value);
+
+}  // namespace smurf

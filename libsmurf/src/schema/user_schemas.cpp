@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf/user_schemas.hpp"
+
+#include <exception>
+
+#include "base/rules.hpp"
+#include "schema/checked_schema.hpp"
+#include "schema/explain.hpp"
+#include "schema/json_schema.hpp"
+#include "syntax/yaml_reader.hpp"
+
+namespace smurf {
+
+struct UserSchema {
+  yaml::Document document;
+  JsonSchema schema;
+};
+
+namespace {
+
+void check(const UserSchema* schema, yaml::View value, Findings& findings) {
+  if (schema == nullptr || !value) return;
+  const auto faults = is_small(value) ? schema->schema.check(to_json(value)) : std::nullopt;
+  if (!faults) {
+    Diagnostic& diagnostic =
+        findings.report(value.key_span().empty() ? value.span() : value.key_span(),
+                        "this is too large to be checked by its schema");
+    diagnostic.severity = Severity::info;
+    return;
+  }
+  for (Violation& violation : explain(*faults, schema->document.view(), value)) {
+    Diagnostic& diagnostic = findings.report(violation.span, std::move(violation.message));
+    diagnostic.help = std::move(violation.help);
+    diagnostic.notes = std::move(violation.notes);
+    diagnostic.fixes = std::move(violation.fixes);
+    if (!violation.schema_span.empty()) {
+      diagnostic.labels.push_back({violation.schema_span, "the schema asks for it here"});
+    }
+  }
+}
+
+template <class Table>
+const UserSchema* find(const Table& table, std::string_view name) {
+  const auto found = table.find(name);
+  return found == table.end() ? nullptr : found->second.get();
+}
+
+}  // namespace
+
+UserSchemas::UserSchemas() = default;
+UserSchemas::~UserSchemas() = default;
+UserSchemas::UserSchemas(UserSchemas&&) noexcept = default;
+UserSchemas& UserSchemas::operator=(UserSchemas&&) noexcept = default;
+
+bool UserSchemas::add(Table& table, std::string name, SourceId schema, const SourceMap& sources,
+                      DiagnosticSink& sink) {
+  std::unique_ptr<const UserSchema>& entry = table[std::move(name)];
+  entry.reset();
+  std::optional<yaml::Document> document = parse_yaml(sources, schema, Limits{}, sink);
+  if (!document) return false;
+  const yaml::View root = document->view();
+  if (!root) {
+    sink.report(rules::sml9011_broken_schema, {schema, 0, 0}, "the schema is empty");
+    return false;
+  }
+  DiagnosticSink found;
+  const auto checked = check_schema(root, found);
+  for (Diagnostic& diagnostic : found.take()) {
+    diagnostic.pointer = yaml::pointer(*document, yaml::node_at(*document, diagnostic.span.begin));
+    sink.report(*diagnostic.rule, diagnostic.span, {}) = std::move(diagnostic);
+  }
+  if (!checked) return false;
+  try {
+    entry.reset(new UserSchema{std::move(*document), JsonSchema(*checked)});
+  } catch (const std::exception& refused) {
+    sink.report(rules::sml9011_broken_schema, {schema, 0, 0},
+                std::string("the schema cannot be used: ") + refused.what());
+  }
+  return entry != nullptr;
+}
+
+bool UserSchemas::add_section(std::string name, SourceId schema, const SourceMap& sources,
+                              DiagnosticSink& sink) {
+  return add(sections_, std::move(name), schema, sources, sink);
+}
+
+bool UserSchemas::add_entity_type(std::string type, SourceId schema, const SourceMap& sources,
+                                  DiagnosticSink& sink) {
+  return add(entity_types_, std::move(type), schema, sources, sink);
+}
+
+void UserSchemas::check_section(yaml::View value, Findings& findings) const {
+  check(find(sections_, value.key()), value, findings);
+}
+
+void UserSchemas::check_entity(std::string_view type, yaml::View entity, Findings& findings) const {
+  check(find(entity_types_, type), entity, findings);
+}
+
+namespace rules {
+
+constinit const Rule sml9011_broken_schema{
+    .id = "SML9011",
+    .name = "broken-schema",
+    .severity = Severity::error,
+    .summary = "A schema of your own cannot be used.",
+    .why = "It is no JSON Schema (draft-07), or applying it could take forever; nothing is checked "
+           "by it.",
+    .remedy = "Correct the schema at the place of the message. References lead to "
+              "`#/definitions/NAME` of the same file.",
+    .sources = "JSON Schema draft-07; limits of these tools."};
+
+}  // namespace rules
+}  // namespace smurf
