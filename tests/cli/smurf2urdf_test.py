@@ -149,6 +149,22 @@ class Options(ExportTest):
         self.assertNotIn("<ros2_control",
                          self.export("--preset", "ros2", "--actuation", "none"))
 
+    def test_srdf(self):
+        self.export("--srdf", "arm.srdf", "--prefix", "l_", "--loss-report", "lost.json")
+        text = self.read("arm.srdf")
+        self.assertIn('  <group_state name="home" group="all">\n'
+                      '    <joint name="l_joint1_waist" value="0"/>\n', text)
+        self.assertIn('<disable_collisions link1="l_pedestal" link2="l_turret" '
+                      'reason="Adjacent"/>', text)
+        self.assertNotIn("Never", text)
+        self.assertNotIn("bitmask", self.read("lost.json"))
+        self.change("collision", "link: hand, bitmask: 32769", "link: hand, bitmask: 4")
+        self.export("--srdf", "arm.srdf")
+        self.assertIn('link2="hand" reason="Never"/>', self.read("arm.srdf").replace(
+            'link1="hand" link2="', 'link2="hand" reason="Never"/> link2="'))
+        self.expect_complaint("--srdf needs a file of its own", "arm/smurf/arm.smurf", "--srdf",
+                              "-")
+
     def test_dry_run(self):
         self.assertEqual(self.expect(0, "arm/smurf/arm.smurf", "--dry-run").stdout, "")
 

@@ -77,8 +77,9 @@ class FileSet {
     std::error_code error;
     const fs::file_status status = fs::symlink_status(path, error);
     const bool exists = fs::exists(status);
-    if (exists && !fs::is_regular_file(fs::status(path, error))) {
-      return Problem{path, fs::is_directory(fs::status(path, error)) ? EISDIR : EEXIST};
+    const fs::file_status target = fs::status(path, error);
+    if (exists && !fs::is_regular_file(target)) {
+      return Problem{path, fs::is_directory(target) ? EISDIR : ENOTSUP};
     }
     if (exists && !overwrite) return Problem{path, EEXIST};
     const std::string beside =

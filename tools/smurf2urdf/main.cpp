@@ -54,6 +54,17 @@ std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
   return {};
 }
 
+/// The URDF, and the SRDF when one is wanted: both or none.
+bool write_result(const Options& options, const std::string& urdf, const LinkedModel& model) {
+  const std::string& output = options.common.output;
+  if (options.srdf.empty()) return write_output(kTool, output, urdf);
+  std::vector<TextFile> files = {{options.srdf, export_srdf(model, options.conversion.prefix)}};
+  const bool to_stdout = output.empty() || output == "-";
+  if (to_stdout) return write_files(kTool, ".", files, true) && write_output(kTool, output, urdf);
+  files.push_back({output, urdf});
+  return write_files(kTool, ".", files, true);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -93,5 +104,5 @@ int main(int argc, char** argv) {
     return options.fails_on_loss ? conversion.refuse("has losses") : kFailed;
   }
   if (options.dry_run) return kDone;
-  return write_output(kTool, options.common.output, urdf) ? kDone : kFailed;
+  return write_result(options, urdf, *model) ? kDone : kFailed;
 }

@@ -184,6 +184,11 @@ std::vector<Option> run_options(Options& options) {
            .help = "Print the options that a preset stands for, and end.",
            .values = preset_names(),
            .set = set_text(options.shown_preset)},
+          {.name = "srdf",
+           .metavar = "FILE",
+           .help = "Write an SRDF as well: joint pose sets as group states, and pairs of links "
+                   "that do not collide, from bitmasks and the tree.",
+           .set = set_text(options.srdf)},
           {.name = "loss-report",
            .metavar = "FILE",
            .help = "Write what the URDF cannot say to FILE, as JSON.",
@@ -254,6 +259,13 @@ std::string problem_of(Options& options) {
   }
   if (!wanted.keep.empty() && !wanted.collapses_fixed) return "--keep goes with --collapse-fixed";
   const std::string& output = options.common.output;
+  if (!options.srdf.empty() && wanted.collapses_fixed) {
+    return "--srdf and --collapse-fixed exclude each other: the links of the SRDF would be gone";
+  }
+  if (options.srdf == "-" || (!options.srdf.empty() && options.srdf == output)) {
+    return "--srdf needs a file of its own";
+  }
+  wanted.has_srdf = !options.srdf.empty();
   const bool to_stdout = output.empty() || output == "-";
   // Standard output counts as the current folder.
   wanted.output_folder = to_stdout ? "." : std::string(path::parent(output));

@@ -13,6 +13,7 @@ struct Options {
   ConverterOptions common;
   std::string model;
   UrdfExport conversion;
+  std::string srdf;
   std::string loss_report;
   std::string shown_preset;
   bool fails_on_loss = false;

@@ -45,6 +45,7 @@ struct UrdfExport {
   AppliedAnnotations apply{};
   Actuation actuation = Actuation::none;
   bool adds_gazebo_sensors = false;
+  bool has_srdf = false;           ///< poses and bitmasks are said there
   bool strips_extensions = false;  ///< what URDF does not define
   bool strips_comments = false;
   bool collapses_fixed = false;
@@ -61,6 +62,10 @@ struct UrdfExport {
 /// called `world`.
 std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
                         const UrdfExport& options, DiagnosticSink& sink);
+
+/// An SRDF beside the URDF: joint pose sets as group states; neighbours, and links whose bitmasks
+/// share no bit, as pairs that do not collide. Precondition: model.robot is set.
+std::string export_srdf(const LinkedModel& model, const std::string& prefix);
 
 /// Reports every annotation that the export cannot say or was not asked to say (SML8001, 8002), and
 /// every extension it leaves out (SML8004).

@@ -116,11 +116,19 @@ class Collapse {
     while (line > 0 && text_[line - 1] != '\n') --line;
     std::string indentation = "\n";
     while (text_[line] == ' ' || text_[line] == '\t') indentation += text_[line++];
-    std::string result = apply_edits(text, {&edit, 1});
-    for (std::size_t at = result.find(indentation); at != std::string::npos;
-         at = result.find(indentation, at + 1)) {
-      result.erase(at + 1, indentation.size() - 1);
+    const std::string result = apply_edits(text, {&edit, 1});
+    return without(result, indentation);
+  }
+
+  /// Line ends with blanks become line ends.
+  static std::string without(std::string_view text, std::string_view line_start) {
+    std::string result;
+    for (std::size_t at = text.find(line_start); at != std::string_view::npos;
+         at = text.find(line_start)) {
+      result.append(text.substr(0, at)).append("\n");
+      text.remove_prefix(at + line_start.size());
     }
+    result.append(text);
     std::erase(result, '\r');
     return result;
   }

@@ -28,7 +28,7 @@ class LossReport {
     for (const JointAnnotation& joint : all.joints) of_joint(joint);
     for (const Sensor& sensor : all.sensors) of_sensor(sensor);
     whole_entries(all.controllers, "controller");
-    whole_entries(all.poses, "joint pose set");
+    if (!options_.has_srdf) whole_entries(all.poses, "joint pose set");
     whole_entries(all.lights, "light");
     whole_entries(all.graphics, "graphics entry");
     whole_entries(all.nodes, "node");
@@ -82,6 +82,7 @@ class LossReport {
   void of_keys(const Annotation& entry, std::string_view kind) {
     for (const yaml::View key : view(entry)) {
       if (is_one_of(key.key(), {"name", "link"}) || key.is_null()) continue;
+      if (key.key() == "bitmask" && options_.has_srdf) continue;
       lose_key(entry, kind, key);
     }
   }

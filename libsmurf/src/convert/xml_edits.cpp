@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert/xml_edits.hpp"
 
-#include <algorithm>
-
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 
@@ -33,14 +31,8 @@ void XmlEdits::set_number(xml::View element, std::string_view name, double value
 }
 
 void XmlEdits::add_child(xml::View element, std::string_view child) {
-  const auto known = std::find_if(children_.begin(), children_.end(), [&](const Children& one) {
-    return one.element.id() == element.id();
-  });
-  if (known == children_.end()) {
-    children_.push_back({element, std::string(child)});
-  } else {
-    known->text.append("\n").append(child);
-  }
+  const auto [known, is_new] = children_.emplace(element.id(), child);
+  if (!is_new) known->second.append("\n").append(child);
 }
 
 void XmlEdits::remove(Span span) {
@@ -85,12 +77,11 @@ void XmlEdits::replace_element(xml::View element, std::string_view text) {
   replace(element.span(), indented(text, indentation(element.span())));
 }
 
-void XmlEdits::close(const Children& children, std::vector<Edit>& edits) const {
-  const xml::View element = children.element;
+void XmlEdits::close(xml::View element, std::string_view children, std::vector<Edit>& edits) const {
   const std::string outer(indentation(element.span()));
   std::string inner = outer + "  ";
   for (const xml::View child : element) inner = indentation(child.span());
-  std::string text = std::string(line_end()) + inner + indented(children.text, inner);
+  std::string text = std::string(line_end()) + inner + indented(children, inner);
   const Span tag = element.tag_span();
   if (tag.end == element.span().end) {  // <a/>
     Span slash{tag.source, tag.end - 2, tag.end};
@@ -109,7 +100,7 @@ void XmlEdits::close(const Children& children, std::vector<Edit>& edits) const {
 
 std::string XmlEdits::apply() const {
   std::vector<Edit> edits = edits_;
-  for (const Children& children : children_) close(children, edits);
+  for (const auto& [element, children] : children_) close(view(element), children, edits);
   return apply_edits(text_, edits);
 }
 

@@ -2,6 +2,7 @@
 // Edits of elements and attributes of an XML text, in the layout of what is there.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,22 +37,17 @@ class XmlEdits {
   std::string apply() const;
 
  private:
-  struct Children {
-    xml::View element;
-    std::string text;
-  };
-
   /// Blanks before the element on its line.
   std::string_view indentation(Span span) const;
   std::string_view line_end() const;
   /// The lines of a text, all but the first one indented.
   std::string indented(std::string_view text, std::string_view indentation) const;
-  void close(const Children& children, std::vector<Edit>& edits) const;
+  void close(xml::View element, std::string_view children, std::vector<Edit>& edits) const;
 
   const xml::Document& document_;
   std::string_view text_;
   std::vector<Edit> edits_;
-  std::vector<Children> children_;
+  std::map<xml::ElementId, std::string> children_;  ///< new ones, by parent
 };
 
 }  // namespace smurf
