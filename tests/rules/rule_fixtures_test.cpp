@@ -175,6 +175,8 @@ TEST_CASE("every rule has fixtures, and every fixture a rule") {
                                             "SML8101-kept-as-text"};
   for (const Rule* rule : all_rules()) {
     const std::string name = folder_name(*rule);
+    // Found by stepping a robot, not by reading it: load_check_test has their fixtures.
+    if (name.starts_with("SML6")) continue;
     if (no_fixture.contains(name)) continue;
     CHECK_MESSAGE(folders.erase(name) == 1, name << " has no fixtures");
   }
