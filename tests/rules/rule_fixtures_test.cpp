@@ -203,6 +203,8 @@ TEST_CASE("every rule has fixtures, and every fixture a rule") {
       "SML9105-stale-baseline-entry"};
   for (const Rule* rule : all_rules()) {
     const std::string name = folder_name(*rule);
+    // Found by stepping a robot, not by reading it: load_check_test has their fixtures.
+    if (name.starts_with("SML6")) continue;
     // Losses come from writing, not from checking; the tests of the formats know them.
     if (no_fixture.contains(name) || rule->id.starts_with("SML82")) continue;
     CHECK_MESSAGE(folders.erase(name) == 1, name << " has no fixtures");

@@ -119,3 +119,25 @@ TEST_CASE("the flat scene") {
          {"/instances/0", R"({"color": "red"})"},
          {"/instances/0/links/hand", R"({"position": null})"}});
 }
+
+TEST_CASE("the report of the load check") {
+  const Json report = Json::parse(R"({
+    "schema_version": "1.0", "tool": {"name": "smurf-load-check", "version": "0.1.0"},
+    "summary": {"error": 0}, "diagnostics": [],
+    "checks": [
+      {"file": "arm.urdf", "kind": "model", "verdict": "pass", "stages": [
+        {"stage": "BUILD", "verdict": "pass", "note": "1 moving body", "figures": []},
+        {"stage": "HANG", "verdict": "pass", "figures": [
+          {"name": "gap", "value": 1e-6, "bound": 1e-3, "unit": "m", "is_within": true,
+           "worst": {"name": "joint `a`", "file": "arm.urdf", "line": 7}}]}]}]})");
+  check("load-report.schema.json", report,
+        {{"", R"({"checks": null})"},
+         {"", R"({"diagnostics": [{"id": "SML6101"}]})"},
+         {"/checks/0", R"({"verdict": "skipped"})"},
+         {"/checks/0", R"({"kind": "robot"})"},
+         {"/checks/0/stages/0", R"({"stage": "FLY"})"},
+         {"/checks/0/stages/1/figures/0", R"({"value": "nan"})"},
+         {"/checks/0/stages/1/figures/0", R"({"name": "gaps"})"},
+         {"/checks/0/stages/1/figures/0", R"({"is_within": null})"},
+         {"/checks/0/stages/1/figures/0/worst", R"({"line": 0})"}});
+}

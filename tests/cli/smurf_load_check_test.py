@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of smurf-load-check: verdicts, reports, curves, broken input."""
+import csv
+import io
+import json
+import pathlib
+import sys
+import xml.etree.ElementTree
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+LOAD_CHECK = cli.FIXTURES / "load-check"
+GOOD = LOAD_CHECK / "SML6301-zero-outside-limits/good/robot.urdf"
+BAD = LOAD_CHECK / "SML6301-zero-outside-limits/bad/robot.urdf"
+BALL = """<?xml version="1.0"?>
+<robot name="ball">
+  <link name="ball">
+    <inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>
+    <collision><geometry><sphere radius="0.1"/></geometry></collision>
+  </link>
+</robot>
+"""
+
+
+class LoadCheckTest(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("good.urdf", GOOD.read_bytes())
+        self.write("bad.urdf", BAD.read_bytes())
+        self.write("ball.urdf", BALL)
+
+    def report(self, code, *arguments):
+        return json.loads(self.expect(code, *arguments, "--format", "json").stdout)
+
+    def stages(self, check):
+        return {stage["stage"]: stage["verdict"] for stage in check["stages"]}
+
+
+class Verdicts(LoadCheckTest):
+    def test_a_sound_model_passes_all_stages(self):
+        [check] = self.report(0, "good.urdf")["checks"]
+        self.assertEqual(check["verdict"], "pass")
+        self.assertEqual(self.stages(check), dict.fromkeys(
+            ["BUILD", "POSE0", "STILL", "HANG", "DROP"], "pass"))
+
+    def test_a_fault_has_its_stage_and_line_and_ends_the_check(self):
+        report = self.report(1, "bad.urdf")
+        [check] = report["checks"]
+        self.assertEqual(self.stages(check)["STILL"], "fail")
+        self.assertEqual(self.stages(check)["HANG"], "skipped")
+        [found] = report["diagnostics"]
+        lines = self.read("bad.urdf").splitlines()
+        self.assertIn('upper="-0.2"', lines[found["line"] - 1])
+        self.assertTrue(found["pointer"].startswith("/robot/joint[@name='shoulder']"))
+
+    def test_the_shipped_models_pass(self):
+        for path in ["models/arm/smurf/arm.smurf", "models/arm_phobos2/smurf/arm.smurf"]:
+            [check] = self.report(0, cli.FIXTURES / path)["checks"]
+            self.assertEqual(check["verdict"], "pass", check)
+
+    def test_errors_in_the_file_are_reported_and_nothing_is_run(self):
+        self.write("broken.urdf", BALL.replace('radius="0.1"', 'radius="wide"'))
+        report = self.report(1, "broken.urdf")
+        self.assertEqual(report["checks"][0]["stages"], [])
+        self.assertEqual([d["id"] for d in report["diagnostics"]], ["SML1801"])
+
+    def test_fail_on(self):
+        heavy = LOAD_CHECK / "SML6106-mass-ratio/bad/robot.urdf"
+        self.expect(0, heavy)
+        self.expect(1, heavy, "--fail-on", "warning")
+        self.expect(0, "bad.urdf", "--fail-on", "never")
+
+
+class Scenes(LoadCheckTest):
+    def test_two_robots_a_plane_and_what_stands_in_it(self):
+        self.write("scene.smurfs", """entities:
+- {name: A, file: good.urdf, anchor: world, position: [0, 0, 1]}
+- {name: B, file: good.urdf, parent: "A::hand", anchor: parent, position: [0.3, 0, 0]}
+- name: Floor
+  type: primitive
+  geometry: {type: plane}
+  position: {x: 0, y: 0, z: 0}
+  rotation: {w: 1, x: 0, y: 0, z: 0}
+""")
+        report = self.report(0, "scene.smurfs")
+        scene = report["checks"][-1]
+        self.assertEqual([c["kind"] for c in report["checks"]], ["model", "scene"])
+        [figure] = scene["stages"][-1]["figures"]
+        self.assertEqual(figure["name"], "anchor")
+        self.assertLess(figure["value"], 1e-6)
+
+    def test_an_entity_inside_another_one(self):
+        self.write("scene.smurfs", """entities:
+- {name: A, file: ball.urdf, position: [0, 0, 1]}
+- {name: B, file: ball.urdf, position: [0, 0.15, 1]}
+""")
+        report = self.report(0, "scene.smurfs")
+        [found] = report["diagnostics"]
+        self.assertEqual((found["id"], found["file"], found["line"]),
+                         ("SML6201", "scene.smurfs", 2))
+        self.assertIn("50 mm", found["message"])
+
+    def test_the_showcase(self):
+        report = self.report(0, cli.FIXTURES / "scenes/showcase/showcase.smurfs")
+        self.assertEqual(self.stages(report["checks"][-1])["ANCHOR"], "pass")
+
+
+class Options(LoadCheckTest):
+    def test_stages(self):
+        [check] = self.report(0, "good.urdf", "--stages", "hang")["checks"]
+        self.assertEqual(list(self.stages(check)), ["BUILD", "HANG"])
+        self.expect_complaint("--stages: 'HANK' is none of BUILD, POSE0, STILL, HANG, DROP, ANCHOR; "
+                              "did you mean 'HANG'?", "good.urdf", "--stages", "hank")
+
+    def test_bounds(self):
+        [check] = self.report(1, "good.urdf", "--bounds", "gap=0,drop-energy=1")["checks"]
+        self.assertEqual(self.stages(check)["HANG"], "fail")
+        self.expect_complaint("--bounds: 'gab' is none of axis, mass-ratio, overlap, motion, gap, "
+                              "twist, hang-energy, drop-energy, anchor; did you mean 'gap'?",
+                              "good.urdf", "--bounds", "gab=1")
+        self.expect_complaint("--bounds: '-1' is no number of at least 0", "good.urdf",
+                              "--bounds", "gap=-1")
+
+    def test_tighter_bounds_show_what_rounding_does(self):
+        arm = cli.FIXTURES / "models/arm/smurf/arm.smurf"
+        lively = (LOAD_CHECK / "SML6401-joint-comes-apart/bad/robot.urdf").read_text()
+        for old, new in [("0.09", "0.0306"), ('"0.001"', '"0.245"'), ("2e-07", "5.82e-07"),
+                         ("7.6e-08", "2.53e-08"), ("0.0156 0.0078", "0.0812 0.0406")]:
+            self.assertIn(old, lively)
+            lively = lively.replace(old, new)
+        self.write("lively.urdf", lively)
+        for rule, path, bounds in [("SML6302", arm, "motion=0"),
+                                   ("SML6402", "lively.urdf", "gap=1,twist=1,hang-energy=1e-6")]:
+            found = self.report(1, path, "--bounds", bounds)["diagnostics"]
+            self.assertEqual([d["id"] for d in found], [rule])
+
+    def test_trace(self):
+        self.expect(0, "ball.urdf", "--stages", "drop", "--trace", "trace.csv", "--time", "0.1")
+        rows = list(csv.DictReader(io.StringIO(self.read("trace.csv"))))
+        self.assertEqual(len(rows), 101)
+        self.assertEqual((rows[0]["stage"], rows[0]["link"], rows[0]["z"]), ("DROP", "ball", "0"))
+        self.assertLess(abs(float(rows[-1]["z"]) + 0.001), 0.01)
+
+    def test_plot(self):
+        self.expect(0, "good.urdf", "--plot", "plot.svg")
+        root = xml.etree.ElementTree.fromstring(self.read("plot.svg"))
+        curves = root.findall("{http://www.w3.org/2000/svg}polyline")
+        self.assertEqual(len(curves), 6)
+        self.expect_complaint("--plot takes one model or scene, not 3", ".", "--plot", "p.svg")
+
+    def test_what_ode_gives_up_on_is_a_finding(self):
+        self.write("huge.urdf", self.read("good.urdf").replace('"0.001"', '"1e300"'))
+        [found] = self.report(1, "huge.urdf")["diagnostics"]
+        self.assertEqual((found["id"], found["line"]), ("SML6001", 2))
+        self.assertIn("stage STILL", found["message"])
+
+    def test_a_check_that_takes_too_long_is_ended(self):
+        report = self.report(1, "good.urdf", "--time", "3600", "--step", "1e-6", "--time-limit", "1")
+        [found] = report["diagnostics"]
+        self.assertEqual((found["id"], found["line"]), ("SML6002", 2))
+
+    def test_the_same_bytes_every_time(self):
+        for form in ["full", "json"]:
+            first = self.expect(1, ".", "--format", form).stdout
+            for jobs in "14":
+                self.assertEqual(self.expect(1, ".", "--format", form, "-j", jobs).stdout, first)
+
+    def test_output(self):
+        self.expect(0, "good.urdf", "-o", "report.txt")
+        self.assertIn("good.urdf: pass\n", self.read("report.txt"))
+        self.assertEqual(self.expect(0, "good.urdf", "-q").stdout, "")
+
+    def test_nothing_to_check(self):
+        self.expect_complaint("cannot read 'none.urdf': No such file or directory", "none.urdf")
+
+
+if __name__ == "__main__":
+    cli.main()

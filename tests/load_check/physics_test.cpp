@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The world against textbook physics.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "smurf-load-check/shapes.hpp"
+#include "smurf-load-check/world.hpp"
+#include "smurf/load.hpp"
+
+using namespace smurf;
+using namespace smurf::load_check;
+
+namespace {
+
+constexpr double kGravity = 9.81;
+
+void fail_on_fault(const std::string& message) { throw std::runtime_error(message); }
+
+/// A URDF as a plan.
+struct Built {
+  SourceMap sources;
+  MemoryFiles files;
+  DiagnosticSink sink;
+  LinkedModel model;
+  Plan plan;
+
+  Built(const std::string& body, Base::Kind base, const JointPositions& positions = {},
+        const Pose& X_WR = {}) {
+    static const bool is_started = (start_engine(fail_on_fault), true);
+    REQUIRE(is_started);
+    files.add("robot.urdf", "<robot name=\"r\">" + body + "</robot>");
+    LoadContext context{sources, files, sink, {}, {}};
+    model = load_model("robot.urdf", context);
+    REQUIRE(model.robot);
+    PlacedModel placed{&model, X_WR, positions, {}};
+    placed.base.kind = base;
+    plan = make_plan({placed});
+    add_shapes(plan, sink);
+    REQUIRE(sink.diagnostics().empty());
+  }
+};
+
+std::string link(const std::string& name, const std::string& center, double mass, double moment,
+                 const std::string& more = "") {
+  const std::string i = std::to_string(moment);
+  return "<link name=\"" + name + "\"><inertial><origin xyz=\"" + center + "\"/><mass value=\"" +
+         std::to_string(mass) + "\"/><inertia ixx=\"" + i + "\" ixy=\"0\" ixz=\"0\" iyy=\"" + i +
+         "\" iyz=\"0\" izz=\"" + i + "\"/></inertial>" + more + "</link>";
+}
+
+std::string joint(const std::string& type, const std::string& axis, const std::string& more = "") {
+  return "<joint name=\"j\" type=\"" + type +
+         "\"><parent link=\"base\"/><child link=\"arm\"/><axis xyz=\"" + axis + "\"/>" + more +
+         "</joint>";
+}
+
+const std::string kBase = "<link name=\"base\"/>";
+const std::string kBox = "<collision><geometry><box size=\"0.4 0.4 0.2\"/></geometry></collision>";
+
+void run(World& world, double seconds) {
+  const auto steps = std::lround(seconds / world.step_size());
+  for (long i = 0; i < steps; ++i) world.step();
+}
+
+}  // namespace
+
+TEST_CASE("a compound pendulum has the period of the formula") {
+  constexpr double kMass = 2;
+  constexpr double kLength = 0.5;
+  constexpr double kMoment = 0.03;
+  constexpr double kAmplitude = 0.1;
+  const Built built(kBase + link("arm", "0 0 -0.5", kMass, kMoment) + joint("continuous", "0 1 0"),
+                    Base::Kind::world, {{"j", kAmplitude}});
+  World world(built.plan, {});
+  CHECK(world.joint_position(0) == doctest::Approx(kAmplitude).epsilon(1e-12));
+  // From the first to the last passage through zero, by interpolation.
+  std::vector<double> passages;
+  double before = world.joint_position(0);
+  while (world.time() < 10) {
+    world.step();
+    const double now = world.joint_position(0);
+    if ((before > 0) != (now > 0)) {
+      passages.push_back(world.time() - world.step_size() * now / (now - before));
+    }
+    before = now;
+  }
+  REQUIRE(passages.size() > 8);
+  const double period =
+      2 * (passages.back() - passages.front()) / static_cast<double>(passages.size() - 1);
+  const double small =
+      2 * std::numbers::pi *
+      std::sqrt((kMoment + kMass * kLength * kLength) / (kMass * kGravity * kLength));
+  const double expected = small * (1 + kAmplitude * kAmplitude / 16);
+  CHECK(std::fabs(period / expected - 1) < 5e-3);
+  CHECK(world.joint_error(0).gap < 1e-5);
+}
+
+TEST_CASE("a box falls as it should and comes to rest on the ground") {
+  const Built built(link("base", "0 0 0", 3, 0.05, kBox), Base::Kind::free, {},
+                    Pose{{0, 0, 2}, {}});
+  WorldSetup setup;
+  setup.contacts = true;
+  World world(built.plan, setup);
+  CHECK(world.lowest_point().value() == doctest::Approx(1.9));
+  world.add_ground(0);
+  const double start = world.energy();
+  run(world, 0.5);
+  CHECK(world.body_pose(0).position[2] == doctest::Approx(2 - kGravity * 0.125).epsilon(5e-3));
+  CHECK(std::fabs(world.energy() - start) < 5e-3);
+  run(world, 2.5);
+  CHECK(world.body_pose(0).position[2] == doctest::Approx(0.1).epsilon(1e-2));
+  CHECK(world.speed(0) < 1e-3);
+}
+
+TEST_CASE("a slider falls onto its stop") {
+  const Built built(kBase + link("arm", "0 0 0", 1, 0.01) +
+                        joint("prismatic", "0 0 1",
+                              "<limit lower=\"-0.3\" upper=\"0.1\" effort=\"1\" velocity=\"1\"/>"),
+                    Base::Kind::world);
+  World world(built.plan, {});
+  run(world, 0.2);
+  CHECK(world.joint_position(0) == doctest::Approx(-kGravity * 0.02).epsilon(1e-2));
+  run(world, 2);
+  CHECK(world.joint_position(0) == doctest::Approx(-0.3).epsilon(1e-3));
+  CHECK(world.link_pose(built.plan.links[1]).position[2] == doctest::Approx(-0.3).epsilon(1e-3));
+}
+
+TEST_CASE("a hinge turns about its axis by the right-hand rule, from the zero of the URDF") {
+  for (const double sign : {1.0, -1.0}) {
+    const JointPositions positions{{"j", 0.3 * sign}};
+    const std::string axis = sign > 0 ? "0 1 0" : "0 -1 0";
+    const Built built(kBase + link("arm", "0.5 0 0", 1, 0.01) + joint("continuous", axis),
+                      Base::Kind::world, positions);
+    World world(built.plan, {});
+    CHECK(world.joint_position(0) == doctest::Approx(0.3 * sign));
+    // About +y the arm along x sinks.
+    run(world, 0.1);
+    CHECK(world.joint_position(0) * sign > 0.31);
+    const JointPositions now{{"j", world.joint_position(0)}};
+    const Pose expected = *forward_kinematics(built.model, now)[1];
+    CHECK(angle_between(expected.orientation, world.link_pose(built.plan.links[1]).orientation) <
+          1e-6);
+  }
+}
+
+TEST_CASE("a stop counts from the zero of the URDF, wherever the joint starts") {
+  const Built built(kBase + link("arm", "0.5 0 0", 1, 0.01) +
+                        joint("revolute", "0 1 0",
+                              "<limit lower=\"-1\" upper=\"0.5\" effort=\"1\" velocity=\"1\"/>"),
+                    Base::Kind::world, {{"j", 0.2}});
+  World world(built.plan, {});
+  run(world, 3);
+  CHECK(world.joint_position(0) == doctest::Approx(0.5).epsilon(1e-2));
+}
+
+TEST_CASE("links that are fixed to each other are one body with the inertia of the whole") {
+  // Two cubes of 0.2 m side by side, the second one turned, are a bar of 0.4 m.
+  constexpr double kMass = 3;
+  constexpr double kEdge = 0.2;
+  const double cube = kMass * kEdge * kEdge / 6;
+  const Built built(
+      link("base", "0 0 0", kMass, cube) + link("arm", "0 0 0", kMass, cube) +
+          "<joint name=\"j\" type=\"fixed\"><parent link=\"base\"/><child link=\"arm\"/>"
+          "<origin xyz=\"0.2 0 0\" rpy=\"0 0 0.7853981633974483\"/></joint>",
+      Base::Kind::free);
+  REQUIRE(built.plan.bodies.size() == 1);
+  CHECK(built.plan.joints.empty());
+  const MassProperties& mass = built.plan.bodies[0].mass;
+  CHECK(mass.mass == doctest::Approx(6));
+  CHECK((mass.center - Eigen::Vector3d(0.1, 0, 0)).norm() < 1e-12);
+  const double along = 6 * (kEdge * kEdge + kEdge * kEdge) / 12;
+  const double across = 6 * (4 * kEdge * kEdge + kEdge * kEdge) / 12;
+  const Eigen::Vector3d bar(along, across, across);
+  CHECK((mass.inertia - Eigen::Matrix3d(bar.asDiagonal())).norm() < 1e-12);
+}
+
+TEST_CASE("shapes touch unless bitmasks or joints say otherwise") {
+  const std::string ball = "<collision><geometry><sphere radius=\"0.3\"/></geometry></collision>";
+  const std::string links = link("base", "0 0 0", 1, 0.01, ball) +
+                            link("arm", "0 0 0", 1, 0.01, ball) +
+                            link("hand", "0 0 0", 1, 0.01, ball);
+  const auto hinge = [](const std::string& parent, const std::string& child) {
+    return "<joint name=\"" + child + "\" type=\"continuous\"><parent link=\"" + parent +
+           "\"/><child link=\"" + child + "\"/><origin xyz=\"0.25 0 0\"/></joint>";
+  };
+  Built built(links + hinge("base", "arm") + hinge("arm", "hand"), Base::Kind::world);
+  const std::vector<Overlap> overlaps = World(built.plan, {}).overlaps();
+  REQUIRE(overlaps.size() == 1);
+  CHECK(overlaps[0].depth == doctest::Approx(0.1));
+  CHECK(built.plan.shapes[overlaps[0].first].link == LinkIndex{0});
+  CHECK(built.plan.shapes[overlaps[0].second].link == LinkIndex{2});
+  built.plan.shapes[overlaps[0].second].bitmask = 2;
+  CHECK(World(built.plan, {}).overlaps().size() == 1);
+  built.plan.shapes[overlaps[0].first].bitmask = 1;
+  CHECK(World(built.plan, {}).overlaps().empty());
+}

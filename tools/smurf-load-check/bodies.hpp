@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stage BUILD: whether ODE takes the bodies and joints of a plan.
+#pragma once
+
+#include "smurf-load-check/bounds.hpp"
+#include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/result.hpp"
+
+namespace smurf::load_check {
+
+/// Reports bodies without mass or with an inertia that cannot be, joints without axis, and masses
+/// too far apart.
+std::vector<Figure> check_bodies(const Plan& plan, const Bounds& bounds, DiagnosticSink& sink);
+
+/// The body's link that is nearest to the root, and for a joint itself: "joint `a`", at its name.
+struct Named {
+  std::string name;
+  Span place;
+};
+Named name_of(const Plan& plan, const LinkPlan& link);
+Named name_of(const Plan& plan, const JointPlan& joint);
+Named name_of_body(const Plan& plan, std::size_t body);
+/// The whole model: the name of its robot.
+Span place_of(const LinkedModel& model);
+
+}  // namespace smurf::load_check

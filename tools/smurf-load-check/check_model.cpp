@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <map>
+
+#include "base/numbers.hpp"
+#include "base/rules.hpp"
+#include "lint/queries.hpp"
+#include "smurf-load-check/bodies.hpp"
+#include "smurf-load-check/check.hpp"
+#include "smurf-load-check/shapes.hpp"
+#include "smurf-load-check/stage_run.hpp"
+
+namespace smurf::load_check {
+namespace {
+
+// Long enough to show a defect, and short enough that undamped limbs of a sound robot do not yet
+// slam into their stops, which pumps energy.
+constexpr double kStillTime = 0.5;  // s
+constexpr double kHangTime = 0.25;
+constexpr double kDropTime = 0.5;
+constexpr double kDropHeight = 1e-3;  // m, above the ground
+constexpr double kStep = 1e-3;        // s
+
+class ModelCheck {
+ public:
+  ModelCheck(const LinkedModel& model, const CheckOptions& options, const OnStage& on_stage)
+      : model_(model), run_(options, on_stage) {}
+
+  CheckResult run() {
+    run_.stage(Stage::build, [&](StageResult& result) { build(result); });
+    run_.stage(Stage::pose0, [&](StageResult& result) { look_at_start(result); });
+    run_.stage(Stage::still, [&](StageResult& result) { keep_still(result); });
+    run_.stage(Stage::hang, [&](StageResult& result) { hang(result); });
+    run_.stage(Stage::drop, [&](StageResult& result) { drop(result); });
+    return run_.finish();
+  }
+
+ private:
+  Plan plan_on(Base::Kind base) const {
+    PlacedModel placed;
+    placed.model = &model_;
+    placed.base.kind = base;
+    return make_plan({placed});
+  }
+
+  WorldSetup setup() const {
+    WorldSetup setup;
+    setup.step = run_.options().step.value_or(kStep);
+    return setup;
+  }
+
+  void build(StageResult& result) {
+    fixed_ = plan_on(Base::Kind::world);
+    free_ = plan_on(Base::Kind::free);
+    const Plan& moving = can_move() ? free_ : fixed_;
+    result.figures = check_bodies(moving, run_.options().bounds, run_.sink());
+    const ShapeCount count = add_shapes(fixed_, run_.sink());
+    free_.shapes = fixed_.shapes;
+    rebase_shapes();
+    result.note = summary(count);
+  }
+
+  /// A root without mass is a fixed base.
+  bool can_move() const { return free_.bodies.front().mass.mass > 0; }
+
+  /// The same shapes on the bodies of the free robot.
+  void rebase_shapes() {
+    std::map<LinkIndex, std::size_t> bodies;
+    for (const LinkPlan& link : free_.links) bodies[link.link] = link.body;
+    for (ShapePlan& shape : free_.shapes) shape.body = bodies[shape.link];
+  }
+
+  std::string summary(const ShapeCount& count) const {
+    std::string text = count_of(fixed_.bodies.size(), "moving body", "moving bodies") + ", " +
+                       count_of(fixed_.joints.size(), "joint", "joints") + ", " +
+                       count_of(fixed_.shapes.size(), "shape", "shapes");
+    if (count.stand_ins > 0) {
+      text += "; " + count_of(count.stand_ins, "mesh", "meshes") + " as box";
+    }
+    if (count.missing_meshes > 0) {
+      text += "; " + count_of(count.missing_meshes, "mesh", "meshes") + " missing";
+    }
+    if (fixed_.unbounded_joints > 0) {
+      text += "; " + count_of(fixed_.unbounded_joints, "hinge", "hinges") +
+              " beyond half a turn, without stops";
+    }
+    if (fixed_.planar_joints > 0) {
+      text += "; " + count_of(fixed_.planar_joints, "planar joint", "planar joints") + " left free";
+    }
+    return text;
+  }
+
+  void look_at_start(StageResult& result) {
+    World world(fixed_, setup());
+    Figure figure = run_.figure("overlap");
+    for (const Overlap& overlap : world.overlaps()) {
+      const ShapePlan& first = fixed_.shapes[overlap.first];
+      const ShapePlan& second = fixed_.shapes[overlap.second];
+      if (overlap.depth > figure.value) {
+        figure.value = overlap.depth;
+        figure.worst = first.name + " and " + second.name;
+        figure.place = first.place;
+        deepest_ = overlap;
+      }
+      if (overlap.depth <= figure.limit) continue;
+      Diagnostic& diagnostic =
+          run_.sink().report(rules::sml6201_initial_overlap, first.place,
+                             first.name + " is " + format_rounded(overlap.depth * 1000, 3) +
+                                 " mm inside " + second.name + " at the start");
+      diagnostic.labels.push_back({second.place, "overlaps with this one"});
+    }
+    result.figures.push_back(figure);
+  }
+
+  void keep_still(StageResult& result) {
+    WorldSetup weightless = setup();
+    weightless.gravity.setZero();
+    World world(fixed_, weightless);
+    std::vector<Pose> start;
+    for (const LinkPlan& link : fixed_.links) start.push_back(world.link_pose(link));
+    Figure figure = run_.figure("motion");
+    const bool is_finite = run_.step(world, fixed_, kStillTime, [&] {
+      for (std::size_t i = 0; i < fixed_.links.size(); ++i) {
+        const double way = way_between(start[i], world.link_pose(fixed_.links[i]));
+        run_.note_worst(figure, way, [&] { return name_of(fixed_, fixed_.links[i]); });
+      }
+    });
+    if (is_finite && !figure.is_within()) report_motion(figure);
+    result.figures.push_back(figure);
+  }
+
+  void report_motion(Figure& figure) {
+    bool is_explained = false;
+    for (const JointPlan& joint : fixed_.joints) {
+      if (!joint.stops) continue;
+      const auto [lower, upper] = *joint.stops;
+      if (lower <= 0 && 0 <= upper) continue;
+      is_explained = true;
+      const urdf::Limit& limit = *fixed_.joint(joint).limit;
+      const bool is_below = lower > 0;
+      const Field<double>& bound = is_below ? limit.lower : limit.upper;
+      const Named named = name_of(fixed_, joint);
+      Diagnostic& diagnostic =
+          run_.sink().report(rules::sml6301_zero_outside_limits, bound.span,
+                             "the zero position of " + named.name + " is outside its limits");
+      diagnostic.caret = is_below ? "all positions are above 0" : "all positions are below 0";
+      diagnostic.notes.push_back("without gravity, " + figure.worst + " moves by " +
+                                 format_rounded(figure.value, 3) + " m");
+    }
+    if (is_explained) return;
+    run_.sink()
+        .report(rules::sml6302_moves_at_rest, figure.place,
+                figure.worst + " moves although nothing pulls at it")
+        .caret = "by " + format_rounded(figure.value, 3) + " m";
+  }
+
+  void hang(StageResult& result) {
+    World world(fixed_, setup());
+    Figure gap = run_.figure("gap");
+    Figure twist = run_.figure("twist");
+    Figure energy = run_.figure("hang-energy");
+    const double start = world.energy();
+    const bool is_finite = run_.step(world, fixed_, kHangTime, [&] {
+      for (std::size_t i = 0; i < fixed_.joints.size(); ++i) {
+        const JointError error = world.joint_error(i);
+        const auto joint = [&] { return name_of(fixed_, fixed_.joints[i]); };
+        run_.note_worst(gap, error.gap, joint);
+        run_.note_worst(twist, error.angle, joint);
+      }
+      run_.note_worst(energy, world.energy() - start, [&] { return fastest(world, fixed_); });
+    });
+    result.figures = {gap, twist, energy};
+    if (!is_finite) return;
+    if (!gap.is_within()) {
+      report(rules::sml6401_joint_comes_apart, gap, " comes apart when the robot hangs");
+    } else if (!twist.is_within()) {
+      report(rules::sml6401_joint_comes_apart, twist, " bends when the robot hangs");
+    } else if (!energy.is_within()) {
+      report(rules::sml6402_energy_grows, energy,
+             " gains energy from nothing when the robot hangs");
+    }
+  }
+
+  void report(const Rule& rule, const Figure& figure, const std::string& what) {
+    run_.sink().report(rule, figure.place, figure.worst + what).caret =
+        format_rounded(figure.value, 3) + " " + std::string(bound_info(figure.bound).unit) +
+        ", at most " + format_rounded(figure.limit, 3);
+  }
+
+  void drop(StageResult& result) {
+    if (!can_move()) return run_.skip(result, "the root has no mass: it is a fixed base");
+    WorldSetup with_contacts = setup();
+    with_contacts.contacts = true;
+    World world(free_, with_contacts);
+    const std::optional<double> lowest = world.lowest_point();
+    if (!lowest) return run_.skip(result, "there is no shape that could touch the ground");
+    world.add_ground(*lowest - kDropHeight);
+    Figure energy = run_.figure("drop-energy");
+    const double start = world.energy();
+    const bool is_finite = run_.step(world, free_, kDropTime, [&] {
+      run_.note_worst(energy, world.energy() - start, [&] { return fastest(world, free_); });
+    });
+    if (is_finite && !energy.is_within()) report_explosion(energy);
+    result.figures = {energy};
+  }
+
+  /// With shapes inside each other at the start, these are the cause, and there is one finding.
+  void report_explosion(Figure& energy) {
+    if (deepest_ && deepest_->depth > run_.options().bounds["overlap"]) {
+      run_.withdraw(rules::sml6201_initial_overlap);
+      const ShapePlan& first = fixed_.shapes[deepest_->first];
+      const ShapePlan& second = fixed_.shapes[deepest_->second];
+      Diagnostic& diagnostic =
+          run_.sink().report(rules::sml6501_contact_explodes, first.place,
+                             first.name + " and " + second.name + " push the robot apart");
+      diagnostic.caret = format_rounded(deepest_->depth * 1000, 3) + " mm inside at the start";
+      diagnostic.labels.push_back({second.place, "overlaps with this one"});
+      diagnostic.notes.push_back("dropped, the robot gains the energy of a fall from " +
+                                 format_rounded(energy.value, 3) + " m");
+      return;
+    }
+    report(rules::sml6501_contact_explodes, energy, " is flung away when the robot is dropped");
+  }
+
+  const LinkedModel& model_;
+  StageRun run_;
+  Plan fixed_, free_;
+  std::optional<Overlap> deepest_;
+};
+
+}  // namespace
+
+CheckResult check_model(const LinkedModel& model, const CheckOptions& options,
+                        const OnStage& on_stage) {
+  return ModelCheck(model, options, on_stage).run();
+}
+
+}  // namespace smurf::load_check

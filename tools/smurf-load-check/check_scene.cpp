@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+
+#include "base/numbers.hpp"
+#include "base/rules.hpp"
+#include "smurf-load-check/bodies.hpp"
+#include "smurf-load-check/check.hpp"
+#include "smurf-load-check/environment.hpp"
+#include "smurf-load-check/shapes.hpp"
+#include "smurf-load-check/stage_run.hpp"
+#include "smurf/flatten.hpp"
+
+namespace smurf::load_check {
+namespace {
+
+constexpr double kAnchorTime = 0.5;  // s
+constexpr double kMarsStep = 0.01;   // s, when the scene says nothing
+
+/// An anchored model and what it is anchored to, as links of the plan.
+struct Anchor {
+  std::size_t instance = 0;  ///< of the scene
+  std::size_t root = 0;
+  std::optional<std::size_t> target;  ///< none: the world
+};
+
+class SceneCheck {
+ public:
+  SceneCheck(const LinkedScene& scene, const SourceMap& sources, const CheckOptions& options,
+             const OnStage& on_stage)
+      : scene_(scene), flat_(flatten(scene, sources, {})), run_(options, on_stage) {}
+
+  CheckResult run() {
+    run_.stage(Stage::build, [&](StageResult& result) { build(result); });
+    run_.stage(Stage::pose0, [&](StageResult& result) { look_at_start(result); });
+    run_.stage(Stage::anchor, [&](StageResult& result) { watch_anchors(result); });
+    return run_.finish();
+  }
+
+ private:
+  WorldSetup setup() const {
+    WorldSetup setup;
+    const FlatPhysics& physics = flat_.physics;
+    if (physics.gravity) setup.gravity = to_eigen(*physics.gravity);
+    setup.step = run_.options().step.value_or(physics.step_size.value_or(kMarsStep));
+    setup.cfm = physics.cfm.value_or(setup.cfm);
+    setup.erp = physics.erp.value_or(setup.erp);
+    setup.contacts = true;
+    return setup;
+  }
+
+  void build(StageResult& result) {
+    plan_ = make_plan(placed_models());
+    for (std::size_t i = 0; i < plan_.links.size(); ++i) {
+      const LinkPlan& link = plan_.links[i];
+      link_index_[{link.instance, link.link}] = i;
+    }
+    // What a model does wrong is reported where the model is checked on its own.
+    DiagnosticSink of_models;
+    result.figures = check_bodies(plan_, run_.options().bounds, of_models);
+    add_shapes(plan_, of_models);
+    if (of_models.has_errors()) {
+      result.verdict = Verdict::fail;
+      result.note = "a model cannot be built; see its own check";
+      return;
+    }
+    const std::size_t left_out = add_environment(scene_, flat_, plan_, run_.sink());
+    result.note = count_of(plan_.models.size(), "model", "models") + ", " +
+                  count_of(plan_.bodies.size(), "moving body", "moving bodies") + ", " +
+                  count_of(plan_.shapes.size(), "shape", "shapes");
+    if (left_out > 0) result.note += "; " + count_of(left_out, "entity", "entities") + " left out";
+  }
+
+  std::vector<PlacedModel> placed_models() {
+    std::vector<PlacedModel> placed;
+    std::map<std::size_t, std::size_t> number_of;  // by instance of the scene
+    for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+      const Instance& instance = scene_.instances[i];
+      const LinkedModel* model = scene_.model(instance);
+      if (model == nullptr || !model->robot || !instance.X_WE) continue;
+      number_of[i] = placed.size();
+      instance_of_.push_back(i);
+      placed.push_back({model, *instance.X_WE, instance.joint_positions, {}});
+    }
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      const Attachment& anchor = scene_.instances[instance_of_[i]].placement.anchor;
+      placed[i].base = base_of(anchor, number_of);
+    }
+    return placed;
+  }
+
+  Base base_of(const Attachment& anchor, const std::map<std::size_t, std::size_t>& number_of) {
+    if (anchor.kind == Attachment::Kind::world) return {.kind = Base::Kind::world};
+    if (anchor.kind == Attachment::Kind::none) return {};
+    const auto target = number_of.find(to_size(anchor.instance));
+    const Instance& instance = scene_.instance(anchor.instance);
+    if (target == number_of.end()) return {};
+    const auto link = scene_.model(instance)->link_names.find(anchor.link);
+    if (!link) return {};
+    return {Base::Kind::link, target->second, LinkIndex{*link}};
+  }
+
+  void look_at_start(StageResult& result) {
+    World world(plan_, setup());
+    Figure figure = run_.figure("overlap");
+    for (const Overlap& overlap : world.overlaps()) {
+      const ShapePlan& first = plan_.shapes[overlap.first];
+      const ShapePlan& second = plan_.shapes[overlap.second];
+      const bool is_own = first.body != kEnvironment && second.body != kEnvironment &&
+                          first.instance == second.instance;
+      if (is_own) continue;  // the model's own check
+      const Named a = entity_of(first);
+      const Named b = entity_of(second);
+      run_.note_worst(figure, overlap.depth, [&] {
+        return Named{a.name + " and " + b.name, a.place};
+      });
+      if (overlap.depth <= figure.limit) continue;
+      Diagnostic& diagnostic =
+          run_.sink().report(rules::sml6201_initial_overlap, a.place,
+                             a.name + " is " + format_rounded(overlap.depth * 1000, 3) +
+                                 " mm inside " + b.name + " at the start");
+      diagnostic.labels.push_back({b.place, "overlaps with this one"});
+      if (first.body != kEnvironment) diagnostic.labels.push_back({first.place, "with this shape"});
+      if (second.body != kEnvironment) diagnostic.labels.push_back({second.place, "and this one"});
+    }
+    result.figures.push_back(figure);
+  }
+
+  Named entity_of(const ShapePlan& shape) const {
+    if (shape.body == kEnvironment) return {shape.name, shape.place};
+    return named_instance(instance_of_[shape.instance]);
+  }
+
+  Named named_instance(std::size_t index) const {
+    const Instance& instance = scene_.instances[index];
+    return {"entity `" + instance.path + "`", place_of(scene_.entity(instance))};
+  }
+
+  std::vector<Anchor> anchors() const {
+    std::vector<Anchor> all;
+    for (std::size_t i = 0; i < plan_.models.size(); ++i) {
+      const PlacedModel& placed = plan_.models[i];
+      if (placed.base.kind == Base::Kind::free) continue;
+      Anchor anchor;
+      anchor.instance = instance_of_[i];
+      anchor.root = link_index_.at({i, placed.model->tree.roots.front()});
+      if (placed.base.kind == Base::Kind::link) {
+        anchor.target = link_index_.at({placed.base.instance, placed.base.link});
+      }
+      all.push_back(anchor);
+    }
+    return all;
+  }
+
+  void watch_anchors(StageResult& result) {
+    const std::vector<Anchor> watched = anchors();
+    if (watched.empty()) return StageRun::skip(result, "no entity is anchored");
+    World world(plan_, setup());
+    const auto pose_of = [&](const Anchor& anchor) -> Pose {
+      const Pose X_WR = world.link_pose(plan_.links[anchor.root]);
+      if (!anchor.target) return X_WR;
+      return inverse(world.link_pose(plan_.links[*anchor.target])) * X_WR;
+    };
+    std::vector<Pose> start;
+    for (const Anchor& anchor : watched) start.push_back(pose_of(anchor));
+    Figure figure = run_.figure("anchor");
+    const bool is_finite = run_.step(world, plan_, kAnchorTime, [&] {
+      for (std::size_t i = 0; i < watched.size(); ++i) {
+        run_.note_worst(figure, way_between(start[i], pose_of(watched[i])),
+                        [&] { return named_instance(watched[i].instance); });
+      }
+    });
+    if (is_finite && !figure.is_within()) {
+      run_.sink()
+          .report(rules::sml6601_anchor_moves, figure.place,
+                  figure.worst + " moves against its anchor")
+          .caret = "by " + format_rounded(figure.value, 3) + " m";
+    }
+    result.note = count_of(watched.size(), "anchor", "anchors");
+    result.figures.push_back(figure);
+  }
+
+  const LinkedScene& scene_;
+  FlatScene flat_;
+  StageRun run_;
+  Plan plan_;
+  std::vector<std::size_t> instance_of_;  ///< instances of the scene by model of the plan
+  std::map<std::pair<std::size_t, LinkIndex>, std::size_t> link_index_;
+};
+
+}  // namespace
+
+CheckResult check_scene(const LinkedScene& scene, const SourceMap& sources,
+                        const CheckOptions& options, const OnStage& on_stage) {
+  return SceneCheck(scene, sources, options, on_stage).run();
+}
+
+}  // namespace smurf::load_check

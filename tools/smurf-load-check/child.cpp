@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-load-check/child.hpp"
+
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <new>
+
+namespace smurf::load_check {
+namespace {
+
+constexpr int kOutOfMemory = 3;
+
+// The address space that a sanitizer reserves is larger than any useful limit.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kHasMemoryLimit = false;
+#elif defined(__has_feature)
+constexpr bool kHasMemoryLimit = !__has_feature(address_sanitizer);
+#else
+constexpr bool kHasMemoryLimit = true;
+#endif
+
+void limit(int resource, std::uint64_t most) {
+  const rlimit both{most, most};
+  ::setrlimit(static_cast<__rlimit_resource>(resource), &both);
+}
+
+void write_all(int descriptor, const std::string& text) {
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) ::_exit(0);  // nobody listens any more
+    if (count > 0) done += static_cast<std::size_t>(count);
+  }
+}
+
+[[noreturn]] void run_child(std::size_t index, int descriptor, const ChildLimits& limits,
+                            const ChildTask& task) {
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, static_cast<std::uint64_t>(limits.seconds));
+  if (kHasMemoryLimit) limit(RLIMIT_AS, limits.memory_bytes);
+  std::set_new_handler([] { ::_exit(kOutOfMemory); });
+  task(index, [descriptor](const std::string& text) { write_all(descriptor, text); });
+  end_child();
+}
+
+struct Child {
+  pid_t process = -1;
+  int pipe = -1;
+  std::size_t task = 0;
+};
+
+class Pool {
+ public:
+  Pool(std::size_t count, const ChildLimits& limits, const ChildTask& task)
+      : limits_(limits), task_(task), outcomes_(count) {}
+
+  std::vector<ChildOutcome> run(int jobs, const std::function<void(std::size_t)>& on_finished) {
+    std::size_t next = 0;
+    std::size_t finished = 0;
+    while (finished < outcomes_.size()) {
+      while (next < outcomes_.size() && running_.size() < static_cast<std::size_t>(jobs)) {
+        if (!start(next++)) ++finished;
+      }
+      const std::size_t before = running_.size();
+      read_some();
+      finished += before - running_.size();
+      if (before != running_.size()) on_finished(finished);
+    }
+    return std::move(outcomes_);
+  }
+
+ private:
+  bool start(std::size_t task) {
+    int ends[2];
+    const bool has_pipe = ::pipe(ends) == 0;
+    const pid_t process = has_pipe ? ::fork() : -1;
+    if (process == 0) {
+      ::close(ends[0]);
+      for (const Child& other : running_) ::close(other.pipe);
+      run_child(task, ends[1], limits_, task_);
+    }
+    if (has_pipe) ::close(ends[1]);
+    if (process < 0) {
+      if (has_pipe) ::close(ends[0]);
+      outcomes_[task].end = ChildOutcome::End::not_started;
+      return false;
+    }
+    running_.push_back({process, ends[0], task});
+    return true;
+  }
+
+  void read_some() {
+    std::vector<pollfd> waiting;
+    for (const Child& child : running_) waiting.push_back({child.pipe, POLLIN, 0});
+    if (::poll(waiting.data(), waiting.size(), -1) < 0) return;
+    for (std::size_t i = waiting.size(); i-- > 0;) {
+      if (waiting[i].revents == 0 || read_from(running_[i])) continue;
+      finish(running_[i]);
+      running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+  /// False at the end of the child's output.
+  bool read_from(const Child& child) {
+    char buffer[65536];
+    const ssize_t count = ::read(child.pipe, buffer, sizeof buffer);
+    if (count > 0) outcomes_[child.task].output.append(buffer, static_cast<std::size_t>(count));
+    return count > 0 || (count < 0 && errno == EINTR);
+  }
+
+  void finish(const Child& child) {
+    ::close(child.pipe);
+    int status = 0;
+    while (::waitpid(child.process, &status, 0) < 0 && errno == EINTR) {
+    }
+    ChildOutcome& outcome = outcomes_[child.task];
+    if (WIFEXITED(status)) {
+      if (WEXITSTATUS(status) == kOutOfMemory) outcome.end = ChildOutcome::End::out_of_memory;
+      return;
+    }
+    outcome.signal = WTERMSIG(status);
+    const bool was_slow = outcome.signal == SIGXCPU || outcome.signal == SIGKILL;
+    outcome.end = was_slow ? ChildOutcome::End::out_of_time : ChildOutcome::End::crashed;
+  }
+
+  const ChildLimits& limits_;
+  const ChildTask& task_;
+  std::vector<ChildOutcome> outcomes_;
+  std::vector<Child> running_;
+};
+
+}  // namespace
+
+std::vector<ChildOutcome> run_in_children(std::size_t count, int jobs, const ChildLimits& limits,
+                                          const ChildTask& task,
+                                          const std::function<void(std::size_t)>& on_finished) {
+  return Pool(count, limits, task).run(jobs, on_finished);
+}
+
+void end_child() { ::_exit(0); }
+
+}  // namespace smurf::load_check

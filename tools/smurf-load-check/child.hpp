@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work in child processes: what crashes or runs away there is an outcome here.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace smurf::load_check {
+
+struct ChildLimits {
+  int seconds = 10;  ///< of processor time
+  std::uint64_t memory_bytes = 2ULL << 30U;
+};
+
+struct ChildOutcome {
+  enum class End : std::uint8_t { finished, crashed, out_of_time, out_of_memory, not_started };
+  End end = End::finished;
+  int signal = 0;      ///< End::crashed
+  std::string output;  ///< what was written before the end
+};
+
+/// Runs in a child; what it passes to `write` is the output.
+using ChildTask =
+    std::function<void(std::size_t task, const std::function<void(const std::string&)>& write)>;
+
+/// Runs tasks 0..count-1, each in a child process, at most `jobs` at a time. `on_finished` is
+/// called in this process with the number of tasks that are done. Precondition: this process has
+/// one thread.
+std::vector<ChildOutcome> run_in_children(std::size_t count, int jobs, const ChildLimits& limits,
+                                          const ChildTask& task,
+                                          const std::function<void(std::size_t)>& on_finished);
+
+/// Ends this child at once, with what was written so far.
+[[noreturn]] void end_child();
+
+}  // namespace smurf::load_check

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Entities of a scene that are no models: planes and other primitives, heightmaps.
+#pragma once
+
+#include "smurf-load-check/plan.hpp"
+#include "smurf/diagnostic.hpp"
+#include "smurf/flatten.hpp"
+
+namespace smurf::load_check {
+
+/// Adds what stands still around the models. Returns the number of entities that are left out:
+/// those that move, and those of unknown types. Reads image files.
+std::size_t add_environment(const LinkedScene& scene, const FlatScene& flat, Plan& plan,
+                            DiagnosticSink& sink);
+
+}  // namespace smurf::load_check

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-load-check/inputs.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/path.hpp"
+#include "common/discover.hpp"
+#include "common/input.hpp"
+#include "common/output.hpp"
+#include "smurf/lint.hpp"
+
+namespace smurf::load_check {
+namespace {
+
+using namespace smurf::tools;
+
+constexpr std::string_view kTool = "smurf-load-check";
+
+/// The linter's rules whose faults leave no robot that could be built.
+RuleSelection building_rules() {
+  RuleSelection selection;
+  selection.select = {"SML10", "SML1115", "SML12", "SML1301", "SML1302", "SML1401"};
+  return selection;
+}
+
+/// Unreadable numbers, broken files and scenes; not what annotations say.
+bool is_obstacle(const Diagnostic& diagnostic) {
+  const std::string_view family = diagnostic.rule->id.substr(0, 4);
+  return diagnostic.severity == Severity::error &&
+         (family == "SML0" || family == "SML1" || family == "SML2" || family == "SML5");
+}
+
+class Loader {
+ public:
+  Loader(const InputOptions& options, Inputs& inputs) : options_(options), inputs_(inputs) {}
+
+  void run() {
+    std::vector<std::string> files;
+    const std::vector<std::string> here{"."};
+    for (const std::string& path : options_.paths.empty() ? here : options_.paths) {
+      find(path, files);
+    }
+    // In the widest context first: scenes, models, then URDFs that no model has read.
+    const auto rank = [](const std::string& file) {
+      const InputKind kind = kind_of(file);
+      return kind == InputKind::scene ? 0 : kind == InputKind::model ? 1 : 2;
+    };
+    std::stable_sort(files.begin(), files.end(),
+                     [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
+    for (const std::string& file : files) load(file);
+  }
+
+ private:
+  void fail(const std::string& message) {
+    complain(kTool, message);
+    inputs_.has_failed = true;
+  }
+
+  void find(const std::string& path, std::vector<std::string>& files) {
+    std::error_code ignored;
+    if (path == "-") {
+      const auto name = read_standard_input(kTool, options_.stdin_filename, inputs_.files);
+      inputs_.has_failed = inputs_.has_failed || !name;
+      if (name) files.push_back(*name);
+    } else if (std::filesystem::is_directory(path, ignored)) {
+      const Found found = find_inputs(path);
+      for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
+      if (found.files.empty() && found.unreadable.empty()) {
+        fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + path + "'");
+      }
+      files.insert(files.end(), found.files.begin(), found.files.end());
+    } else if (const auto reason = why_unreadable(path, inputs_.files)) {
+      fail("cannot read '" + path + "': " + *reason);
+    } else if (kind_of(path) == InputKind::annotation || kind_of(path) == InputKind::other) {
+      fail("cannot check '" + path + "': it is no .smurf, .smurfs, .smurfa or .urdf file");
+    } else {
+      files.push_back(path);
+    }
+  }
+
+  /// A model alone counts as a scene of one entity.
+  void load(const std::string& file) {
+    if (!done_.insert(identity(file)).second) return;
+    DiagnosticSink sink;
+    LoadContext context{inputs_.sources, inputs_.files, sink, {}, options_.packages};
+    const LinkedScene& scene = inputs_.scenes.emplace_back(load_scene(file, context));
+    for (const LinkedModel& model : scene.models) {
+      lint_model(model, building_rules(), sink);
+      done_.insert(identity(model.path));
+      if (!model.urdf_path.empty()) done_.insert(identity(model.urdf_path));
+    }
+    std::vector<Diagnostic> found = sink.take();
+    locate(scene, found);
+    found = finish(std::move(found), inputs_.sources, {});
+    std::erase_if(found, [](const Diagnostic& diagnostic) { return !is_obstacle(diagnostic); });
+    add_jobs(file, scene, std::move(found));
+  }
+
+  /// An obstacle goes to the first job that it stands in the way of.
+  void add_jobs(const std::string& file, const LinkedScene& scene, std::vector<Diagnostic> found) {
+    const bool is_scene = kind_of(file) == InputKind::scene;
+    const bool is_sound = found.empty();
+    for (const LinkedModel& model : scene.models) {
+      Job job{.path = model.path, .model = &model, .scene = nullptr, .obstacles = {}};
+      const auto of_model =
+          std::stable_partition(found.begin(), found.end(), [&](const Diagnostic& diagnostic) {
+            return !concerns(model, diagnostic);
+          });
+      job.obstacles.assign(of_model, found.end());
+      found.erase(of_model, found.end());
+      if (model.robot || !job.obstacles.empty()) inputs_.jobs.push_back(std::move(job));
+    }
+    if (!is_scene && found.empty()) return;
+    Job job{.path = file, .model = nullptr, .scene = &scene, .obstacles = std::move(found)};
+    if (is_sound || !job.obstacles.empty()) inputs_.jobs.push_back(std::move(job));
+  }
+
+  static bool concerns(const LinkedModel& model, const Diagnostic& diagnostic) {
+    return std::any_of(model.files.begin(), model.files.end(), [&](const ModelFile& file) {
+      return file.source == diagnostic.span.source;
+    });
+  }
+
+  const InputOptions& options_;
+  Inputs& inputs_;
+  std::set<std::string> done_;  ///< by identity
+};
+
+}  // namespace
+
+void load_inputs(const InputOptions& options, Inputs& inputs) { Loader(options, inputs).run(); }
+
+}  // namespace smurf::load_check

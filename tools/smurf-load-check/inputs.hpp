@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is to be checked: every file is loaded once, every model is one check.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+#include "smurf/linked.hpp"
+#include "smurf/load.hpp"
+
+namespace smurf::load_check {
+
+/// One check: of a model, or of a scene as a whole.
+struct Job {
+  std::string path;
+  const LinkedModel* model = nullptr;  ///< null: the scene
+  const LinkedScene* scene = nullptr;  ///< null: the model
+  /// What stands in the way of a check; nothing is run then.
+  std::vector<Diagnostic> obstacles;
+};
+
+struct Inputs {
+  SourceMap sources;
+  DiskFiles disk;
+  MemoryFiles files{&disk};
+  std::deque<LinkedScene> scenes;  ///< what the jobs point into
+  std::vector<Job> jobs;
+  bool has_failed = false;  ///< a path could not be read; that has been said
+};
+
+struct InputOptions {
+  std::vector<std::string> paths;
+  std::string stdin_filename;
+  std::map<std::string, std::string> packages;
+};
+
+/// Fills `inputs`. Folders are searched as smurf-lint does; scenes come before models, and a model
+/// of a scene is checked with its scene.
+void load_inputs(const InputOptions& options, Inputs& inputs);
+
+}  // namespace smurf::load_check

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// smurf-load-check: whether models and scenes stand, hang and drop in ODE.
+#include <unistd.h>
+
+#include <iterator>
+
+#include "smurf-load-check/options.hpp"
+#include "smurf-load-check/report.hpp"
+#include "smurf-load-check/trace.hpp"
+#include "smurf-load-check/world.hpp"
+#include "smurf/lint.hpp"
+
+using namespace smurf;
+using namespace smurf::load_check;
+using namespace smurf::tools;
+
+namespace {
+
+constexpr std::string_view kTool = "smurf-load-check";
+
+Summary summary_of(const Inputs& inputs, std::span<const Diagnostic> diagnostics) {
+  Summary summary = summarize(diagnostics);
+  for (std::size_t i = 0; i < inputs.sources.size(); ++i) {
+    if (inputs.sources.is_readable(SourceId{static_cast<std::uint32_t>(i)})) ++summary.files;
+  }
+  for (const Job& job : inputs.jobs) ++(job.model != nullptr ? summary.models : summary.scenes);
+  return summary;
+}
+
+/// One line that is written over and over.
+std::function<void(std::size_t)> progress(std::size_t count, bool quiet) {
+  if (quiet || count < 2 || ::isatty(2) != 1) return [](std::size_t) {};
+  return [count](std::size_t done) {
+    const bool is_last = done == count;
+    write_error(
+        "\r\x1b[K" +
+        (is_last ? "" : "checked " + std::to_string(done) + " of " + std::to_string(count)));
+  };
+}
+
+bool write_curves(const Options& options, std::span<const Checked> checked) {
+  bool is_written = true;
+  if (!options.trace.empty()) {
+    is_written = write_output(kTool, options.trace, render_trace(checked));
+  }
+  if (!options.plot.empty()) {
+    const std::string svg = render_plot(checked.front(), options.check.bounds);
+    is_written = write_output(kTool, options.plot, svg) && is_written;
+  }
+  return is_written;
+}
+
+std::vector<Diagnostic> all_diagnostics(std::span<const Checked> checked,
+                                        const SourceMap& sources) {
+  std::vector<Diagnostic> all;
+  for (const Checked& one : checked) {
+    all.insert(all.end(), one.result.diagnostics.begin(), one.result.diagnostics.end());
+  }
+  return finish(std::move(all), sources, {});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  prepare_streams();
+  Options options;
+  if (const auto code = parse_command_line(command_of(options), argc, argv)) return *code;
+  if (const std::string reason = unusable_engine(); !reason.empty()) {
+    complain(kTool, reason);
+    return kFailed;
+  }
+  Inputs inputs;
+  load_inputs(options.input, inputs);
+  if (inputs.jobs.empty() && inputs.has_failed) return kFailed;
+  if (!options.plot.empty() && inputs.jobs.size() != 1) {
+    complain(kTool, "--plot takes one model or scene, not " + std::to_string(inputs.jobs.size()));
+    return kFailed;
+  }
+  options.check.poses = !options.trace.empty();
+  options.check.samples = options.check.poses || !options.plot.empty();
+  const RunOptions run{options.check, options.limits, options.jobs.value_or(1)};
+  const std::vector<Checked> checked =
+      run_checks(inputs, run, progress(inputs.jobs.size(), options.quiet));
+
+  Report report{
+      checked, all_diagnostics(checked, inputs.sources), inputs.sources, {}, options.quiet};
+  report.summary = summary_of(inputs, report.diagnostics);
+  const std::string text = options.format == "json"
+                               ? render_json(report)
+                               : render_text(report, style_for(Stream::output, options.color));
+  const bool is_written = write_output(kTool, options.output, text);
+  if (!write_curves(options, checked) || !is_written || inputs.has_failed) return kFailed;
+  return judge(report.summary, options.threshold);
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-load-check/mesh.hpp"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+
+namespace smurf::load_check {
+
+std::variant<TriangleShape, std::string> read_mesh(const std::string& path) {
+  Assimp::Importer importer;
+  // Points and lines become meshes of their own, which are then left out.
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  // URDF readers take the numbers of a Collada file as they are, in its own axes.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  const aiScene* scene =
+      importer.ReadFile(path, aiProcess_Triangulate | aiProcess_SortByPType |
+                                  aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
+  if (scene == nullptr) return std::string(importer.GetErrorString());
+  TriangleShape shape;
+  for (unsigned int i = 0; i < scene->mNumMeshes; ++i) {
+    const aiMesh& mesh = *scene->mMeshes[i];
+    const auto first = static_cast<std::uint32_t>(shape.points.size());
+    for (unsigned int v = 0; v < mesh.mNumVertices; ++v) {
+      const aiVector3D& point = mesh.mVertices[v];
+      shape.points.emplace_back(point.x, point.y, point.z);
+    }
+    for (unsigned int f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      if (face.mNumIndices != 3) continue;
+      shape.triangles.push_back(
+          {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+    }
+  }
+  if (shape.triangles.empty()) return std::string("it has no triangles");
+  return shape;
+}
+
+}  // namespace smurf::load_check

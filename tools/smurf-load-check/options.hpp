@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of smurf-load-check.
+#pragma once
+
+#include "common/command.hpp"
+#include "common/report.hpp"
+#include "smurf-load-check/inputs.hpp"
+#include "smurf-load-check/run.hpp"
+
+namespace smurf::load_check {
+
+struct Options {
+  InputOptions input;
+  CheckOptions check;
+  ChildLimits limits;
+  std::optional<int> jobs;
+  std::string format = "full";
+  std::string output, trace, plot;
+  tools::Threshold threshold;
+  tools::ColorChoice color = tools::ColorChoice::automatic;
+  bool quiet = false;
+};
+
+tools::Command command_of(Options& options);
+
+}  // namespace smurf::load_check

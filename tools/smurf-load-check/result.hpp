@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a check gives: stages with their figures, diagnostics, and curves to plot.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/pose.hpp"
+
+namespace smurf::load_check {
+
+enum class Stage : std::uint8_t { build, pose0, still, hang, drop, anchor };
+inline constexpr std::array<std::string_view, 6> kStageNames = {"BUILD", "POSE0", "STILL",
+                                                                "HANG",  "DROP",  "ANCHOR"};
+inline std::string_view to_string(Stage stage) {
+  return kStageNames[static_cast<std::size_t>(stage)];
+}
+
+/// `skipped`: it does not apply, or an earlier stage failed.
+enum class Verdict : std::uint8_t { pass, warn, fail, skipped };
+inline constexpr std::array<std::string_view, 4> kVerdictNames = {"pass", "warn", "fail",
+                                                                  "skipped"};
+inline std::string_view to_string(Verdict verdict) {
+  return kVerdictNames[static_cast<std::size_t>(verdict)];
+}
+
+/// One measured number. `bound` names an entry of the table of bounds.
+struct Figure {
+  std::string bound;
+  double value = 0;
+  double limit = 0;
+  std::string worst;  ///< "link `a`"; empty when the figure is zero or of the whole
+  Span place;         ///< where `worst` is defined
+
+  bool is_within() const { return value <= limit; }  // false for NaN
+};
+
+struct StageResult {
+  Stage stage = Stage::build;
+  Verdict verdict = Verdict::pass;
+  std::vector<Figure> figures;
+  std::string note;  ///< what was built, why it was skipped
+};
+
+/// State after one step.
+struct Sample {
+  Stage stage = Stage::hang;
+  double time = 0;         ///< s, from the start of the stage
+  double energy = 0;       ///< m, more than at the start
+  double gap = 0;          ///< m, of the worst joint
+  std::vector<Pose> X_WL;  ///< by CheckResult::links; only when poses are asked for
+};
+
+struct CheckResult {
+  std::vector<StageResult> stages;
+  std::vector<Diagnostic> diagnostics;
+  std::vector<std::string> links;  ///< "instance/link" of the sampled poses
+  std::vector<Sample> samples;     ///< only when asked for
+};
+
+}  // namespace smurf::load_check

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-load-check/run.hpp"
+
+#include <algorithm>
+
+#include "base/rules.hpp"
+#include "smurf-load-check/bodies.hpp"
+#include "smurf-load-check/wire.hpp"
+#include "smurf-load-check/world.hpp"
+#include "smurf/lint.hpp"
+
+namespace smurf::load_check {
+namespace {
+
+using Write = std::function<void(const std::string&)>;
+
+/// For the fault handler, which ODE calls without any context. One check a process.
+const Write* fault_output = nullptr;
+
+void on_fault(const std::string& message) {
+  (*fault_output)(encode_fault(message));
+  end_child();
+}
+
+void run_job(const Job& job, const SourceMap& sources, const CheckOptions& options,
+             const Write& write) {
+  fault_output = &write;
+  start_engine(on_fault);
+  const auto on_stage = [&](Stage stage) { write(encode_begin(stage)); };
+  write(encode(job.model != nullptr ? check_model(*job.model, options, on_stage)
+                                    : check_scene(*job.scene, sources, options, on_stage)));
+}
+
+Span place_of(const Job& job) {
+  if (job.model != nullptr) return load_check::place_of(*job.model);
+  return {job.scene->scenes.front().source, 0, 0};
+}
+
+std::string reason(const ChildOutcome& outcome, const ChildLimits& limits) {
+  switch (outcome.end) {
+  case ChildOutcome::End::out_of_time:
+    return "takes more than " + std::to_string(limits.seconds) + " s of processor time";
+  case ChildOutcome::End::out_of_memory:
+    return "takes more than " + std::to_string(limits.memory_bytes >> 20U) + " MB";
+  case ChildOutcome::End::not_started: return "cannot be started: no more processes";
+  case ChildOutcome::End::crashed:
+  case ChildOutcome::End::finished: break;
+  }
+  return "";
+}
+
+/// The result of a child that did not reach its end.
+CheckResult broken_off(const Job& job, const ChildOutcome& outcome, const Message& message,
+                       const ChildLimits& limits) {
+  const Stage stage = message.last_stage.value_or(Stage::build);
+  const std::string in_stage = "stage " + std::string(to_string(stage));
+  DiagnosticSink sink;
+  const std::string why = reason(outcome, limits);
+  if (!why.empty()) {
+    sink.report(rules::sml6002_no_verdict, place_of(job), in_stage + " " + why);
+  } else {
+    Diagnostic& diagnostic =
+        sink.report(rules::sml6001_engine_gives_up, place_of(job), "ODE gives up in " + in_stage);
+    diagnostic.caret = message.fault.empty() ? "killed by signal " + std::to_string(outcome.signal)
+                                             : message.fault;
+  }
+  CheckResult result;
+  StageResult failed;
+  failed.stage = stage;
+  failed.verdict = Verdict::fail;
+  failed.note = "broken off";
+  result.stages.push_back(std::move(failed));
+  result.diagnostics = sink.take();
+  return result;
+}
+
+CheckResult result_of(const Job& job, const ChildOutcome& outcome, const ChildLimits& limits) {
+  Message message = decode(outcome.output);
+  if (!message.result) return broken_off(job, outcome, message, limits);
+  if (job.model != nullptr) {
+    locate(*job.model, message.result->diagnostics);
+  } else {
+    locate(*job.scene, message.result->diagnostics);
+  }
+  return std::move(*message.result);
+}
+
+}  // namespace
+
+Verdict Checked::verdict() const {
+  if (result.stages.empty()) return Verdict::fail;
+  Verdict worst = Verdict::pass;
+  for (const StageResult& stage : result.stages) {
+    if (stage.verdict != Verdict::skipped) worst = std::max(worst, stage.verdict);
+  }
+  return worst;
+}
+
+std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,
+                                const std::function<void(std::size_t)>& on_finished) {
+  std::vector<Checked> checked;
+  std::vector<std::size_t> to_run;
+  for (const Job& job : inputs.jobs) {
+    if (job.obstacles.empty()) to_run.push_back(checked.size());
+    checked.push_back({&job, {}});
+    checked.back().result.diagnostics = job.obstacles;
+  }
+  const std::vector<ChildOutcome> outcomes = run_in_children(
+      to_run.size(), options.jobs, options.limits,
+      [&](std::size_t task, const Write& write) {
+        run_job(*checked[to_run[task]].job, inputs.sources, options.check, write);
+      },
+      on_finished);
+  for (std::size_t i = 0; i < to_run.size(); ++i) {
+    Checked& one = checked[to_run[i]];
+    one.result = result_of(*one.job, outcomes[i], options.limits);
+  }
+  return checked;
+}
+
+}  // namespace smurf::load_check

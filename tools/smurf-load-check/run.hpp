@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All checks, each in a process of its own.
+#pragma once
+
+#include <functional>
+
+#include "smurf-load-check/check.hpp"
+#include "smurf-load-check/child.hpp"
+#include "smurf-load-check/inputs.hpp"
+
+namespace smurf::load_check {
+
+/// A job and what came of it.
+struct Checked {
+  const Job* job = nullptr;
+  CheckResult result;
+
+  /// The worst of its stages; `fail` when it could not be run.
+  Verdict verdict() const;
+};
+
+struct RunOptions {
+  CheckOptions check;
+  ChildLimits limits;
+  int jobs = 1;
+};
+
+/// In the order of the jobs. `on_finished` gets the number of those done.
+std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,
+                                const std::function<void(std::size_t)>& on_finished);
+
+}  // namespace smurf::load_check

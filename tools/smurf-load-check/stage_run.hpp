@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What all stages share: their order, their verdicts, stepping and sampling.
+#pragma once
+
+#include <cmath>
+#include <functional>
+
+#include "smurf-load-check/bodies.hpp"
+#include "smurf-load-check/check.hpp"
+#include "smurf-load-check/world.hpp"
+
+namespace smurf::load_check {
+
+class StageRun {
+ public:
+  StageRun(const CheckOptions& options, const OnStage& on_stage)
+      : options_(options), on_stage_(on_stage) {}
+
+  /// Runs a stage unless it is not asked for or an earlier one failed. The verdict comes from what
+  /// `body` reports and from its figures.
+  void stage(Stage stage, const std::function<void(StageResult&)>& body);
+  CheckResult finish();
+
+  const CheckOptions& options() const { return options_; }
+  DiagnosticSink& sink() { return sink_; }
+
+  Figure figure(std::string_view bound) const;
+  /// Keeps the larger value, and NaN; `whose` names what has it.
+  template <class Whose>
+  static void note_worst(Figure& figure, double value, const Whose& whose) {
+    if (value <= figure.value || std::isnan(figure.value)) return;
+    const Named named = whose();
+    figure.value = value;
+    figure.worst = named.name;
+    figure.place = named.place;
+  }
+  static void skip(StageResult& result, std::string why);
+  /// Takes back what was reported under a rule.
+  void withdraw(const Rule& rule);
+
+  /// Steps for `seconds` (or --time), calling `measure` after every step. Ends early, reports and
+  /// returns false when a number is no longer finite.
+  bool step(World& world, const Plan& plan, double seconds, const std::function<void()>& measure);
+
+ private:
+  void sample(const World& world, const Plan& plan, double start_energy);
+
+  const CheckOptions& options_;
+  const OnStage& on_stage_;
+  DiagnosticSink sink_;
+  CheckResult result_;
+  Stage current_ = Stage::build;
+  bool has_failed_ = false;
+};
+
+/// The body with the highest speed; a body that is nowhere is the fastest.
+Named fastest(const World& world, const Plan& plan);
+/// Distance plus angle, a radian counting as a metre.
+double way_between(const Pose& X_WA, const Pose& X_WB);
+/// "1 joint", "3 joints".
+std::string count_of(std::size_t count, std::string_view one, std::string_view many);
+
+}  // namespace smurf::load_check

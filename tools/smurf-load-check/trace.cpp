@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-load-check/trace.hpp"
+
+#include "base/numbers.hpp"
+
+namespace smurf::load_check {
+namespace {
+
+/// A field of RFC 4180.
+std::string field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+void add_numbers(std::string& line, const Pose& pose) {
+  const Vector3& p = pose.position;
+  const Quaternion& q = pose.orientation;
+  for (const double value : {p[0], p[1], p[2], q.w, q.x, q.y, q.z}) {
+    line.append(",").append(format_number(value));
+  }
+}
+
+}  // namespace
+
+std::string render_trace(std::span<const Checked> checked) {
+  std::string out = "file,stage,time,link,x,y,z,qw,qx,qy,qz\n";
+  for (const Checked& one : checked) {
+    const std::vector<std::string>& links = one.result.links;
+    for (const Sample& sample : one.result.samples) {
+      const std::string begin = field(one.job->path) + "," + std::string(to_string(sample.stage)) +
+                                "," + format_number(sample.time) + ",";
+      for (std::size_t i = 0; i < sample.X_WL.size(); ++i) {
+        out += begin + field(links[i]);
+        add_numbers(out, sample.X_WL[i]);
+        out += "\n";
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace smurf::load_check

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A span means the same on both sides, because the child is a copy of this process.
+#include "smurf-load-check/wire.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace smurf::load_check {
+namespace {
+
+using Json = nlohmann::json;
+
+Json to_json(const Span& span) {
+  return {static_cast<std::uint32_t>(span.source), span.begin, span.end};
+}
+Span to_span(const Json& json) {
+  return {SourceId{json[0].get<std::uint32_t>()}, json[1].get<std::uint32_t>(),
+          json[2].get<std::uint32_t>()};
+}
+
+/// JSON has no NaN.
+Json to_json(double value) { return std::isnan(value) ? Json() : Json(value); }
+double to_double(const Json& json) { return json.is_null() ? NAN : json.get<double>(); }
+
+Json to_json(const Pose& pose) {
+  const Vector3& p = pose.position;
+  const Quaternion& q = pose.orientation;
+  return {p[0], p[1], p[2], q.w, q.x, q.y, q.z};
+}
+Pose to_pose(const Json& json) {
+  return {{json[0], json[1], json[2]}, {json[3], json[4], json[5], json[6]}};
+}
+
+Json to_json(const Diagnostic& diagnostic) {
+  Json labels = Json::array();
+  for (const Label& label : diagnostic.labels) {
+    labels.push_back({to_json(label.span), label.message});
+  }
+  return {{"id", diagnostic.rule->id},
+          {"span", to_json(diagnostic.span)},
+          {"message", diagnostic.message},
+          {"caret", diagnostic.caret},
+          {"labels", labels},
+          {"notes", diagnostic.notes}};
+}
+Diagnostic to_diagnostic(const Json& json) {
+  Diagnostic diagnostic;
+  diagnostic.rule = find_rule(json["id"].get<std::string>());
+  diagnostic.severity = diagnostic.rule->severity;
+  diagnostic.span = to_span(json["span"]);
+  diagnostic.message = json["message"];
+  diagnostic.caret = json["caret"];
+  for (const Json& label : json["labels"]) {
+    diagnostic.labels.push_back({to_span(label[0]), label[1]});
+  }
+  diagnostic.notes = json["notes"];
+  return diagnostic;
+}
+
+Json to_json(const StageResult& stage) {
+  Json figures = Json::array();
+  for (const Figure& figure : stage.figures) {
+    figures.push_back(
+        {figure.bound, to_json(figure.value), figure.limit, figure.worst, to_json(figure.place)});
+  }
+  return {static_cast<int>(stage.stage), static_cast<int>(stage.verdict), stage.note, figures};
+}
+StageResult to_stage(const Json& json) {
+  StageResult stage;
+  stage.stage = static_cast<Stage>(json[0].get<int>());
+  stage.verdict = static_cast<Verdict>(json[1].get<int>());
+  stage.note = json[2];
+  for (const Json& figure : json[3]) {
+    stage.figures.push_back(
+        {figure[0], to_double(figure[1]), figure[2], figure[3], to_span(figure[4])});
+  }
+  return stage;
+}
+
+Json to_json(const Sample& sample) {
+  Json poses = Json::array();
+  for (const Pose& pose : sample.X_WL) poses.push_back(to_json(pose));
+  return {static_cast<int>(sample.stage), sample.time, sample.energy, sample.gap, poses};
+}
+Sample to_sample(const Json& json) {
+  Sample sample{static_cast<Stage>(json[0].get<int>()), json[1], json[2], json[3], {}};
+  for (const Json& pose : json[4]) sample.X_WL.push_back(to_pose(pose));
+  return sample;
+}
+
+template <class T>
+Json to_list(const std::vector<T>& values) {
+  Json list = Json::array();
+  for (const T& value : values) list.push_back(to_json(value));
+  return list;
+}
+
+/// Names may hold bytes that are not UTF-8.
+std::string line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+CheckResult to_result(const Json& json) {
+  CheckResult result;
+  for (const Json& stage : json["stages"]) result.stages.push_back(to_stage(stage));
+  for (const Json& each : json["diagnostics"]) result.diagnostics.push_back(to_diagnostic(each));
+  for (const Json& sample : json["samples"]) result.samples.push_back(to_sample(sample));
+  result.links = json["links"];
+  return result;
+}
+
+}  // namespace
+
+std::string encode_begin(Stage stage) { return line({{"begin", static_cast<int>(stage)}}); }
+
+std::string encode_fault(const std::string& message) { return line({{"fault", message}}); }
+
+std::string encode(const CheckResult& result) {
+  return line({{"stages", to_list(result.stages)},
+               {"diagnostics", to_list(result.diagnostics)},
+               {"samples", to_list(result.samples)},
+               {"links", result.links}});
+}
+
+Message decode(const std::string& output) {
+  Message message;
+  for (std::size_t begin = 0; begin < output.size();) {
+    const std::size_t end = std::min(output.find('\n', begin), output.size());
+    const Json json =
+        Json::parse(output.begin() + static_cast<std::ptrdiff_t>(begin),
+                    output.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
+    begin = end + 1;
+    if (json.is_discarded()) break;  // the child was stopped while it wrote
+    if (json.contains("begin")) {
+      message.last_stage = static_cast<Stage>(json["begin"].get<int>());
+    } else if (json.contains("fault")) {
+      message.fault = json["fault"];
+    } else {
+      message.result = to_result(json);
+    }
+  }
+  return message;
+}
+
+}  // namespace smurf::load_check

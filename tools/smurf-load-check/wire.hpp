@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The result of a check as text, from the child process that ran it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "smurf-load-check/result.hpp"
+
+namespace smurf::load_check {
+
+/// One line each.
+std::string encode_begin(Stage stage);
+std::string encode_fault(const std::string& message);
+std::string encode(const CheckResult& result);
+
+/// What a child wrote before its end.
+struct Message {
+  std::optional<Stage> last_stage;  ///< that was begun
+  std::string fault;                ///< what ODE says of why it gives up
+  std::optional<CheckResult> result;
+};
+Message decode(const std::string& output);
+
+}  // namespace smurf::load_check
