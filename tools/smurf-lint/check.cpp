@@ -19,6 +19,7 @@ namespace {
 /// What the command line says wins over the configuration; both name rules to ignore.
 RuleSelection merge(RuleSelection config, const RuleSelection& options) {
   if (!options.select.empty()) config.select = options.select;
+  if (!options.targets.empty()) config.targets = options.targets;
   config.ignore.insert(config.ignore.end(), options.ignore.begin(), options.ignore.end());
   for (const auto& [pattern, severity] : options.severities) config.severities[pattern] = severity;
   return config;
