@@ -50,13 +50,6 @@ std::optional<std::string_view> meant_key(std::string_view key,
   return near;
 }
 
-/// URI, URIs and merge keys bring further keys, which are not looked at.
-bool takes_keys_from_elsewhere(yaml::View mapping) {
-  return std::any_of(mapping.begin(), mapping.end(), [](yaml::View value) {
-    return value.key() == "URI" || value.key() == "URIs" || value.key() == "<<";
-  });
-}
-
 void suggest(Diagnostic& diagnostic, yaml::View key, std::string_view meant) {
   diagnostic.fixes.push_back(
       {Applicability::unsafe, {{without_quotes(key.key_span(), key.key()), std::string(meant)}}});
@@ -87,10 +80,8 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
 void report_difference(const KeyDifference& difference, yaml::View mapping, std::string_view what,
                        DiagnosticSink& sink) {
   std::vector<yaml::View> slips;
-  if (!difference.missing.empty() && !takes_keys_from_elsewhere(mapping)) {
-    for (const KeySpec* spec : difference.missing) {
-      slips.push_back(report_missing(*spec, difference.unknown, mapping, what, sink));
-    }
+  for (const KeySpec* spec : difference.missing) {
+    slips.push_back(report_missing(*spec, difference.unknown, mapping, what, sink));
   }
   std::unordered_set<std::string_view> given;
   for (const yaml::View key : difference.unknown) {

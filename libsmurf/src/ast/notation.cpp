@@ -47,10 +47,10 @@ bool is_date(std::string_view text) {
                     [](char c, char p) { return p == '0' ? is_digit(c) : c == p; });
 }
 
+/// Words that are booleans in YAML 1.1 only.
 bool is_boolean(std::string_view text) {
-  constexpr std::string_view kWords[] = {"yes",  "Yes",  "YES",  "no",    "No",    "NO",
-                                         "on",   "On",   "ON",   "off",   "Off",   "OFF",
-                                         "true", "True", "TRUE", "false", "False", "FALSE"};
+  constexpr std::string_view kWords[] = {"yes", "Yes", "YES", "no",  "No",  "NO",
+                                         "on",  "On",  "ON",  "off", "Off", "OFF"};
   return std::find(std::begin(kWords), std::end(kWords), text) != std::end(kWords);
 }
 

@@ -14,7 +14,8 @@ struct Pair {
 void check_pair(const Motor& motor, const urdf::Joint& joint, const Pair& pair,
                 Findings& findings) {
   if (!pair.of_motor || !pair.of_joint || *pair.of_joint <= 0) return;  // 0 is reported in the URDF
-  if (!is_clearly_less(*pair.of_joint, *pair.of_motor)) return;
+  constexpr double kNoticeable = 1.1;  // motors are rarely known better than to a tenth
+  if (*pair.of_motor <= kNoticeable * *pair.of_joint) return;
   Diagnostic& diagnostic = findings.report(
       pair.of_motor.span, quoted(pair.key) + " of " + subject("motor", motor) + " is " +
                               format_rounded(*pair.of_motor) + ", but the " +

@@ -17,8 +17,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-extern constinit const Rule sml3110_texture_missing{
-    .id = "SML3110",
+extern constinit const Rule sml3117_texture_missing{
+    .id = "SML3117",
     .name = "texture-missing",
     .severity = Severity::warning,
     .summary = "The annotation of a material names an image that does not exist.",
