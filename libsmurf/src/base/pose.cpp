@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace smurf {
@@ -59,21 +58,24 @@ Vector3 rotate(const Quaternion& rotation, const Vector3& vector) {
 double norm(const Quaternion& q) { return to_eigen(q).norm(); }
 
 Quaternion normalized(const Quaternion& q) {
-  double length = norm(q);
-  assert(length > 0);
-  // What was normalised once stays as it is, so that writing and reading poses has a fixed point.
-  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
-  if (std::fabs(length - 1) <= kRounding) length = 1;
+  Quaternion unit = q;
+  // Rounding leaves a length next to 1; dividing again finds a fixed point, so that poses that are
+  // written and read back stay as they are.
+  for (int i = 0; i < 4; ++i) {
+    const double length = norm(unit);
+    assert(length > 0);
+    if (length == 1) break;
+    unit = {unit.w / length, unit.x / length, unit.y / length, unit.z / length};
+  }
   double sign = 1;
-  for (const double component : {q.w, q.x, q.y, q.z}) {
+  for (const double component : {unit.w, unit.x, unit.y, unit.z}) {
     if (component != 0) {
       sign = component < 0 ? -1 : 1;
       break;
     }
   }
-  const double scale = sign / length;
   // Adding 0 turns -0 into 0.
-  return {q.w * scale + 0.0, q.x * scale + 0.0, q.y * scale + 0.0, q.z * scale + 0.0};
+  return {unit.w * sign + 0.0, unit.x * sign + 0.0, unit.y * sign + 0.0, unit.z * sign + 0.0};
 }
 
 Pose operator*(const Pose& X_AB, const Pose& X_BC) {

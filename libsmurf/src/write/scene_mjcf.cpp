@@ -16,7 +16,7 @@ namespace {
 std::string quaternion_text(const Quaternion& q) { return join_numbers({q.w, q.x, q.y, q.z}); }
 
 /// R I R^T in MuJoCo's order: MuJoCo takes no orientation together with a full tensor.
-std::string full_inertia(const MassProperties& mass) {
+std::string full_inertia(const LinkInertial& mass) {
   const std::array<double, 9> R = to_matrix(mass.X_LC.orientation);
   const std::array<double, 9> I{mass.ixx, mass.ixy, mass.ixz, mass.ixy, mass.iyy,
                                 mass.iyz, mass.ixz, mass.iyz, mass.izz};
@@ -264,7 +264,7 @@ class MjcfWriter {
       add_start(join_numbers(pose.position) + " " + quaternion_text(pose.orientation));
     }
     if (joint != nullptr) moves = add_joint(i, model, *joint);
-    auto mass = mass_properties(model.robot->links[link]);
+    auto mass = inertial_of(model.robot->links[link]);
     if (!mass && moves) mass = smallest_mass();
     if (mass) {
       xml_.empty("inertial", {{"pos", join_numbers(mass->X_LC.position)},
@@ -382,7 +382,7 @@ class MjcfWriter {
       xml_.empty("joint", {{"name", name(i, "free")}, {"type", "free"}});
       add_start(join_numbers(instance.X_WE->position) + " " +
                 quaternion_text(instance.X_WE->orientation));
-      MassProperties mass = solid_mass(instance.shapes.front().geometry, mass_of(instance));
+      LinkInertial mass = solid_mass(instance.shapes.front().geometry, mass_of(instance));
       mass.X_LC = instance.shapes.front().X_ES;
       xml_.empty("inertial", {{"pos", join_numbers(mass.X_LC.position)},
                               {"mass", format_number(mass.mass)},

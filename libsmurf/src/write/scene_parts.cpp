@@ -27,7 +27,7 @@ std::string safe_name(std::string_view path) {
   return name;
 }
 
-MassProperties diagonal(double mass, double ixx, double iyy, double izz) {
+LinkInertial diagonal(double mass, double ixx, double iyy, double izz) {
   return {.mass = mass, .X_LC = {}, .ixx = ixx, .iyy = iyy, .izz = izz};
 }
 
@@ -35,31 +35,31 @@ class SolidMass {
  public:
   explicit SolidMass(double mass) : mass_(mass) {}
 
-  MassProperties operator()(const FlatBox& box) const {
+  LinkInertial operator()(const FlatBox& box) const {
     const double x = box.size[0] * box.size[0];
     const double y = box.size[1] * box.size[1];
     const double z = box.size[2] * box.size[2];
     return diagonal(mass_, mass_ * (y + z) / 12, mass_ * (x + z) / 12, mass_ * (x + y) / 12);
   }
-  MassProperties operator()(const FlatSphere& sphere) const { return ball(sphere.radius); }
-  MassProperties operator()(const FlatCylinder& cylinder) const {
+  LinkInertial operator()(const FlatSphere& sphere) const { return ball(sphere.radius); }
+  LinkInertial operator()(const FlatCylinder& cylinder) const {
     return rod(cylinder.radius, cylinder.length);
   }
   /// Near enough for a preset that has no inertia of its own: a cylinder as long as the capsule.
-  MassProperties operator()(const FlatCapsule& capsule) const {
+  LinkInertial operator()(const FlatCapsule& capsule) const {
     return rod(capsule.radius, capsule.length + capsule.radius);
   }
   template <class Other>
-  MassProperties operator()(const Other&) const {
+  LinkInertial operator()(const Other&) const {
     return ball(0.5);
   }
 
  private:
-  MassProperties ball(double radius) const {
+  LinkInertial ball(double radius) const {
     const double i = 0.4 * mass_ * radius * radius;
     return diagonal(mass_, i, i, i);
   }
-  MassProperties rod(double radius, double length) const {
+  LinkInertial rod(double radius, double length) const {
     const double across = mass_ * (3 * radius * radius + length * length) / 12;
     return diagonal(mass_, across, across, mass_ * radius * radius / 2);
   }
@@ -138,18 +138,18 @@ std::optional<Pose> pose_on_anchor(const LinkedScene& scene, std::size_t instanc
   return inverse(*other.X_WE * *X_OL) * *here.X_WE;
 }
 
-std::optional<MassProperties> mass_properties(const urdf::Link& link) {
+std::optional<LinkInertial> inertial_of(const urdf::Link& link) {
   if (!link.inertial || !link.inertial->mass || *link.inertial->mass <= 0) return std::nullopt;
   const urdf::Inertial& inertial = *link.inertial;
-  return MassProperties{*inertial.mass,           urdf::to_pose(inertial.origin),
+  return LinkInertial{*inertial.mass,           urdf::to_pose(inertial.origin),
                         inertial.ixx.value_or(0), inertial.ixy.value_or(0),
                         inertial.ixz.value_or(0), inertial.iyy.value_or(0),
                         inertial.iyz.value_or(0), inertial.izz.value_or(0)};
 }
 
-MassProperties smallest_mass() { return SolidMass(0.01)(FlatSphere{0.01}); }
+LinkInertial smallest_mass() { return SolidMass(0.01)(FlatSphere{0.01}); }
 
-MassProperties solid_mass(const FlatGeometry& geometry, double mass) {
+LinkInertial solid_mass(const FlatGeometry& geometry, double mass) {
   return std::visit(SolidMass(mass), geometry);
 }
 

@@ -30,18 +30,18 @@ std::optional<std::size_t> anchor_link(const LinkedScene& scene, std::size_t ins
 std::optional<Pose> pose_on_anchor(const LinkedScene& scene, std::size_t instance,
                                    LinkFrames& frames);
 
-struct MassProperties {
+struct LinkInertial {
   double mass = 0;  ///< kg
   Pose X_LC;        ///< of the centre of mass in the link; the tensor is in its axes
   double ixx = 0, ixy = 0, ixz = 0, iyy = 0, iyz = 0, izz = 0;  ///< kg m^2
 };
 /// None when the link has no mass.
-std::optional<MassProperties> mass_properties(const urdf::Link& link);
+std::optional<LinkInertial> inertial_of(const urdf::Link& link);
 /// For a body that has to have a mass and has none: MARS takes a ball of 10 g and 1 cm radius
 /// (mars_core Frame.cpp:601-619).
-MassProperties smallest_mass();
+LinkInertial smallest_mass();
 /// Of a solid of even density.
-MassProperties solid_mass(const FlatGeometry& geometry, double mass);
+LinkInertial solid_mass(const FlatGeometry& geometry, double mass);
 
 /// Position of a joint that starts an instance: given, or following its leader; else 0.
 double start_position(const LinkedModel& model, const urdf::Joint& joint,

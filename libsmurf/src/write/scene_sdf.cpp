@@ -193,7 +193,7 @@ class SdfWriter {
   /// libsdformat drops a URDF whose root link has no mass; such a one is written out.
   bool refers(const LinkedModel& model) const {
     return scene_.form == SceneForm::reference && !is_old_ &&
-           mass_properties(model.link(model.tree.roots.front())).has_value();
+           inertial_of(model.link(model.tree.roots.front())).has_value();
   }
 
   void add_include(std::size_t i, const LinkedModel& model) {
@@ -225,7 +225,7 @@ class SdfWriter {
       bodies[at] = at;
       const auto& above = model.tree.parent_joint[at];
       if (!above || model.joint(*above).type != urdf::JointType::fixed) continue;
-      if (!as_libsdformat && mass_properties(model.link(link))) continue;
+      if (!as_libsdformat && inertial_of(model.link(link))) continue;
       bodies[at] = bodies[to_size(*model.tree.joint_parent[to_size(*above)])];
     }
     return bodies;
@@ -271,7 +271,7 @@ class SdfWriter {
                 const std::vector<std::optional<Pose>>& X_EL) {
     xml_.open("link", {{"name", sdf_name(model, body)}});
     add_pose(*X_EL[body]);
-    add_inertial(mass_properties(model.robot->links[body]).value_or(smallest_mass()));
+    add_inertial(inertial_of(model.robot->links[body]).value_or(smallest_mass()));
     const FlatModel& flat_model = scene_.flat.models[*flat(i).model];
     int visuals = 0;
     int collisions = 0;
@@ -302,7 +302,7 @@ class SdfWriter {
     return false;
   }
 
-  void add_inertial(const MassProperties& mass) {
+  void add_inertial(const LinkInertial& mass) {
     xml_.open("inertial");
     add_pose(mass.X_LC);
     xml_.leaf("mass", mass.mass);
@@ -433,7 +433,7 @@ class SdfWriter {
     add_pose(*instance.X_WE);
     xml_.open("link", {{"name", "link"}});
     if (is_movable(instance)) {
-      MassProperties mass = solid_mass(instance.shapes.front().geometry, mass_of(instance));
+      LinkInertial mass = solid_mass(instance.shapes.front().geometry, mass_of(instance));
       mass.X_LC = instance.shapes.front().X_ES;
       add_inertial(mass);
     }

@@ -223,7 +223,7 @@ class UrdfMerger {
   }
 
   void add_inertial(const FlatShape& shape, double mass) {
-    const MassProperties properties = solid_mass(shape.geometry, mass);
+    const LinkInertial properties = solid_mass(shape.geometry, mass);
     const auto text = [](double value) { return join_numbers({value}); };
     xml_.open("inertial");
     add_origin(shape.X_ES);

@@ -77,7 +77,7 @@ constexpr ReaderFact kFacts[] = {
     {"SML1911", takes, "reads it", "Drake make_convex_hull_mesh_impl.cc:279-291", "#gltf"},
     {"SML1911", refuses, "throws when it needs the hull of the mesh",
      "Drake make_convex_hull_mesh_impl.cc:279-291", "/collision/"},
-    {"SML1914", changes, kWater, "Drake rotational_inertia.cc:184-216", "#drake"},
+    {"SML1514", changes, kWater, "Drake rotational_inertia.cc:184-216", "#drake"},
     {"SML1915", changes, "couples the joints in some solvers only",
      "Drake detail_urdf_parser.cc:791-880"},
 };

@@ -6,15 +6,17 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kDropped = 1e-6;  // kg
+  constexpr double kDropped = 1e-6;         // kg
+  constexpr double kMujocoMinimum = 1e-15;  // kg; mjMINVAL
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial || !link.inertial->mass) return;
     const double mass = *link.inertial->mass;
     if (mass <= 0 || mass > kDropped) return;
-    findings
-        .report(link.inertial->mass.span,
-                title(link) + " weighs " + format_rounded(mass * 1e6, 3) + " mg")
-        .notes.push_back("sdformat (Gazebo) up to 12 drops such a link and all below it");
+    Diagnostic& diagnostic =
+        findings.report(link.inertial->mass.span,
+                        title(link) + " weighs " + format_rounded(mass * 1e6, 3) + " mg");
+    diagnostic.notes.push_back("sdformat (Gazebo) up to 12 drops such a link and all below it");
+    diagnostic.construct = mass < kMujocoMinimum ? "mass#below-1e-15" : "mass";
   });
 }
 

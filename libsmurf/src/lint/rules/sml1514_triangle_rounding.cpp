@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "base/numbers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
+
+constexpr double kEpsilon = 2.220446049250313e-16;
+
+/// Which readers' tolerances the excess is beyond, as a construct; empty when within all.
+std::string beyond(double excess, double trace) {
+  if (excess > 16 * kEpsilon * std::max(1.0, trace / 2)) return "mujoco#sdformat#drake";
+  if (excess > 10 * kEpsilon * trace / 2) return "mujoco#sdformat";
+  return "mujoco";
+}
 
 /// The entry to lower when the tensor is diagonal, as a plate's usually is.
 const Field<double>* largest_of_diagonal(const urdf::Inertial& inertial) {
@@ -30,6 +41,8 @@ void check(const LinkedModel& model, Findings& findings) {
                                                  " exceeds the sum of the others by rounding");
     diagnostic.caret = "too large by " + format_rounded(100 * excess, 2) + " %";
     diagnostic.notes.push_back("MuJoCo refuses the file");
+    const auto& [low, middle, high] = *moments;
+    diagnostic.construct = beyond(high - (low + middle), low + middle + high);
     const Field<double>* entry = largest_of_diagonal(*link.inertial);
     if (entry == nullptr) return;
     const std::string lowered = format_number(((*moments)[0] + (*moments)[1]) * (1 - kMargin));

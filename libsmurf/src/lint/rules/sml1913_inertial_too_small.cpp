@@ -6,17 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-constexpr double kSdformatMass = 1e-6;    // kg; sdformat 12 takes no more for no mass
-constexpr double kMujocoMoment = 1e-14;   // kg m2; mjEPS, user_util.cc:862
-constexpr double kMujocoMinimum = 1e-15;  // kg or kg m2; mjMINVAL
-
-void check_mass(const urdf::Link& link, Findings& findings) {
-  const Field<double>& mass = link.inertial->mass;
-  if (!mass || *mass <= 0 || *mass > kSdformatMass) return;
-  Diagnostic& diagnostic = findings.report(mass.span, "the mass of " + title(link) + " is " +
-                                                          format_rounded(*mass) + " kg");
-  diagnostic.construct = *mass < kMujocoMinimum ? "mass#below-1e-15" : "mass";
-}
+constexpr double kMujocoMoment = 1e-14;  // kg m2; mjEPS, user_util.cc:862
 
 void check_moments(const LinkedModel& model, const urdf::Link& link, Findings& findings) {
   const auto moments = principal_moments(*link.inertial);
@@ -31,7 +21,6 @@ void check_moments(const LinkedModel& model, const urdf::Link& link, Findings& f
 void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial) return;
-    check_mass(link, findings);
     check_moments(model, link, findings);
   });
 }
@@ -42,15 +31,11 @@ extern constinit const Rule sml1913_inertial_too_small{
     .id = "SML1913",
     .name = "inertial-too-small",
     .severity = Severity::error,
-    .summary = "A mass or inertia is so small that a target takes it for none.",
-    .why =
-        "sdformat up to 12 drops a link of at most 1e-6 kg like one without mass. MuJoCo refuses "
-        "principal moments below 1e-14 kg m2 and masses below 1e-15 kg.",
-    .remedy = "Give the link a mass and inertia that its size could have, or fix it to a heavier "
-              "one.",
-    .sources =
-        "sdformat 12.3, executed (sdformat issue 199); MuJoCo user_util.cc:862, executed: 176 "
-        "of 5512 inertials of the Tola/Corke dataset are refused for this alone.",
+    .summary = "An inertia is so small that a target refuses it.",
+    .why = "MuJoCo refuses principal moments below 1e-14 kg m2.",
+    .remedy = "Give the link an inertia that its size could have, or fix it to a heavier one.",
+    .sources = "MuJoCo user_util.cc:862, executed: 176 of 5512 inertials of the Tola/Corke dataset "
+               "are refused for this alone.",
     .check_model = check,
     .needs_target = true};
 
