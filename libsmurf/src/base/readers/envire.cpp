@@ -21,7 +21,7 @@ constexpr ReaderFact kFacts[] = {
     {"SML7005", takes, "knows it", "MARS MotorData.cpp:126-135", "#generic_"},
     {"SML7005", takes, "knows it", "MARS MotorData.cpp:126-135", "#direct_"},
     {"SML7005", changes, "takes it for a position controller", "MARS MotorData.cpp:126-135"},
-    {"SML7007", loses, "does not read the file", "rock-cpp/smurf Robot.cpp"},
+    {"SML2017", loses, "does not read the file", "rock-cpp/smurf Robot.cpp"},
 };
 
 }  // namespace

@@ -138,7 +138,6 @@ constexpr ReaderFact kFacts[] = {
     {"SML7005", takes, "knows it", "MARS MotorData.cpp:126-135", "#1"},
     {"SML7005", takes, "knows it", "MARS MotorData.cpp:126-135", "#2"},
     {"SML7005", takes, "knows it", "MARS MotorData.cpp:126-135", "#7"},
-    {"SML7005", changes, "takes it for a position controller", "MARS MotorData.cpp:126-135"},
     {"SML7100", takes, "reads scenes and assemblies", "MARS SMURFLoader.cpp"},
 };
 

@@ -39,7 +39,7 @@ constexpr ReaderFact kFacts[] = {
     {"SML7005", takes, "knows it", "envire_smurf_loader Model.cpp:455-478", "#position"},
     {"SML7005", loses, "skips this and all following motors",
      "envire_smurf_loader Model.cpp:455-478"},
-    {"SML7007", loses, "does not read `URIs`", "envire_smurf_loader Model.cpp", "#URIs"},
+    {"SML2017", loses, "does not read `URIs`", "envire_smurf_loader Model.cpp"},
     {"SML7100", refuses, "reads .smurfs only", "MarsSceneLoader.cpp:76", "#smurfa"},
     {"SML7100", takes, "reads scenes", "MarsSceneLoader.cpp:76"},
     {"SML7101", changes, "fixes the entity to the world", "MarsSceneLoader.cpp:361-397"},

@@ -29,7 +29,7 @@ constexpr ReaderFact kFacts[] = {
     {"SML5020", refuses, "stops with a RecursionError", "Phobos multiple.py:28-33"},
     {"SML5029", loses, "reads `entities`, else `smurfa`, else `smurfs`", "Phobos core/multiple.py"},
     {"SML7006", loses, "ignores the section", "Phobos io/smurfrobot.py"},
-    {"SML7007", loses, "does not read the file", "Phobos io/smurfrobot.py"},
+    {"SML2017", loses, "does not read the file", "Phobos io/smurfrobot.py"},
     {"SML7008", refuses, "raises an exception", "Phobos io/smurfrobot.py:233-243, 376"},
     {"SML7009", refuses, "stops with a KeyError", "Phobos io/smurfrobot.py:166"},
     {"SML7100", takes, "reads scenes and assemblies", "Phobos core/multiple.py"},
