@@ -70,7 +70,7 @@ class Content(ConfigTest):
         self.write("schemas/rainbow.json", RAINBOW)
         done = self.expect(1, "--select", "SML54", "scene.smurfs", cwd=self.folder / "robots")
         self.assertIn("error[SML5401]: `radius` takes a number, not the text `wide`\n"
-                      " --> scene.smurfs:3:36\n", done.stdout)
+                      " --> scene.smurfs:3:38\n", done.stdout)
         self.assertIn("note: the schema asks for it here\n --> ../schemas/rainbow.json:1:29\n",
                       done.stdout)
         self.assertIn("  = help: In metres.\n", done.stdout)

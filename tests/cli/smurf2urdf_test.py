@@ -158,7 +158,7 @@ class Options(ExportTest):
                       'reason="Adjacent"/>', text)
         self.assertNotIn("Never", text)
         self.assertNotIn("bitmask", self.read("lost.json"))
-        self.change("collision", "link: hand, bitmask: 32769", "link: hand, bitmask: 4")
+        self.change("collision", "link: hand, bitmask: 32769", "link: hand, bitmask: 32772")
         self.export("--srdf", "arm.srdf")
         self.assertIn('link2="hand" reason="Never"/>', self.read("arm.srdf").replace(
             'link1="hand" link2="', 'link2="hand" reason="Never"/> link2="'))

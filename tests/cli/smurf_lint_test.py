@@ -20,7 +20,7 @@ URDF = """<?xml version="1.0"?>
   <link name="forearm">
     <inertial>
       <mass value="1"/>
-      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
     </inertial>
   </link>
   <joint name="elbow" type="continuous">
@@ -93,7 +93,7 @@ class Targets(LintTest):
     def setUp(self):
         super().setUp()
         links = "".join(
-            f'<link name="{name}"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" '
+            f'<link name="{name}"><inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" '
             'iyy="1.5" iyz="0" izz="1"/></inertial></link>\n' for name in ("base", "forearm"))
         self.write("arm.urdf", f"""<robot name="arm">
 {links}<joint name="elbow" type="revolute">

@@ -66,7 +66,7 @@ class Verdicts(LoadCheckTest):
         self.assertEqual([d["id"] for d in report["diagnostics"]], ["SML1801"])
 
     def test_fail_on(self):
-        heavy = LOAD_CHECK / "SML6106-mass-ratio/bad/robot.urdf"
+        heavy = LOAD_CHECK / "SML6106-ode-mass-ratio/bad/robot.urdf"
         self.expect(0, heavy)
         self.expect(1, heavy, "--fail-on", "warning")
         self.expect(0, "bad.urdf", "--fail-on", "never")

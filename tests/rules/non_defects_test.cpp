@@ -15,7 +15,7 @@ const std::string kUrdf = R"(<robot name="crane">
   <link name="arm">
     <inertial>
       <mass value="1"/>
-      <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
     </inertial>
   </link>
   <link name="tool"/>

@@ -25,7 +25,7 @@ constexpr const char* kCrane = R"(<?xml version="1.0"?>
   <link name="foot"/>
   <link name="boom">
     <inertial>
-      <mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+      <mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
     </inertial>
     <collision name="boom_hull"><geometry><box size="1 1 1"/></geometry></collision>
   </link>

@@ -54,7 +54,7 @@ constinit const Rule sml6103_inertia_impossible{
 
 constinit const Rule sml6104_axis_not_unit{
     .id = "SML6104",
-    .name = "axis-not-unit",
+    .name = "ode-axis-not-unit",
     .severity = Severity::warning,
     .summary = "The axis of a joint does not have the length 1.",
     .why = "ODE scales it to 1, other readers multiply the joint's position with its length.",
@@ -63,7 +63,7 @@ constinit const Rule sml6104_axis_not_unit{
 
 constinit const Rule sml6105_axis_zero{
     .id = "SML6105",
-    .name = "axis-zero",
+    .name = "ode-axis-zero",
     .severity = Severity::error,
     .summary = "A joint moves along or about an axis of length 0.",
     .why = "MARS stops loading at such a joint.",
@@ -72,7 +72,7 @@ constinit const Rule sml6105_axis_zero{
 
 constinit const Rule sml6106_mass_ratio{
     .id = "SML6106",
-    .name = "mass-ratio",
+    .name = "ode-mass-ratio",
     .severity = Severity::warning,
     .summary = "A joint connects bodies whose masses are far apart.",
     .why = "The equations that ODE solves in each step lose as many digits as the masses differ; "

@@ -37,9 +37,9 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-extern constinit const Rule sml1911_mesh_format{
+extern constinit const Rule sml1911_mesh_format_unread{
     .id = "SML1911",
-    .name = "mesh-format",
+    .name = "mesh-format-unread",
     .severity = Severity::error,
     .summary = "A mesh is in a format that a target does not read.",
     .why = "URDF names no format. MuJoCo reads .obj, .stl and .msh, Drake .obj, .gltf and .vtk for "

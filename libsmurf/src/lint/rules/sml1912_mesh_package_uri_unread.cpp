@@ -27,9 +27,9 @@ void check(const LinkedModel& model, Findings& findings) {
 
 }  // namespace
 
-extern constinit const Rule sml1912_mesh_package_uri{
+extern constinit const Rule sml1912_mesh_package_uri_unread{
     .id = "SML1912",
-    .name = "mesh-package-uri",
+    .name = "mesh-package-uri-unread",
     .severity = Severity::error,
     .summary = "A mesh is named by `package://`, which a target does not resolve.",
     .why =
