@@ -71,7 +71,7 @@ class Content(ConfigTest):
         done = self.expect(1, "--select", "SML54", "scene.smurfs", cwd=self.folder / "robots")
         self.assertIn("error[SML5401]: `radius` takes a number, not the text `wide`\n"
                       " --> scene.smurfs:3:38\n", done.stdout)
-        self.assertIn("note: the schema asks for it here\n --> ../schemas/rainbow.json:1:29\n",
+        self.assertIn("note: the schema asks for it here\n --> ../schemas/rainbow.json:1:28\n",
                       done.stdout)
         self.assertIn("  = help: In metres.\n", done.stdout)
 

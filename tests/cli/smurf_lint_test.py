@@ -94,7 +94,7 @@ class Targets(LintTest):
         super().setUp()
         links = "".join(
             f'<link name="{name}"><inertial><mass value="1"/><inertia ixx="0.1" ixy="0" ixz="0" '
-            'iyy="1.5" iyz="0" izz="1"/></inertial></link>\n' for name in ("base", "forearm"))
+            'iyy="0.1" iyz="0" izz="0.1"/></inertial></link>\n' for name in ("base", "forearm"))
         self.write("arm.urdf", f"""<robot name="arm">
 {links}<joint name="elbow" type="revolute">
   <parent link="base"/><child link="forearm"/><axis xyz="0 0 1"/>
@@ -210,9 +210,8 @@ class PartsOfModels(LintTest):
     MESH = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"
 
     def test_a_mesh_stands_for_the_models_that_use_it(self):
-        visual = ('<link name="forearm"><visual><geometry><mesh filename="../meshes/a.stl"/></geometry></visual></link>'
-                  '<link name="loose"/>')
-        self.write_model(urdf=URDF.replace('<link name="forearm"/>', visual))
+        visual = '<visual><geometry><mesh filename="../meshes/a.stl"/></geometry></visual>'
+        self.write_model(urdf=URDF.replace("</robot>", f'<link name="loose">{visual}</link></robot>'))
         self.write("arm/meshes/a.stl", self.MESH)
         self.write("arm/meshes/b.stl", self.MESH)
         self.assertIn(("arm/urdf/arm.urdf", "SML1204"), self.findings("arm/meshes/a.stl"))
@@ -356,7 +355,7 @@ class Rules(LintTest):
         self.assertEqual([line[:7] for line in lines], [r["id"] for r in rules])
         for rule in rules:
             page = self.expect(0, "--explain", rule["id"]).stdout
-            self.assertTrue(page.startswith(f"{rule['id']} {rule['name']} ({rule['severity']})\n"))
+            self.assertTrue(page.startswith(f"{rule['id']} {rule['name']} ({rule['severity']}"))
             for heading in ("Why it matters", "What to do", "Sources"):
                 self.assertIn(f"\n{heading}\n", page)
             self.assertLessEqual(max(map(len, page.splitlines())), 80, rule["id"])

@@ -59,10 +59,12 @@ struct Case {
     return all;
   }
 
-  /// The first stage that is not passed.
+  /// The first stage that fails, or that warns when none fails.
   std::string stage() const {
-    for (const StageResult& stage : result.stages) {
-      if (stage.verdict != Verdict::pass) return std::string(to_string(stage.stage));
+    for (const Verdict verdict : {Verdict::fail, Verdict::warn}) {
+      for (const StageResult& stage : result.stages) {
+        if (stage.verdict == verdict) return std::string(to_string(stage.stage));
+      }
     }
     return "none";
   }

@@ -442,7 +442,7 @@ TEST_CASE("the page of a rule says what readers make of it") {
   CHECK(page.find("\nWhat readers make of it\n") != std::string::npos);
   CHECK(page.find("\n  MuJoCo (visual): discards visuals\n") != std::string::npos);
   CHECK(render_rule(*find_rule("SML1912"), {})
-            .starts_with("SML1912 mesh-package-uri (error, with --target)\n"));
+            .starts_with("SML1912 mesh-package-uri-unread (error, with --target)\n"));
 }
 
 TEST_CASE("targets have a line each, and the first reason below it") {
