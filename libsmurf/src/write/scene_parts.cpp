@@ -142,9 +142,9 @@ std::optional<LinkInertial> inertial_of(const urdf::Link& link) {
   if (!link.inertial || !link.inertial->mass || *link.inertial->mass <= 0) return std::nullopt;
   const urdf::Inertial& inertial = *link.inertial;
   return LinkInertial{*inertial.mass,           urdf::to_pose(inertial.origin),
-                        inertial.ixx.value_or(0), inertial.ixy.value_or(0),
-                        inertial.ixz.value_or(0), inertial.iyy.value_or(0),
-                        inertial.iyz.value_or(0), inertial.izz.value_or(0)};
+                      inertial.ixx.value_or(0), inertial.ixy.value_or(0),
+                      inertial.ixz.value_or(0), inertial.iyy.value_or(0),
+                      inertial.iyz.value_or(0), inertial.izz.value_or(0)};
 }
 
 LinkInertial smallest_mass() { return SolidMass(0.01)(FlatSphere{0.01}); }

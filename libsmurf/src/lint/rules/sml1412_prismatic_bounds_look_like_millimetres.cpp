@@ -8,7 +8,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kLongest = 20;         // m
+  constexpr double kLongest = 20;        // m
   constexpr double kPlaceholder = 1000;  // and more means "no limit"
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.type != urdf::JointType::prismatic || !joint.limit) return;

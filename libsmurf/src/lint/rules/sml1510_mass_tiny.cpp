@@ -12,9 +12,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!link.inertial || !link.inertial->mass) return;
     const double mass = *link.inertial->mass;
     if (mass <= 0 || mass > kDropped) return;
-    Diagnostic& diagnostic =
-        findings.report(link.inertial->mass.span,
-                        title(link) + " weighs " + format_rounded(mass * 1e6, 3) + " mg");
+    Diagnostic& diagnostic = findings.report(
+        link.inertial->mass.span, title(link) + " weighs " + format_rounded(mass * 1e6, 3) + " mg");
     diagnostic.notes.push_back("sdformat (Gazebo) up to 12 drops such a link and all below it");
     diagnostic.construct = mass < kMujocoMinimum ? "mass#below-1e-15" : "mass";
   });
