@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
 extern constinit const Rule sml1608_mesh_package_uri{
     .id = "SML1608",
     .name = "mesh-package-uri",
-    .severity = Severity::error,
+    .severity = Severity::warning,
     .summary = "The URDF of a SMURF model names a mesh by package://.",
     .why =
         "MARS takes it for a relative path and finds no file; for a collision it ends with an uncaught exception.",
