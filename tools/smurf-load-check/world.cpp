@@ -377,7 +377,7 @@ void start_engine(void (*on_fault)(const std::string& message)) {
   dSetDebugHandler(on_ode_fault);
   dSetMessageHandler(ignore_message);
   dInitODE2(0);
-  dAllocateODEDataForThread(dAllocateMaskAll);
+  dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
 }
 
 }  // namespace smurf::load_check

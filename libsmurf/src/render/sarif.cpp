@@ -12,7 +12,6 @@ namespace smurf {
 namespace {
 
 using render::Json;
-using render::Region;
 using render::text;
 
 constexpr std::string_view kSchema =
