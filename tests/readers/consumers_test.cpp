@@ -22,7 +22,7 @@ using namespace smurf;
 namespace {
 
 constexpr int kSkipped = 77;
-constexpr double kLeastScore = 0.97;
+constexpr double kLeastScore = 0.98;
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
