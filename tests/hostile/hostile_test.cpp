@@ -6,9 +6,7 @@
 #include <ctime>
 #include <functional>
 
-#include "smurf/lint.hpp"
-#include "smurf/load.hpp"
-#include "smurf/render.hpp"
+#include "support/exercise.hpp"
 #include "unit/random.hpp"
 
 using namespace smurf;
@@ -37,44 +35,11 @@ std::string repeat(std::string_view text, std::size_t times) {
   return all;
 }
 
-/// Everything that the linter does with a path; the number of findings.
+/// The number of findings.
 std::size_t check(const FileReader& files, const std::string& path, bool renders) {
-  SourceMap sources;
-  DiagnosticSink sink;
-  MeshLibrary meshes;
-  LoadContext context{sources, files, sink, {}, {}, {}, &meshes};
-  std::vector<Diagnostic> diagnostics;
-  if (path.ends_with(".smurfs")) {
-    const LinkedScene scene = load_scene(path, context);
-    lint_scene(scene, {}, sink);
-    for (const LinkedModel& model : scene.models) lint_model(model, {}, sink);
-    diagnostics = sink.take();
-    locate(scene, diagnostics);
-    diagnostics = finish(std::move(diagnostics), sources, {});
-  } else {
-    const LinkedModel model = load_model(path, context);
-    lint_model(model, {}, sink);
-    diagnostics = sink.take();
-    locate(model, diagnostics);
-    diagnostics = finish(std::move(diagnostics), sources, {});
-  }
-  std::size_t rendered = 0;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.span.end > sources.text(diagnostic.span.source).size()) {
-      CAPTURE(diagnostic.rule->id);
-      CAPTURE(diagnostic.message);
-      CAPTURE(sources.text(diagnostic.span.source));
-      FAIL_CHECK("a span beyond the end of the file");
-      continue;
-    }
-    CHECK(diagnostic.span.begin <= diagnostic.span.end);
-    CHECK(!diagnostic.message.empty());
-    if (renders && ++rendered <= 500) CHECK(!render_full(diagnostic, sources, {}).empty());
-  }
-  if (renders) {
-    CHECK(!render_json(diagnostics, sources, summarize(diagnostics), {"test", "0"}).empty());
-  }
-  return diagnostics.size();
+  const test::Exercise result = test::exercise(files, path, {.renders = renders});
+  for (const std::string& promise : result.broken) FAIL_CHECK(promise);
+  return result.findings;
 }
 
 /// Of the processor, so that what else the machine does has no part in it.

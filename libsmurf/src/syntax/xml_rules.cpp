@@ -101,8 +101,12 @@ constinit const Rule sml1013_dtd_or_xinclude{
     .name = "dtd-or-xinclude",
     .severity = Severity::warning,
     .summary = "A URDF uses a document type with declarations, an own entity or XInclude.",
-    .why = "TinyXML and tinyxml2 do not expand them, lxml may: the same file is two robots.",
+    .why =
+        "TinyXML and tinyxml2 do not expand them, lxml may: the same file is two robots. Declarations in "
+        "the document type are worse: urdfdom 3.0.1 (TinyXML) then finds no robot at all.",
     .remedy = "Write the text out.",
-    .sources = "tinyxml2 9.0, executed (issue 1082: unknown entities corrupt the text)."};
+    .sources =
+        "urdfdom 3.0.1 and tinyxml2 9.0, executed (tinyxml2 issue 1082: unknown entities corrupt the "
+        "text)."};
 
 }  // namespace smurf::rules

@@ -165,9 +165,16 @@ class Scanner {
     std::size_t close = text_.find('>', begin);
     const std::size_t subset = text_.find('[', begin);
     if (subset < close) {
-      sink_.report(rules::sml1013_dtd_or_xinclude, span(begin, begin + 9),
-                   "URDF readers ignore the declarations of this document type");
-      close = text_.find('>', std::min(text_.find(']', subset), text_.size()));
+      const std::size_t subset_end = std::min(text_.find(']', subset), text_.size());
+      if (close < subset_end) {  // where TinyXML takes the document type for closed
+        Diagnostic& diagnostic =
+            sink_.report(rules::sml1013_dtd_or_xinclude, span(begin, begin + 9),
+                         "urdfdom finds no robot behind the declarations of this document type");
+        diagnostic.severity = Severity::error;
+        diagnostic.notes.push_back("nor does sdformat, which asks urdfdom; MuJoCo reads on");
+        diagnostic.help = "delete the document type, and write out what it declares";
+      }
+      close = text_.find('>', subset_end);
     }
     if (close == std::string_view::npos) {
       malformed(span(begin, begin + 9), "this document type is never closed");

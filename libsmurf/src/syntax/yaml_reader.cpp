@@ -12,6 +12,7 @@
 #include <streambuf>
 
 #include "base/rules.hpp"
+#include "syntax/plain_yaml.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/yaml_builder.hpp"
 #include "syntax/yaml_errors.hpp"
@@ -127,11 +128,39 @@ bool is_too_deep(const SourceMap& sources, SourceId id, const Limits& limits,
   return false;
 }
 
+std::optional<yaml::Document> parse_plain(const SourceMap& sources, SourceId id,
+                                          const Limits& limits, DiagnosticSink& sink) {
+  DiagnosticSink found;  // counts only when the whole text is plain
+  TreeBuilder builder(sources, id, limits, found);
+  try {
+    if (!scan_plain_yaml(sources.text(id), builder)) return std::nullopt;
+  } catch (const StopParsing&) {
+    return std::nullopt;
+  }
+  for (Diagnostic& diagnostic : found.take()) {
+    sink.report(*diagnostic.rule, diagnostic.span, {}) = std::move(diagnostic);
+  }
+  return builder.take();
+}
+
 }  // namespace
 
 std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink) {
+#ifdef SMURF_PLAIN_YAML
+  return parse_yaml_by(YamlEngine::scanner_first, sources, id, limits, sink);
+#else
+  return parse_yaml_by(YamlEngine::yaml_cpp, sources, id, limits, sink);
+#endif
+}
+
+std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& sources,
+                                            SourceId id, const Limits& limits,
+                                            DiagnosticSink& sink) {
   if (!check_text(sources, id, TextFormat::yaml, sink)) return std::nullopt;
+  if (engine == YamlEngine::scanner_first) {
+    if (auto document = parse_plain(sources, id, limits, sink)) return document;
+  }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
   const std::string_view text = sources.text(id);
   TreeBuilder builder(sources, id, limits, sink);

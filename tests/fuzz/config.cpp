@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The configuration of the linter, and the schemas it names.
+#include "smurf/config.hpp"
+#include "fuzz/bundle.hpp"
+
+using namespace smurf;
+using namespace smurf::test;
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const std::string path(kConfigName);
+  const MemoryFiles files = unbundle(bytes, path);
+  SourceMap sources;
+  DiagnosticSink sink;
+  read_config(path, sources, files, sink);
+  Exercise result;
+  for (const Diagnostic& diagnostic : sink.diagnostics()) {
+    if (diagnostic.span.end > sources.text(diagnostic.span.source).size()) {
+      result.broken.emplace_back("a span beyond the end of the file");
+    }
+  }
+  require_kept(result);
+  return 0;
+}

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""Seeds of the fuzz targets out of the fixtures: seeds.py FIXTURES OUT writes OUT/TARGET/*.
+
+A model or scene of several files becomes one text, with a line `%%% NAME` before each file.
+"""
+import hashlib
+import pathlib
+import sys
+
+LARGEST = 20000  # bytes; libFuzzer gets nowhere with large inputs
+YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
+
+
+def main() -> None:
+    fixtures, out = map(pathlib.Path, sys.argv[1:3])
+    for target in ("yaml", "urdf", "model", "scene", "config", "fixes"):
+        (out / target).mkdir(parents=True, exist_ok=True)
+
+    def add(target: str, data: bytes) -> None:
+        if len(data) <= LARGEST:
+            (out / target / hashlib.sha1(data).hexdigest()[:16]).write_bytes(data)
+
+    for path in sorted(fixtures.rglob("*")):
+        if not path.is_file() or "crashes" in path.parts:
+            continue
+        if path.suffix == ".urdf":
+            add("urdf", path.read_bytes())
+        elif path.suffix in YAML:
+            add("yaml", path.read_bytes())
+        if path.name == ".smurf-lint.yaml":
+            add("config", path.read_bytes())
+        if path.suffix == ".smurf":
+            bundled = bundle(path, path.parent, "r.smurf")
+            add("model", bundled)
+            add("fixes", bundled)
+        elif path.suffix == ".smurfs":
+            add("scene", bundle(path, path.parent, "s.smurfs"))
+
+
+def bundle(entry: pathlib.Path, folder: pathlib.Path, name: str) -> bytes:
+    """The entry under `name`, then the texts that lie beside, below and in ../urdf of it."""
+    texts = [b"%%%% %s\n" % name.encode() + entry.read_bytes()]
+    beside = [*sorted(folder.rglob("*")), *sorted((folder.parent / "urdf").glob("*"))]
+    for path in beside:
+        if path.is_file() and path != entry and path.suffix in YAML | {".urdf"}:
+            relative = path.relative_to(folder) if path.is_relative_to(folder) else "../urdf/" + path.name
+            texts.append(b"\n%%%% %s\n" % str(relative).encode() + path.read_bytes())
+    return b"".join(texts)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scanner of plain YAML against yaml-cpp, its judge: what the scanner accepts, both read to the
+// same tree, byte for byte, with the same diagnostics. SMURF_TEST_CASES sets how many mutated texts
+// are compared.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "support/described_yaml.hpp"
+#include "syntax/plain_yaml.hpp"
+#include "unit/random.hpp"
+
+using namespace smurf;
+using smurf::test::described_yaml;
+using smurf::test::Random;
+
+namespace {
+
+class Ignore final : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+bool is_plain(const std::string& text) {
+  Ignore ignore;
+  return scan_plain_yaml(text, ignore);
+}
+
+/// True when the scanner accepted the text.
+bool compare(const std::string& text) {
+  if (!is_plain(text)) return false;
+  const std::string by_scanner = described_yaml(YamlEngine::scanner_first, text);
+  const std::string by_yaml_cpp = described_yaml(YamlEngine::yaml_cpp, text);
+  INFO(text);
+  CHECK(by_scanner == by_yaml_cpp);
+  return true;
+}
+
+std::vector<std::string> yaml_files_below(const std::filesystem::path& folder) {
+  std::vector<std::string> texts;
+  if (!std::filesystem::exists(folder)) return texts;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    const bool is_yaml = extension == ".yml" || extension == ".yaml" || extension == ".smurf" ||
+                         extension == ".smurfs" || extension == ".smurfa";
+    if (!is_yaml || !entry.is_regular_file()) continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  return texts;
+}
+
+std::size_t case_count() {
+  const char* given = std::getenv("SMURF_TEST_CASES");
+  return given != nullptr ? std::strtoull(given, nullptr, 10) : 20000;
+}
+
+std::string random_token(Random& random) {
+  static constexpr std::string_view kTokens[] = {"a",
+                                                 "b: ",
+                                                 "c:",
+                                                 "key: v",
+                                                 "- ",
+                                                 "-",
+                                                 "  ",
+                                                 " ",
+                                                 "\n",
+                                                 "\n  ",
+                                                 "\n- ",
+                                                 "\n    ",
+                                                 "[",
+                                                 "]",
+                                                 "{",
+                                                 "}",
+                                                 ", ",
+                                                 ",",
+                                                 ": ",
+                                                 ":",
+                                                 "#",
+                                                 " # c",
+                                                 "'x'",
+                                                 "\"y z\"",
+                                                 "'",
+                                                 "\"",
+                                                 "''",
+                                                 "~",
+                                                 "null",
+                                                 "1.5",
+                                                 "-1",
+                                                 ".5",
+                                                 "---\n",
+                                                 "...",
+                                                 "? ",
+                                                 "&a ",
+                                                 "*a",
+                                                 "!t ",
+                                                 "|",
+                                                 "x y",
+                                                 "\t",
+                                                 "\xC3\xA4",
+                                                 "\\n",
+                                                 "<<: ",
+                                                 "a#b",
+                                                 "a:b",
+                                                 "%",
+                                                 "@",
+                                                 "\r\n",
+                                                 "=",
+                                                 "-a",
+                                                 "a: [1, 2]\n",
+                                                 "b: {c: d, e: [1]}\n",
+                                                 "k:\n- 1\n- 2\n",
+                                                 "k:\n  l: m\n",
+                                                 "- n: 1\n  o: 2\n",
+                                                 "'p q': r\n",
+                                                 "- - s\n",
+                                                 "\n\n",
+                                                 "# t\n"};
+  return std::string(kTokens[random.below(std::size(kTokens))]);
+}
+
+/// One to three places of a text replaced, doubled, cut or moved.
+std::string mutated(std::string text, Random& random) {
+  for (std::size_t i = 1 + random.below(3); i > 0 && !text.empty(); --i) {
+    const std::size_t at = random.below(text.size());
+    const std::size_t count = 1 + random.below(random.one_in(3) ? 20 : 2);
+    switch (random.below(4)) {
+    case 0: text.erase(at, count); break;
+    case 1: text.insert(at, random_token(random)); break;
+    case 2: text.insert(at, text.substr(random.below(text.size()), count)); break;
+    default: text.replace(at, std::min(count, text.size() - at), random_token(random)); break;
+    }
+  }
+  return text;
+}
+
+/// A few lines out of a text: small cases are read fast and fail legibly.
+std::string some_lines(const std::string& text, Random& random) {
+  std::size_t begin = text.rfind('\n', random.below(text.size() + 1));
+  begin = begin == std::string::npos ? 0 : begin + 1;
+  std::size_t end = begin;
+  for (std::size_t lines = 1 + random.below(8); lines > 0 && end < text.size(); --lines) {
+    end = std::min(text.find('\n', end), text.size() - 1) + 1;
+  }
+  return text.substr(begin, end - begin);
+}
+
+}  // namespace
+
+TEST_CASE("the scanner takes what people write, and gives up at everything else") {
+  for (const char* text :
+       {"a: 1\n", "a:\n- 1\n- b: 2\n  c: 3\nd: {e: [1, -2.5], f: 'it''s'}\n", "a:\nb: ~\n",
+        "# comment\na: \"x: y\" # more\n\nb:\n  - - 1\n    - 2\n  -\n", "a: [1,\n  2, # two\n 3]\n",
+        "a: package://b/c#d\n", "- 1", "  a: b\n  c: d",
+        "{\n  \"a\": [\n    1,\n    b\n  ]\n}\n# end\n"}) {
+    CAPTURE(text);
+    CHECK(compare(text));
+  }
+  for (const char* text : {"",
+                           "a",
+                           "a: b\n  c",
+                           "a: &x 1",
+                           "a: *x",
+                           "a: !t 1",
+                           "a: |\n  b",
+                           "? a",
+                           "a:\tb",
+                           "a: b\r\n",
+                           "---\na: 1",
+                           "a: 1\n...\n",
+                           "a: b: c",
+                           "a: 'b\n  c'",
+                           "a: \"\\n\"",
+                           "[a: 1]",
+                           "a: [1,,2]",
+                           "a: [1, 2,]",
+                           "{a: , b: 1}",
+                           "a: [1, 2",
+                           "a : b",
+                           "- a\nb: 1",
+                           "a: 1\n b: 2",
+                           "~: 1",
+                           "\xef\xbb\xbf"
+                           "a: 1",
+                           "a: 1#\x01",
+                           "a: 'b",
+                           "a: [b]c",
+                           "[a]\nb: c",
+                           "[a]: b",
+                           "a: {b:1}"}) {
+    CAPTURE(text);
+    CHECK_FALSE(is_plain(text));
+  }
+}
+
+TEST_CASE("both read the files of the fixtures and of the corpus alike") {
+  for (const std::string folder : {SMURF_FIXTURES, SMURF_SHARED "/corpus"}) {
+    std::size_t accepted = 0;
+    const std::vector<std::string> texts = yaml_files_below(folder);
+    for (const std::string& text : texts) accepted += compare(text) ? 1U : 0U;
+    MESSAGE(folder << ": " << accepted << " of " << texts.size() << " files are plain");
+    CHECK(accepted * 10 >= texts.size() * 8);
+  }
+}
+
+TEST_CASE("both read mutated texts alike") {
+  std::vector<std::string> seeds = yaml_files_below(SMURF_FIXTURES);
+  std::erase_if(seeds, [](const std::string& text) { return text.empty() || text.size() > 20000; });
+  REQUIRE(seeds.size() > 100);
+  Random random;
+  std::size_t accepted = 0;
+  const std::size_t count = case_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string text;
+    if (i % 2 == 0) {
+      for (std::size_t tokens = 2 + random.below(14); tokens > 0; --tokens) {
+        text += random_token(random);
+      }
+    } else {
+      text = mutated(some_lines(seeds[random.below(seeds.size())], random), random);
+    }
+    accepted += compare(text) ? 1U : 0U;
+  }
+  MESSAGE(accepted << " of " << count << " mutated texts are plain");
+  CHECK(accepted * 10 > count);
+}
