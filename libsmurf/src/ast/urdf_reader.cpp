@@ -33,6 +33,13 @@ class Reader {
   void robot(View root, urdf::Robot& robot) {
     text(root, "name", robot.name);
     text(root, "version", robot.version);
+    // These are large, and vectors that grow hold twice what they need.
+    const auto count = [&](std::string_view name) {
+      return static_cast<std::size_t>(
+          std::ranges::count_if(root, [&](View child) { return is(child, name); }));
+    };
+    robot.links.reserve(count("link"));
+    robot.joints.reserve(count("joint"));
     for (const View child : root) {
       if (is(child, "link")) {
         robot.links.push_back(link(child));

@@ -31,7 +31,10 @@ class TreeBuilder final : public YAML::EventHandler {
     document_.source = id;
   }
 
-  yaml::Document take() { return std::move(document_); }
+  yaml::Document take() {
+    document_.nodes.shrink_to_fit();
+    return std::move(document_);
+  }
   /// The innermost bracket that is open; an empty span when there is none.
   Span open_bracket() const;
   /// One past the last byte of the root.
