@@ -95,3 +95,27 @@ TEST_CASE("files: on disk") {
   CHECK(files.list(folder / "") == Names{"a.yml", "empty", "pipe", "sub"});
   CHECK(files.list(folder / "none").empty());
 }
+
+TEST_CASE("files: confined to a folder") {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "in");
+  for (const char* name : {"in/a", "out", "inside"}) std::ofstream(folder / name) << name;
+  std::filesystem::create_symlink(folder / "out", folder / "in/link");
+  std::filesystem::create_symlink(folder / "in/loop", folder / "in/loop");
+  ConfinedFiles files;
+  CHECK(files.read(folder / "in/a", 99).status == ReadStatus::denied);
+  files.allow(folder / "in");
+  CHECK(files.read(folder / "in/a", 99).text == "in/a");
+  CHECK(files.read(folder / "in/../in/a", 99).text == "in/a");
+  CHECK(files.read(folder / "in/gone", 99).status == ReadStatus::not_found);
+  for (const char* name : {"out", "inside", "in/../out", "in/link"}) {
+    CAPTURE(name);
+    CHECK(files.read(folder / name, 99).status == ReadStatus::denied);
+    CHECK(files.is_file(folder / name));
+  }
+  CHECK(files.read(folder / "in/loop", 99).status != ReadStatus::ok);
+  CHECK(files.list(folder / "in") == Names{"a", "link", "loop"});
+  CHECK(files.list(folder / ".").empty());
+  files.allow("/");
+  CHECK(files.read(folder / "out", 99).text == "out");
+}

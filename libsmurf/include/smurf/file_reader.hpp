@@ -37,6 +37,23 @@ class DiskFiles final : public FileReader {
   std::vector<std::string> list(const std::string& folder) const override;
 };
 
+/// Files of the machine that really lie in one of some folders, symbolic links followed: what a
+/// model from a stranger may name. Others are denied; whether they exist is still told.
+class ConfinedFiles final : public FileReader {
+ public:
+  void allow(const std::string& folder);
+
+  FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
+  bool is_file(const std::string& path) const override { return disk_.is_file(path); }
+  std::vector<std::string> list(const std::string& folder) const override;
+
+ private:
+  bool allows(const std::string& path) const;
+
+  DiskFiles disk_;
+  std::vector<std::string> folders_;  ///< canonical, with a '/' at the end
+};
+
 /// Files in memory, in front of another reader when one is given (standard input, unsaved buffers).
 class MemoryFiles final : public FileReader {
  public:

@@ -82,6 +82,32 @@ std::vector<std::string> DiskFiles::list(const std::string& folder) const {
   return names;
 }
 
+void ConfinedFiles::allow(const std::string& folder) {
+  std::error_code error;
+  const auto canonical = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+  if (!error) folders_.push_back(path::normalize(canonical.string() + "/") + "/");
+}
+
+bool ConfinedFiles::allows(const std::string& path) const {
+  std::error_code error;
+  const std::string canonical =
+      std::filesystem::weakly_canonical(path.empty() ? "." : path, error).string() + "/";
+  return !error && std::ranges::any_of(folders_, [&](const std::string& folder) {
+    return folder == "//" || canonical.starts_with(folder);
+  });
+}
+
+FileContent ConfinedFiles::read(const std::string& path, std::uint64_t max_bytes) const {
+  if (disk_.is_file(path) && !allows(path)) {
+    return {ReadStatus::denied, {}, "it lies outside of the project; --allow-outside reads it"};
+  }
+  return disk_.read(path, max_bytes);
+}
+
+std::vector<std::string> ConfinedFiles::list(const std::string& folder) const {
+  return allows(folder) ? disk_.list(folder) : std::vector<std::string>{};
+}
+
 void MemoryFiles::add(const std::string& path, std::string text) {
   files_[path::normalize(path)] = std::move(text);
 }
