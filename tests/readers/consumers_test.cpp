@@ -79,7 +79,9 @@ bool has_error(const fs::path& path, const Reader& target) {
   files.add("/opt/robots/meshes/cube.obj", read(path.parent_path() / "cube.obj"));
   SourceMap sources;
   DiagnosticSink sink;
+  MeshLibrary meshes;
   LoadContext context{sources, files, sink, {}, {}};
+  context.meshes = &meshes;
   const LinkedModel model = load_model(path.string(), context);
   RuleSelection selection;
   selection.targets = {&target};

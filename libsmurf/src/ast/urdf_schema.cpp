@@ -4,7 +4,9 @@
 #include "ast/urdf_schema.hpp"
 
 #include <algorithm>
-#include <array>
+#include <utility>
+
+#include "base/suggest.hpp"
 
 namespace smurf::urdf {
 namespace {
@@ -55,7 +57,8 @@ constexpr ChildSpec kVisualChildren[] = {{"origin", true}, {"geometry", true}, {
 constexpr AttributeSpec kCollisionAttributes[] = {{"name"}};
 constexpr ChildSpec kCollisionChildren[] = {{"origin", true}, {"geometry", true}};
 constexpr std::string_view kCollisionExtensions[] = {
-    "group", "mask", "concave", "verbose", "material", "contact_coefficients", "max_contacts"};
+    "group",        "mask",  "concave", "verbose", "material", "contact_coefficients",
+    "max_contacts", "bullet"};
 
 constexpr ChildSpec kGeometryChildren[] = {
     {"box"}, {"sphere"}, {"cylinder"}, {"capsule"}, {"mesh"}};
@@ -120,13 +123,28 @@ constexpr ElementSpec kElements[] = {
     {"calibration", kCalibrationAttributes, {}, {}},
 };
 
-constexpr auto kElementNames = [] {
-  std::array<std::string_view, std::size(kElements)> names;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kElements[i].name;
-  return names;
-}();
+/// What others call it, and its name in URDF.
+constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
+    {"cube", "box"},      {"dimensions", "size"},  {"extents", "size"},    {"factor", "multiplier"},
+    {"file", "filename"}, {"force", "effort"},     {"height", "length"},   {"id", "name"},
+    {"mass", "value"},    {"max", "upper"},        {"maximum", "upper"},   {"min", "lower"},
+    {"minimum", "lower"}, {"orientation", "rpy"},  {"path", "filename"},   {"pose", "origin"},
+    {"position", "xyz"},  {"ratio", "multiplier"}, {"rotation", "rpy"},    {"speed", "velocity"},
+    {"torque", "effort"}, {"transform", "origin"}, {"translation", "xyz"}, {"uri", "filename"},
+    {"url", "filename"},
+};
 
 }  // namespace
+
+std::optional<std::string_view> meant_name(std::string_view name,
+                                           std::span<const std::string_view> known) {
+  if (const auto near = nearest(name, known)) return near;
+  for (const auto& [other, own] : kOtherNames) {
+    if (name != other) continue;
+    if (std::find(known.begin(), known.end(), own) != known.end()) return own;
+  }
+  return std::nullopt;
+}
 
 const ElementSpec* find_element_spec(std::string_view name) {
   const ElementSpec* found =
@@ -134,7 +152,5 @@ const ElementSpec* find_element_spec(std::string_view name) {
                    [&](const ElementSpec& spec) { return spec.name == name; });
   return found == std::end(kElements) ? nullptr : found;
 }
-
-std::span<const std::string_view> element_names() { return kElementNames; }
 
 }  // namespace smurf::urdf

@@ -2,6 +2,7 @@
 // The elements and attributes of URDF as one table.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -29,7 +30,9 @@ struct ElementSpec {
 
 /// Null for a name the table does not hold.
 const ElementSpec* find_element_spec(std::string_view name);
-/// Every element name of URDF proper, for suggestions.
-std::span<const std::string_view> element_names();
+/// The one of `known` that somebody most likely meant by another name: the nearest, or what
+/// SDFormat, MJCF or plain English call it (`pose`, `file`, `torque`).
+std::optional<std::string_view> meant_name(std::string_view name,
+                                           std::span<const std::string_view> known);
 
 }  // namespace smurf::urdf

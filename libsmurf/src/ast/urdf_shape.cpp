@@ -9,7 +9,6 @@
 #include "ast/urdf_schema.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
-#include "base/suggest.hpp"
 
 namespace smurf {
 namespace {
@@ -38,6 +37,7 @@ class ShapeChecker {
   // The depth of the document is bounded by Limits::xml_depth.
   void element(View element, const ElementSpec& spec) {
     attributes(element, spec);
+    text(element);
     for (const View child : element) this->child(element, child, spec);
     repeated(element, spec);
   }
@@ -47,6 +47,7 @@ class ShapeChecker {
     for (const AttributeSpec& known : spec.attributes) {
       if (element.attribute(known.name) == nullptr) absent.push_back(known.name);
     }
+    std::vector<const xml::Attribute*> foreign;
     for (const auto* attribute = element.attributes_begin(); attribute != element.attributes_end();
          ++attribute) {
       const std::string_view name = attribute->name;
@@ -57,8 +58,36 @@ class ShapeChecker {
           holds(spec.extensions, name)) {
         continue;
       }
-      unknown_attribute(element, *attribute, absent);
+      if (const auto meant = urdf::meant_name(name, absent)) {
+        misspelt_attribute(element, *attribute, *meant);
+        // One cause, one finding: what was meant is not missing as well.
+        std::erase(absent, *meant);
+      } else {
+        foreign.push_back(attribute);
+      }
     }
+    if (required_attributes(element, spec, absent, foreign)) return;
+    for (const xml::Attribute* attribute : foreign) {
+      add_foreign(rules::sml1107_unknown_attribute, attribute->name_span,
+                  quoted(attribute->name) + " is no attribute of " + quoted(element.name()));
+    }
+  }
+
+  void misspelt_attribute(View element, const xml::Attribute& attribute, std::string_view meant) {
+    Diagnostic& diagnostic =
+        sink_.report(rules::sml1107_unknown_attribute, attribute.name_span,
+                     quoted(attribute.name) + " is no attribute of " + quoted(element.name()));
+    diagnostic.notes.push_back("URDF readers ignore it without a word");
+    diagnostic.severity = Severity::error;
+    diagnostic.help = "did you mean " + quoted(meant) + "?";
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{attribute.name_span, std::string(meant)}}});
+  }
+
+  /// True when an attribute is missing; what stands there instead is shown with it.
+  bool required_attributes(View element, const ElementSpec& spec,
+                           const std::vector<std::string_view>& absent,
+                           const std::vector<const xml::Attribute*>& instead) {
     std::string missing;
     for (const AttributeSpec& attribute : spec.attributes) {
       // Written as an element, it is reported as such.
@@ -67,28 +96,36 @@ class ShapeChecker {
       }
       missing += (missing.empty() ? " has no " : " and no ") + quoted(attribute.name);
     }
-    if (missing.empty()) return;
-    sink_.report(rules::sml1113_required_attribute_missing, element.name_span(),
-                 "the element " + quoted(element.name()) + missing);
+    if (missing.empty()) return false;
+    Diagnostic& diagnostic =
+        sink_.report(rules::sml1113_required_attribute_missing, element.name_span(),
+                     "the element " + quoted(element.name()) + missing);
+    for (const xml::Attribute* attribute : instead) {
+      diagnostic.labels.push_back({attribute->name_span, "no attribute of URDF"});
+    }
+    if (!element.element().text_span.empty()) {
+      diagnostic.labels.push_back({element.element().text_span, "readers do not look at text"});
+    }
+    return true;
   }
 
-  /// A slip of the pen takes the attribute that was meant out of `absent`: one cause, one finding.
-  void unknown_attribute(View element, const xml::Attribute& attribute,
-                         std::vector<std::string_view>& absent) {
-    std::string message = quoted(element.name()) + " has no attribute " + quoted(attribute.name);
-    const auto near = nearest(attribute.name, absent);
-    if (!near) {
-      add_foreign(rules::sml1107_unknown_attribute, attribute.name_span, std::move(message));
-      return;
-    }
+  /// URDF keeps everything in attributes. That an element has none of those it needs is reported
+  /// as such, whatever else it holds.
+  void text(View element) {
+    const Span place = element.element().text_span;
+    const bool is_empty = element.attributes_begin() == element.attributes_end();
+    if (place.empty() || (is_empty && needs_attributes(element.name()))) return;
     Diagnostic& diagnostic =
-        sink_.report(rules::sml1107_unknown_attribute, attribute.name_span, std::move(message));
-    diagnostic.notes.push_back("URDF readers ignore it without a word");
-    diagnostic.severity = Severity::error;
-    diagnostic.help = "did you mean " + quoted(*near) + "?";
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{attribute.name_span, std::string(*near)}}});
-    std::erase(absent, *near);
+        sink_.report(rules::sml1119_stray_text, place,
+                     quoted(element.name()) + " holds text, which no reader looks at");
+    if (is_empty && element.name() == "origin") diagnostic.help = "write `<origin xyz=\"...\"/>`";
+  }
+
+  static bool needs_attributes(std::string_view name) {
+    constexpr std::string_view kNames[] = {
+        "axis",  "box",  "capsule", "child", "color",  "cylinder",          "dynamics", "inertia",
+        "limit", "mass", "mesh",    "mimic", "parent", "safety_controller", "sphere"};
+    return holds(kNames, name);
   }
 
   void child(View parent, View child, const ElementSpec& spec) {
@@ -107,7 +144,7 @@ class ShapeChecker {
     // Robots carry the elements of many vendors; only what looks like a slip is reported there.
     std::vector<std::string_view> names;
     for (const ChildSpec& allowed : spec.children) names.push_back(allowed.name);
-    const auto near = nearest(name, names);
+    const auto near = urdf::meant_name(name, names);
     const bool is_misplaced = urdf::find_element_spec(name) != nullptr;
     if (is_misplaced) return misplaced(parent, child);
     if (near && path::to_lower(name) == *near) return wrong_case(child, *near);
@@ -125,7 +162,7 @@ class ShapeChecker {
   }
 
   void unknown_child(View parent, View child, std::optional<std::string_view> near) {
-    std::string message = quoted(parent.name()) + " has no element " + quoted(child.name());
+    std::string message = quoted(child.name()) + " is no element of " + quoted(parent.name());
     if (!near) {
       add_foreign(rules::sml1106_unknown_element, child.name_span(), std::move(message));
       return;
@@ -280,6 +317,17 @@ constinit const Rule sml1114_tag_case{
     .why = "Names are case-sensitive in every reader but urdf-loader; the element is ignored.",
     .remedy = "Write it in lower case.",
     .sources = "urdfdom 3.0.1 and urdf-loader 0.13, executed."};
+
+constinit const Rule sml1119_stray_text{
+    .id = "SML1119",
+    .name = "stray-text",
+    .severity = Severity::warning,
+    .summary = "Text stands between the elements of a URDF.",
+    .why = "All of URDF is in attributes, so readers skip the text without a word: a value written "
+           "there is lost, and a marker of a merge conflict goes unnoticed.",
+    .remedy = "Delete the text, make it a comment, or move it into an attribute.",
+    .sources =
+        "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, which ask for elements only."};
 
 }  // namespace rules
 }  // namespace smurf

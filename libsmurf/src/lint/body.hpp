@@ -23,6 +23,8 @@ struct Extent {
 inline constexpr double kNegligibleMass = 0.01;  // kg
 /// Density of osmium; nothing is heavier.
 inline constexpr double kHeaviestMaterial = 22600;  // kg/m3
+/// A hundredth of air: no box around a body is so empty.
+inline constexpr double kLightestMaterial = 0.01;  // kg/m3
 
 /// None when the link has no shape, or one whose size is not known, as that of a mesh.
 std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link);

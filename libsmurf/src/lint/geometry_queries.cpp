@@ -82,6 +82,9 @@ const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh) {
 std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry) {
   const std::optional<Box> box = box_of(model, geometry.shape);
   if (!box) return std::nullopt;
+  // A misspelt scale is reported where it stands, and which one was meant is not known.
+  const bool is_mesh = std::holds_alternative<urdf::Mesh>(geometry.shape);
+  if (is_mesh && has_slip(model, geometry.shape_element, "scale")) return std::nullopt;
   for (std::size_t i = 0; i < 3; ++i) {
     // Also false for what is not a number.
     if (!(std::isfinite(box->low[i]) && box->high[i] >= box->low[i])) return std::nullopt;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "ast/urdf_numbers.hpp"
+
 namespace smurf {
 namespace {
 
@@ -17,7 +19,7 @@ bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 }  // namespace
 
 NameFault name_fault(std::string_view name) {
-  if (name.empty()) return NameFault::none;  // a rule of its own
+  if (name.empty() || is_xacro(name)) return NameFault::none;  // rules of their own
   if (is_blank(name.front()) || is_blank(name.back())) return NameFault::blank;
   if (name.find('/') != std::string_view::npos) return NameFault::slash;
   if (name.find("::") != std::string_view::npos) return NameFault::double_colon;

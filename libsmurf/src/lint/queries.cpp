@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ast/urdf_numbers.hpp"
+#include "ast/urdf_schema.hpp"
 #include "base/numbers.hpp"
 #include "base/suggest.hpp"
 
@@ -73,12 +75,21 @@ Span definition(const LinkedModel& model, NameKind kind, std::string_view name) 
 
 bool can_judge(const LinkedModel& model, NameKind kind) {
   const bool is_annotation = kind == NameKind::motor || kind == NameKind::sensor;
-  return is_annotation ? model.is_complete : model.robot.has_value();
+  if (is_annotation) return model.is_complete;
+  if (!model.robot) return false;
+  // What a link or joint without name is called is not known.
+  const auto is_named = [](const auto& one) { return one.name && !is_xacro(*one.name); };
+  if (kind == NameKind::link) {
+    return std::all_of(model.robot->links.begin(), model.robot->links.end(), is_named);
+  }
+  return kind != NameKind::joint ||
+         std::all_of(model.robot->joints.begin(), model.robot->joints.end(), is_named);
 }
 
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, std::string_view subject, Findings& findings) {
   if (!can_judge(model, kind) || names(model, kind).contains(name)) return nullptr;
+  if (is_xacro(name)) return nullptr;  // SML1009
   const std::string kind_name(to_string(kind));
   Diagnostic& diagnostic =
       findings.report(place, std::string(subject) + " names the " + kind_name + " " + quoted(name) +
@@ -219,10 +230,11 @@ bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view
   const xml::View view(model.robot->document, element);
   const std::string_view known[] = {name};
   const bool in_attributes =
-      std::any_of(view.attributes_begin(), view.attributes_end(),
-                  [&](const xml::Attribute& a) { return nearest(a.name, known).has_value(); });
+      std::any_of(view.attributes_begin(), view.attributes_end(), [&](const xml::Attribute& a) {
+        return urdf::meant_name(a.name, known).has_value();
+      });
   return in_attributes || std::any_of(view.begin(), view.end(), [&](const xml::View child) {
-           return nearest(child.name(), known).has_value();
+           return urdf::meant_name(child.name(), known).has_value();
          });
 }
 

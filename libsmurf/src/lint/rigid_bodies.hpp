@@ -15,4 +15,8 @@ std::vector<bool> massless_bodies(const LinkedModel& model);
 /// Does the link, or what hangs on it by fixed joints, have an inertial?
 bool has_fixed_mass(const LinkedModel& model, LinkIndex link);
 
+/// By link: does it hang by a fixed joint on others that weigh at least as much? Readers can take
+/// them for one body then, whatever its own mass and inertia are.
+std::vector<bool> fixed_to_heavier(const LinkedModel& model);
+
 }  // namespace smurf

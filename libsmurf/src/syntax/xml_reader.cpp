@@ -58,9 +58,9 @@ class TreeBuilder {
     element.first_attribute = static_cast<std::uint32_t>(document_.attributes.size());
     element.attribute_count = place.attribute_count;
     if (!add_attributes(from, place)) return kNoElement;
+    element.text_span = place.visible_text;
     if (const char* text = from.GetText(); text != nullptr && !place.text_span.empty()) {
       element.text = keep(text, place.text_span);
-      element.text_span = place.text_span;
     }
     document_.elements.push_back(element);
     return add_children(from, id) ? id : kNoElement;

@@ -7,12 +7,11 @@
 #include <cctype>
 #include <charconv>
 #include <string>
-#include <unordered_map>
-#include <unordered_set>
 
-#include "base/path.hpp"
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
+#include "syntax/xml_prefixes.hpp"
+#include "syntax/xml_prolog.hpp"
 
 namespace smurf {
 namespace {
@@ -30,12 +29,11 @@ bool is_name_char(char c) {
 class Scanner {
  public:
   Scanner(std::string_view text, SourceId id, const Limits& limits, DiagnosticSink& sink)
-      : text_(text), id_(id), limits_(limits), sink_(sink) {}
+      : text_(text), id_(id), limits_(limits), sink_(sink), prefixes_(text, sink) {}
 
   XmlIndex run() {
     at_ = byte_order_mark_size(text_);
-    check_prolog();
-    check_encoding();
+    check_xml_prolog(text_, id_, sink_);
     while (index_.well_formed && at_ < size()) {
       if (text_[at_] == '<') {
         markup();
@@ -66,47 +64,6 @@ class Scanner {
   Diagnostic& malformed(Span place, std::string message) {
     index_.well_formed = false;
     return sink_.report(rules::sml1001_xml_malformed, place, std::move(message));
-  }
-
-  void check_prolog() {
-    const std::size_t declaration = text_.find("<?xml");
-    if (declaration == std::string_view::npos || declaration == at_) return;
-    const std::size_t next = declaration + 5;
-    if (next < text_.size() && !is_space(text_[next])) return;  // <?xml-stylesheet
-    if (text_.substr(0, declaration).find('<') != std::string_view::npos) return;
-    const Span junk = span(at_, static_cast<std::uint32_t>(declaration));
-    Diagnostic& diagnostic = sink_.report(rules::sml1005_xml_junk_before_prolog, junk,
-                                          "the XML declaration is not the first thing in the file");
-    diagnostic.help = "delete what stands before it";
-    diagnostic.fixes.push_back({Applicability::safe, {{junk, ""}}});
-  }
-
-  /// The bytes are UTF-8 by now; a declaration that says otherwise is believed by some readers.
-  void check_encoding() {
-    if (!looking_at("<?xml")) return;
-    const std::string_view declaration = text_.substr(at_, text_.find("?>", at_) - at_);
-    const std::size_t word = declaration.find("encoding");
-    const std::size_t open = declaration.find_first_of("\"'", std::min(word, declaration.size()));
-    if (open == std::string_view::npos) return;
-    const std::size_t close = declaration.find(declaration[open], open + 1);
-    if (close == std::string_view::npos) return;
-    const Span place =
-        span(static_cast<std::uint32_t>(at_ + open + 1), static_cast<std::uint32_t>(at_ + close));
-    const std::string encoding = path::to_lower(declaration.substr(open + 1, close - open - 1));
-    if (encoding == "utf-8" || encoding == "us-ascii" || encoding == "ascii") return;
-    const bool is_wide = encoding.starts_with("utf-16") || encoding.starts_with("utf-32") ||
-                         encoding.starts_with("ucs-");
-    const bool is_ascii = std::all_of(text_.begin(), text_.end(),
-                                      [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-    if (!is_wide && is_ascii) return;  // the same bytes in every encoding that extends ASCII
-    Diagnostic& diagnostic = sink_.report(rules::sml1008_xml_encoding, place,
-                                          "the file is UTF-8, but declares " + quoted(place));
-    diagnostic.help = "write `UTF-8`";
-    diagnostic.fixes.push_back(
-        {is_wide ? Applicability::safe : Applicability::unsafe, {{place, "UTF-8"}}});
-    if (is_wide) return;
-    diagnostic.severity = Severity::warning;
-    diagnostic.notes.push_back("urdfdom and browsers decode names by it, tinyxml2 does not look");
   }
 
   void markup() {
@@ -212,16 +169,32 @@ class Scanner {
           malformed(name, "the end tag " + quoted(name) + " does not close the open element " +
                               quoted(element.name_span));
       diagnostic.labels.push_back({element.name_span, "opened here"});
+      suspect_end(open_.back().element, diagnostic);
       return;
     }
     close_element();
   }
 
+  /// An element directly in one of the same name: the end tag of the outer one is missing there.
+  void suspect_end(std::uint32_t open, Diagnostic& diagnostic) const {
+    const auto name_of = [&](const ScannedElement& element) {
+      return text_.substr(element.name_span.begin, element.name_span.end - element.name_span.begin);
+    };
+    for (std::size_t i = open + 1; i < index_.elements.size(); ++i) {
+      const ScannedElement& inner = index_.elements[i];
+      if (name_of(inner) == name_of(index_.elements[open])) {
+        diagnostic.labels.push_back({inner.name_span, "is the end tag missing before this?"});
+        return;
+      }
+      while (i + 1 < index_.elements.size() && index_.elements[i + 1].span.begin < inner.span.end) {
+        ++i;  // what is in a closed child
+      }
+    }
+  }
+
   void close_element() {
     index_.elements[open_.back().element].span.end = at_;
-    for (; prefixes_.size() > open_.back().prefixes; prefixes_.pop_back()) {
-      --declared_[prefixes_.back()];
-    }
+    prefixes_.close(open_.back().prefixes);
     open_.pop_back();
   }
 
@@ -255,7 +228,7 @@ class Scanner {
       return;
     }
     element.first_attribute = static_cast<std::uint32_t>(index_.attributes.size());
-    open_.push_back({static_cast<std::uint32_t>(index_.elements.size()), prefixes_.size()});
+    open_.push_back({static_cast<std::uint32_t>(index_.elements.size()), prefixes_.count()});
     bool is_closed = false;
     if (!attributes(element, is_closed)) return;
     element.attribute_count =
@@ -263,7 +236,10 @@ class Scanner {
     element.tag_span = span(begin, at_);
     element.span = element.tag_span;
     index_.elements.push_back(element);
-    check_prefixes(element);
+    prefixes_.check(element.name_span);
+    for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
+      prefixes_.check(index_.attributes[element.first_attribute + i].name_span);
+    }
     check_inclusion(element.name_span);
     if (is_closed) close_element();
   }
@@ -360,38 +336,9 @@ class Scanner {
       diagnostic.labels.push_back({index_.attributes[i].name_span, "first written here"});
       return false;
     }
-    if (name.starts_with("xmlns:")) {
-      prefixes_.push_back(name.substr(6));
-      ++declared_[prefixes_.back()];
-    }
+    if (name.starts_with("xmlns:")) prefixes_.declare(name.substr(6));
     index_.attributes.push_back(attribute);
     return true;
-  }
-
-  /// A prefix without xmlns: expat, lxml and browsers refuse the file, tinyxml2 does not look.
-  void check_prefixes(const ScannedElement& element) {
-    check_prefix(element.name_span);
-    for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
-      check_prefix(index_.attributes[element.first_attribute + i].name_span);
-    }
-  }
-
-  void check_prefix(Span name) {
-    const std::string_view text = text_.substr(name.begin, name.end - name.begin);
-    const std::size_t colon = text.find(':');
-    if (colon == std::string_view::npos) return;
-    const std::string_view prefix = text.substr(0, colon);
-    if (prefix == "xml" || prefix == "xmlns") return;
-    // Residue of xacro and inclusions have rules of their own that say what to do.
-    if (prefix == "xacro" || text == "xi:include" || text == "xi:fallback") return;
-    const auto declared = declared_.find(prefix);
-    if (declared != declared_.end() && declared->second > 0) return;
-    if (!reported_.insert(prefix).second) return;
-    sink_
-        .report(rules::sml1002_xml_undeclared_prefix,
-                span(name.begin, name.begin + static_cast<std::uint32_t>(colon)),
-                "the prefix `" + std::string(prefix) + "` is not declared")
-        .help = "declare it: `<robot xmlns:" + std::string(prefix) + "=\"...\">`";
   }
 
   /// The number of a character that XML allows: "x1F600" or "65".
@@ -439,7 +386,14 @@ class Scanner {
   /// Readers take the first piece of text of an element.
   void add_text(Span text) {
     ScannedElement& element = index_.elements[open_.back().element];
-    if (element.text_span.empty()) element.text_span = text;
+    if (!element.text_span.empty()) return;
+    element.text_span = text;
+    constexpr std::string_view kBlanks = " \t\r\n";
+    const std::string_view written = text_.substr(0, text.end);
+    const std::size_t first = written.find_first_not_of(kBlanks, text.begin);
+    if (first == std::string_view::npos) return;
+    element.visible_text = span(static_cast<std::uint32_t>(first),
+                                static_cast<std::uint32_t>(written.find_last_not_of(kBlanks) + 1));
   }
 
   void outside_of_root(Span text) {
@@ -471,6 +425,7 @@ class Scanner {
       Diagnostic& diagnostic = malformed(span(size(), size()), "the file ends inside the element " +
                                                                    quoted(element.name_span));
       diagnostic.labels.push_back({element.name_span, "opened here and never closed"});
+      suspect_end(open_.back().element, diagnostic);
     } else if (index_.elements.empty()) {
       malformed(span(0, 0), "the file holds no XML element");
     }
@@ -484,9 +439,7 @@ class Scanner {
   std::uint32_t at_ = 0;
   bool is_prolog_ = true;  ///< nothing but processing instructions so far
   std::vector<OpenElement> open_;
-  std::vector<std::string_view> prefixes_;                        ///< declared by the open elements
-  std::unordered_map<std::string_view, std::uint32_t> declared_;  ///< how often in prefixes_
-  std::unordered_set<std::string_view> reported_;
+  XmlPrefixes prefixes_;
 };
 
 }  // namespace

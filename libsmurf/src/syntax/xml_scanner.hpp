@@ -20,7 +20,8 @@ struct ScannedElement {
   Span span;  ///< from '<' to the end of the end tag
   Span tag_span;
   Span name_span;
-  Span text_span;  ///< the first piece of text that is not blank; empty when there is none
+  Span text_span;     ///< the first piece of text that is not blank; empty when there is none
+  Span visible_text;  ///< the same without blanks around it
   std::uint32_t first_attribute = 0;
   std::uint32_t attribute_count = 0;
 };

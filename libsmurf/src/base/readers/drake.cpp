@@ -51,7 +51,7 @@ constexpr ReaderFact kFacts[] = {
     {"SML1501", changes, "computes with a mass matrix that is singular", "Drake, read"},
     {"SML1508", refuses, "refuses a mass of 0 with an inertia", "Drake detail_common.cc:496"},
     {"SML1509", changes, kWater, "Drake detail_common.cc:446-515"},
-    {"SML1511", changes, "computes with a mass matrix that is singular", "Drake, read"},
+    {"SML1511", changes, "computes with a mass matrix that is singular", "Drake, read", "#moving"},
     {"SML1512", changes, kWater, "Drake detail_common.cc:446-515"},
     {"SML1513", changes, kWater, "Drake detail_common.cc:446-515"},
     {"SML1601", refuses, "refuses a size that is not positive", "Drake shape_specification.h"},

@@ -12,6 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (diagnostic != nullptr && *joint.parent == "world") {
       diagnostic->construct = "world";
       diagnostic->notes.push_back("only Drake knows a link `world` that is not declared");
+      diagnostic->help = "declare it: `<link name=\"world\"/>`";
     }
   });
 }

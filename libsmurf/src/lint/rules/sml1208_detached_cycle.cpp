@@ -1,35 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
+/// The link that a link without root hangs on.
+std::size_t parent_of(const LinkedModel& model, std::size_t link) {
+  return to_size(*model.tree.joint_parent[to_size(*model.tree.parent_joint[link])]);
+}
+
+/// At the joint that comes last in the file, which most likely closes the ring.
+void report(const LinkedModel& model, const std::vector<std::size_t>& ring, Findings& findings) {
+  std::vector<std::size_t> joints;
+  for (const std::size_t link : ring) joints.push_back(to_size(*model.tree.parent_joint[link]));
+  std::sort(joints.begin(), joints.end());
+  const auto closing = JointIndex{static_cast<std::uint32_t>(joints.back())};
+  Diagnostic& diagnostic =
+      findings.report(model.joint(closing).child.span,
+                      title(model.joint(closing)) + " closes a ring of " +
+                          std::to_string(ring.size()) + " links that no root link reaches");
+  constexpr std::size_t kShown = 5;
+  joints.pop_back();
+  for (std::size_t i = 0; i < std::min(joints.size(), kShown); ++i) {
+    diagnostic.labels.push_back({model.robot->joints[joints[i]].child.span, "part of the ring"});
+  }
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.empty()) return;
-  std::vector<bool> is_reached(model.robot->links.size(), false);
-  for (const LinkIndex link : model.tree.order) is_reached[to_size(link)] = true;
-  for (std::size_t i = 0; i < is_reached.size(); ++i) {
-    if (is_reached[i]) continue;
-    // One diagnostic a ring: walk up until a link comes again and mark what was seen.
+  std::vector<bool> is_done(model.robot->links.size(), false);
+  for (const LinkIndex link : model.tree.order) is_done[to_size(link)] = true;
+  for (std::size_t i = 0; i < is_done.size(); ++i) {
+    // Upwards until a link comes again: what was met before it hangs below the ring.
+    std::vector<std::size_t> path;
     std::size_t at = i;
-    while (!is_reached[at]) {
-      is_reached[at] = true;
-      at = to_size(*model.tree.joint_parent[to_size(*model.tree.parent_joint[at])]);
+    for (; !is_done[at]; at = parent_of(model, at)) {
+      is_done[at] = true;
+      path.push_back(at);
     }
-    const urdf::Joint& joint = model.joint(*model.tree.parent_joint[i]);
-    findings.report(joint.child.span,
-                    title(model.robot->links[i]) + " is part of a ring that no root link reaches");
-    std::vector<std::size_t> queue{i};
-    while (!queue.empty()) {
-      const std::size_t link = queue.back();
-      queue.pop_back();
-      for (const JointIndex below : model.tree.child_joints[link]) {
-        const std::size_t child = to_size(*model.tree.joint_child[to_size(below)]);
-        if (is_reached[child]) continue;
-        is_reached[child] = true;
-        queue.push_back(child);
-      }
-    }
+    const auto ring = std::find(path.begin(), path.end(), at);
+    if (ring != path.end()) report(model, {ring, path.end()}, findings);
   }
 }
 

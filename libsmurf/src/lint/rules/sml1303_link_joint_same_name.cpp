@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
+/// A scheme of names is one decision, so one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
+  Habit habit;
+  Span link_name;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.name || joint.name->empty()) return;
     const auto link = model.link_names.find(*joint.name);
     if (!link) return;
-    Diagnostic& diagnostic = findings.report(joint.name.span, "the name " + quoted(*joint.name) +
-                                                                  " is that of a link as well");
-    diagnostic.labels.push_back({model.robot->links[*link].name.span, "the link"});
-    diagnostic.notes.push_back("sdformat (Gazebo) cannot load such a model");
+    if (habit.is_first()) link_name = model.robot->links[*link].name.span;
+    habit.add(joint.name.span, "the name " + quoted(*joint.name) + " is that of a link as well");
   });
+  Diagnostic* diagnostic = habit.report("such names", findings);
+  if (diagnostic == nullptr) return;
+  diagnostic->labels.push_back({link_name, "the link"});
+  diagnostic->notes.push_back("sdformat (Gazebo) cannot load such a model");
 }
 
 }  // namespace

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "lint/habit.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
+/// A scheme of names is one decision, so one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
+  Habit habit;
   for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
     if (name_fault(*name) != NameFault::slash) return;
-    findings.report(name.span, "the name " + quoted(*name) + " holds a slash");
+    habit.add(name.span, "the name " + quoted(*name) + " holds a slash");
   });
+  Diagnostic* diagnostic = habit.report("such names", findings);
+  if (diagnostic == nullptr) return;
+  diagnostic->notes.push_back("MuJoCo, tf2 and USD take it for the separator of a path");
 }
 
 }  // namespace

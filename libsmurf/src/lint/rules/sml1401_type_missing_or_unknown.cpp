@@ -20,6 +20,9 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(joint.type_name.span, quoted(*joint.type_name) + " is not a joint type");
     diagnostic.construct = *joint.type_name;
     diagnostic.help = "use revolute, continuous, prismatic, fixed, floating or planar";
+    if (*joint.type_name == "spherical") {
+      diagnostic.notes.push_back("only Bullet and MuJoCo know this type");
+    }
     if (const auto near = nearest(*joint.type_name, kTypes)) {
       diagnostic.help = "did you mean " + quoted(*near) + "?";
       const bool is_case = path::to_lower(*joint.type_name) == *near;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -8,9 +8,13 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     const bool needs_bounds =
         joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
-    if (!needs_bounds || !joint.limit) return;
-    const bool has_lower = joint.limit->lower.written;
-    const bool has_upper = joint.limit->upper.written;
+    if (!needs_bounds || !joint.limit || is_empty_limit(model, joint)) return;
+    // A slip of the pen is reported where it stands.
+    const auto is_there = [&](const Field<double>& bound, std::string_view name) {
+      return bound.written || has_slip(model, joint.limit->element, name);
+    };
+    const bool has_lower = is_there(joint.limit->lower, "lower");
+    const bool has_upper = is_there(joint.limit->upper, "upper");
     if (has_lower && has_upper) return;
     const std::string_view missing = has_lower ? "upper" : has_upper ? "lower" : "";
     Diagnostic& diagnostic =

@@ -12,11 +12,16 @@ void check(const LinkedModel& model, Findings& findings) {
     const Field<double>& upper = joint.limit->upper;
     // With one of them absent readers disagree about more than the order; SML1406 says so.
     if (!lower || !upper || *lower <= *upper) return;
+    if (joint.type == urdf::JointType::continuous) return;  // SML1409: it takes none
     Diagnostic& diagnostic = findings.report(
         lower.span, "the lower limit " + format_number(*lower) + " of " + title(joint) +
                         " is above its upper limit " + format_number(*upper));
     diagnostic.labels.push_back({upper.span, "the upper limit"});
     diagnostic.help = "swap the two values";
+    // Bullet's way to say "no limit".
+    if (*lower == 1 && (*upper == 0 || *upper == -1)) {
+      diagnostic.help = "make the joint continuous, if no limit is meant";
+    }
     diagnostic.fixes.push_back(
         {Applicability::unsafe,
          {{lower.span, format_number(*upper)}, {upper.span, format_number(*lower)}}});

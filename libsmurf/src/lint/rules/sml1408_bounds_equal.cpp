@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
-    const bool has_bounds =
-        joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
-    if (!has_bounds || !joint.limit || !joint.limit->lower || !joint.limit->upper) return;
-    if (*joint.limit->lower != *joint.limit->upper) return;
+    if (!has_equal_bounds(joint)) return;
+    const bool is_blank = *joint.limit->upper == 0 && joint.limit->effort.value_or(1) == 0;
     findings
         .report(joint.limit->upper.span,
-                "the limits of " + title(joint) + " are equal, so it cannot move")
+                is_blank ? "the limit of " + title(joint) + " is all zeros, so it cannot move"
+                         : "the limits of " + title(joint) + " are equal, so it cannot move")
         .notes.push_back("MuJoCo ignores such limits: the joint is free there");
   });
 }

@@ -13,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.type != urdf::JointType::prismatic || !joint.limit) return;
     for (const Field<double>* bound : {&joint.limit->lower, &joint.limit->upper}) {
-      if (!*bound || std::fabs(**bound) <= kLongest || std::fabs(**bound) >= kPlaceholder) continue;
+      if (!*bound || std::fabs(**bound) < kLongest || std::fabs(**bound) >= kPlaceholder) continue;
       findings
           .report(bound->span, "the limit " + format_number(**bound) + " of " + title(joint) +
                                    " is in metres; are millimetres meant?")

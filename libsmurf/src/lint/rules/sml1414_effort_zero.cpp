@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -7,7 +7,7 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.has_one_axis() || joint.mimic || !joint.limit || !joint.limit->effort) return;
-    if (*joint.limit->effort != 0) return;
+    if (*joint.limit->effort != 0 || has_equal_bounds(joint)) return;
     findings.report(joint.limit->effort.span, "the effort limit of " + title(joint) + " is 0")
         .notes.push_back("MuJoCo reads no limit, Gazebo and Bullet no force at all");
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -7,10 +7,11 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.has_one_axis() || joint.mimic || !joint.limit || !joint.limit->velocity) return;
-    if (*joint.limit->velocity != 0) return;
+    if (*joint.limit->velocity != 0 || has_equal_bounds(joint)) return;
     // Effort and velocity both zero is one placeholder, reported as the effort.
     if (joint.limit->effort.value_or(1) == 0) return;
-    findings.report(joint.limit->velocity.span, "the velocity limit of " + title(joint) + " is 0");
+    findings.report(joint.limit->velocity.span, "the velocity limit of " + title(joint) + " is 0")
+        .notes.push_back("MoveIt and Isaac read no limit, Drake and Bullet a joint that stands");
   });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -9,23 +10,16 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kEffort = 1e4;    // N m or N
   constexpr double kVelocity = 1e3;  // rad/s or m/s
-  std::size_t count = 0;
-  const Field<double>* first = nullptr;
-  std::string whose;
+  Habit habit;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.has_one_axis() || !joint.limit) return;
     const bool is_effort = joint.limit->effort.value_or(0) >= kEffort;
     if (!is_effort && joint.limit->velocity.value_or(0) < kVelocity) return;
-    if (count++ > 0) return;
-    first = is_effort ? &joint.limit->effort : &joint.limit->velocity;
-    whose = std::string(is_effort ? "effort" : "velocity") + " limit of " + title(joint);
+    const Field<double>& limit = is_effort ? joint.limit->effort : joint.limit->velocity;
+    habit.add(limit.span, std::string("the ") + (is_effort ? "effort" : "velocity") + " limit of " +
+                              title(joint) + " looks like a placeholder: " + format_number(*limit));
   });
-  if (first == nullptr) return;
-  Diagnostic& diagnostic = findings.report(
-      first->span, "the " + whose + " looks like a placeholder: " + format_number(**first));
-  if (count > 1) {
-    diagnostic.notes.push_back("so it is with " + std::to_string(count - 1) + " more joints");
-  }
+  habit.report("such limits", findings);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -6,9 +7,8 @@ namespace {
 
 /// What an exporter writes into one fixed joint it writes into all: one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
+  Habit habit;
   std::vector<Edit> removals;
-  Span first;
-  std::string message;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     const bool is_fixed = joint.type == urdf::JointType::fixed;
     if (!is_fixed && joint.type != urdf::JointType::floating) return;
@@ -16,22 +16,15 @@ void check(const LinkedModel& model, Findings& findings) {
       const bool is_useless = child.name() == "axis" ||
                               (is_fixed && (child.name() == "limit" || child.name() == "dynamics"));
       if (!is_useless) continue;
-      if (removals.empty()) {
-        first = child.name_span();
-        message = title(joint) + " is " + *joint.type_name + ", so its " + quoted(child.name()) +
-                  " has no effect";
-      }
+      habit.add(child.name_span(), title(joint) + " is " + *joint.type_name + ", so its " +
+                                       quoted(child.name()) + " has no effect");
       removals.push_back({child.span(), ""});
     }
   });
-  if (removals.empty()) return;
-  Diagnostic& diagnostic = findings.report(first, message);
-  if (removals.size() > 1) {
-    diagnostic.notes.push_back("the file holds " + std::to_string(removals.size() - 1) +
-                               " more such elements");
-  }
-  diagnostic.help = "delete it";
-  diagnostic.fixes.push_back({Applicability::safe, std::move(removals)});
+  Diagnostic* diagnostic = habit.report("such elements", findings);
+  if (diagnostic == nullptr) return;
+  diagnostic->help = "delete it";
+  diagnostic->fixes.push_back({Applicability::safe, std::move(removals)});
 }
 
 }  // namespace

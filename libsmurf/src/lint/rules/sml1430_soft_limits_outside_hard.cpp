@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "base/numbers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-void check_bound(const urdf::Joint& joint, const Field<double>& soft, const Field<double>& hard,
-                 bool is_lower, Findings& findings) {
-  if (!soft || !hard || (is_lower ? *soft >= *hard : *soft <= *hard)) return;
-  Diagnostic& diagnostic =
-      findings.report(soft.span, "the soft limit " + format_number(*soft) + " of " + title(joint) +
-                                     " lies beyond its hard limit " + format_number(*hard));
-  diagnostic.labels.push_back({hard.span, "the hard limit"});
-  diagnostic.fixes.push_back({Applicability::unsafe, {{soft.span, format_number(*hard)}}});
+/// What is wrong with the soft limits; empty when nothing is.
+std::string fault_of(const urdf::Joint& joint, double soft_lower, double soft_upper) {
+  const double lower = *joint.limit->lower;
+  const double upper = *joint.limit->upper;
+  const auto range = [](double from, double to) {
+    return format_number(from) + " to " + format_number(to);
+  };
+  if (soft_lower > soft_upper) {
+    return "the lower soft limit " + format_number(soft_lower) + " of " + title(joint) +
+           " is above the upper one " + format_number(soft_upper);
+  }
+  if (soft_lower >= lower && soft_upper <= upper) return {};
+  return "the soft limits of " + title(joint) + " reach from " + range(soft_lower, soft_upper) +
+         ", beyond its hard limits " + range(lower, upper);
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -20,11 +28,22 @@ void check(const LinkedModel& model, Findings& findings) {
     const bool has_bounds =
         joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
     if (!has_bounds || !joint.limit || !joint.safety_controller) return;
-    const urdf::SafetyController& safety = *joint.safety_controller;
-    // Without both, MoveIt reads 0; that is reported.
-    if (!safety.soft_lower_limit || !safety.soft_upper_limit) return;
-    check_bound(joint, safety.soft_lower_limit, joint.limit->lower, true, findings);
-    check_bound(joint, safety.soft_upper_limit, joint.limit->upper, false, findings);
+    const Field<double>& lower = joint.limit->lower;
+    const Field<double>& upper = joint.limit->upper;
+    const Field<double>& soft_lower = joint.safety_controller->soft_lower_limit;
+    const Field<double>& soft_upper = joint.safety_controller->soft_upper_limit;
+    // Without both, MoveIt reads 0; that, and what is wrong with the hard limits, is reported.
+    if (!soft_lower || !soft_upper || !lower || !upper || *lower >= *upper) return;
+    std::string fault = fault_of(joint, *soft_lower, *soft_upper);
+    if (fault.empty()) return;
+    const bool is_lower = *soft_lower < *lower || *soft_lower > *soft_upper;
+    Diagnostic& diagnostic =
+        findings.report(is_lower ? soft_lower.span : soft_upper.span, std::move(fault));
+    diagnostic.labels.push_back({is_lower ? lower.span : upper.span, "the hard limit"});
+    if (*soft_lower > *soft_upper) return;
+    diagnostic.fixes.push_back({Applicability::unsafe,
+                                {{soft_lower.span, format_number(std::max(*soft_lower, *lower))},
+                                 {soft_upper.span, format_number(std::min(*soft_upper, *upper))}}});
   });
 }
 
@@ -34,7 +53,7 @@ extern constinit const Rule sml1430_soft_limits_outside_hard{
     .id = "SML1430",
     .name = "soft-limits-outside-hard",
     .severity = Severity::warning,
-    .summary = "A soft limit lies beyond the hard limit of its joint.",
+    .summary = "Soft limits lie beyond the hard limits of their joint, or are swapped.",
     .why = "A safety controller brakes before the hard limit is reached: beyond it, it never does.",
     .remedy = "Put the soft limits within the hard ones.",
     .sources = "PR2 safety limits on the ROS wiki; MoveIt robot_model.cpp:849-860.",

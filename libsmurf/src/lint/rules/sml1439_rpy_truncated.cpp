@@ -13,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const xml::Attribute& attribute : model.robot->document.attributes) {
     if (attribute.name != "rpy") continue;
     const std::vector<WrittenNumber> angles = written_numbers(attribute);
-    if (angles.size() != 3 || is_rpy_snapped(angles)) continue;
+    if (angles.size() != 3) continue;
     for (const WrittenNumber& angle : angles) {
       const auto intended = intended_right_angle(angle);
       if (intended) edits.push_back({angle.span, format_number(*intended)});

@@ -9,13 +9,24 @@
 namespace smurf::rules {
 namespace {
 
+/// Joints and inertials keep their pose (parser_urdf.cc:2802).
+bool is_of_shape(xml::View origin) {
+  return origin.parent().name() == "visual" || origin.parent().name() == "collision";
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
-  for (const xml::Attribute& attribute : model.robot->document.attributes) {
-    if (attribute.name != "rpy") continue;
-    const std::vector<WrittenNumber> angles = written_numbers(attribute);
+  const xml::Document& document = model.robot->document;
+  for (std::size_t i = 0; i < document.elements.size(); ++i) {
+    const xml::View origin(document, xml::ElementId{static_cast<std::uint32_t>(i)});
+    if (origin.name() != "origin" || !is_of_shape(origin)) continue;
+    const xml::Attribute* rpy = origin.attribute("rpy");
+    if (rpy == nullptr) continue;
+    const std::vector<WrittenNumber> angles = written_numbers(*rpy);
     if (angles.size() != 3 || !is_rpy_snapped(angles)) continue;
     const WrittenNumber& pitch = angles[1];
+    // Rounded, a right angle was meant, and is what becomes of it (SML1439).
+    if (intended_right_angle(pitch)) continue;
     const double exact = std::copysign(std::numbers::pi / 2, pitch.value);
     Diagnostic& diagnostic =
         findings.report(pitch.span, "the pitch " + std::string(pitch.text) + " is " +
@@ -32,7 +43,7 @@ extern constinit const Rule sml1440_rpy_gimbal_snap{
     .id = "SML1440",
     .name = "rpy-gimbal-snap",
     .severity = Severity::warning,
-    .summary = "A pitch is almost, but not quite, a right angle.",
+    .summary = "The pitch of a visual or collision is almost, but not quite, a right angle.",
     .why = "Within 0.0045 rad of pi/2 urdfdom takes the pitch for pi/2 when it turns a rotation "
            "back into angles: exporters, and Gazebo for visuals and collisions, then turn the part "
            "by up to that, and the parts of a link no longer fit.",

@@ -6,12 +6,26 @@
 namespace smurf::rules {
 namespace {
 
+/// Without a reference the element is about the model, so a slip changes what it means.
+void check_slip(xml::View gazebo, Findings& findings) {
+  constexpr std::string_view kKnown[] = {"reference"};
+  for (const auto* one = gazebo.attributes_begin(); one != gazebo.attributes_end(); ++one) {
+    if (!nearest(one->name, kKnown)) continue;
+    Diagnostic& diagnostic =
+        findings.report(one->name_span, quoted(one->name) + " is no attribute of `gazebo`");
+    diagnostic.notes.push_back("Gazebo applies this element to the whole model");
+    diagnostic.help = "did you mean `reference`?";
+    diagnostic.fixes.push_back({Applicability::unsafe, {{one->name_span, "reference"}}});
+  }
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View gazebo(model.robot->document, id);
-    const xml::Attribute* reference =
-        gazebo.name() == "gazebo" ? gazebo.attribute("reference") : nullptr;
+    if (gazebo.name() != "gazebo") continue;
+    const xml::Attribute* reference = gazebo.attribute("reference");
+    if (reference == nullptr) check_slip(gazebo, findings);
     if (reference == nullptr || reference->value.empty()) continue;
     const std::string_view name = reference->value;
     if (model.link_names.contains(name) || model.joint_names.contains(name)) continue;

@@ -8,17 +8,21 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> massless = massless_bodies(model);
+  const std::vector<bool> is_carried = fixed_to_heavier(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
-    const bool is_massless_body = massless[index++];
+    const bool is_massless_body = massless[index];
+    const bool is_frame = is_carried[index++];
     if (!link.inertial || !link.inertial->mass || *link.inertial->mass != 0) return;
-    // Mass and inertia both zero: how frames are written on purpose for Bullet.
-    const auto moments = principal_moments(*link.inertial);
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");
     diagnostic.help = "write the mass, or remove the `inertial` of a link that is only a frame";
     if (is_massless_body) diagnostic.construct = "massless-body";
-    if (moments && (*moments)[2] == 0) diagnostic.severity = Severity::warning;
+    // Mass and inertia both zero: how frames are written on purpose for Bullet.
+    const auto moments = principal_moments(*link.inertial);
+    const bool is_zero = moments && (*moments)[2] == 0;
+    if (is_zero || is_frame) diagnostic.severity = Severity::warning;
+    if (is_zero && is_frame) diagnostic.severity = Severity::info;
   });
 }
 

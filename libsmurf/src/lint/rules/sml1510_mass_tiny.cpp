@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "lint/inertia.hpp"
 #include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -8,14 +10,27 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kDropped = 1e-6;         // kg
   constexpr double kMujocoMinimum = 1e-15;  // kg; mjMINVAL
+  constexpr double kMujocoMoment = 1e-14;   // kg m^2; mjEPS
+  const std::vector<bool> is_carried = fixed_to_heavier(model);
+  std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
+    const bool is_frame = is_carried[index++];
     if (!link.inertial || !link.inertial->mass) return;
     const double mass = *link.inertial->mass;
     if (mass <= 0 || mass > kDropped) return;
     Diagnostic& diagnostic = findings.report(
-        link.inertial->mass.span, title(link) + " weighs " + format_rounded(mass * 1e6, 3) + " mg");
+        link.inertial->mass.span, title(link) + " weighs " + format_rounded(mass, 3) + " kg");
+    if (is_frame) {
+      diagnostic.construct = "fixed";
+      diagnostic.severity = Severity::info;
+      return;
+    }
     diagnostic.notes.push_back("sdformat (Gazebo) up to 12 drops such a link and all below it");
-    diagnostic.construct = mass < kMujocoMinimum ? "mass#below-1e-15" : "mass";
+    const auto moments = principal_moments(*link.inertial);
+    const bool is_too_small = moments && (*moments)[0] > 0 && (*moments)[0] < kMujocoMoment;
+    diagnostic.construct = mass < kMujocoMinimum ? "mass#below-1e-15"
+                           : is_too_small        ? "mass#inertia-below-1e-14"
+                                                 : "mass";
   });
 }
 

@@ -13,6 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!link.inertial || link.inertial->mass.value_or(0) <= kMassReported) return;
     const auto moments = principal_moments(*link.inertial);
     if (!moments || !is_positive_definite(*moments) || (*moments)[0] >= kSmallest) return;
+    if (triangle_excess(*moments) > kImpossibleExcess) return;  // SML1513
     findings
         .report(inertia_place(model, *link.inertial),
                 "the smallest moment of inertia of " + title(link) + " is " +

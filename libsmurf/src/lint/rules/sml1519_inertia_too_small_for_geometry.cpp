@@ -7,18 +7,19 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kSmallest = 0.01;    // of a homogeneous block
-  constexpr double kWrongShape = 1e-5;  // and less: the shapes are in another unit
+  constexpr double kSmallest = 0.01;  // of a homogeneous block
+  constexpr double kUnit = 1e-4;      // and less: no shape, but another unit
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
     if (!extent || !body || body->mass < kNegligibleMass) return;
     const double ratio = ratio_to_block(*body, *extent);
-    if (ratio >= kSmallest || ratio < kWrongShape) return;
-    findings
-        .report(inertia_place(model, *link.inertial),
-                "the inertia of " + title(link) + " is very small for its mass and shapes")
-        .caret = format_rounded(100 * ratio, 2) + " % of a full block of that size";
+    if (ratio >= kSmallest || body->mass < kLightestMaterial * extent->volume()) return;
+    Diagnostic& diagnostic =
+        findings.report(inertia_place(model, *link.inertial),
+                        "the inertia of " + title(link) + " is very small for its mass and shapes");
+    diagnostic.caret = format_rounded(100 * ratio, 2) + " % of a full block of that size";
+    if (ratio < kUnit) diagnostic.severity = Severity::warning;
   });
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
 #include "base/numbers.hpp"
 #include "lint/queries.hpp"
 
@@ -19,12 +22,11 @@ void check(const LinkedModel& model, Findings& findings) {
     if (mass <= kTiny || other <= kTiny || (mass <= kLargest * other && other <= kLargest * mass)) {
       continue;
     }
-    Diagnostic& diagnostic = findings.report(
-        link.inertial->mass.span,
-        title(link) + " has " +
-            (mass > other ? format_rounded(mass / other, 2) + " times the mass"
-                          : "1/" + format_rounded(other / mass, 2) + " of the mass") +
-            " of " + title(parent) + ", which it hangs on");
+    Diagnostic& diagnostic =
+        findings.report(link.inertial->mass.span,
+                        title(link) + (mass > other ? " is heavier" : " is lighter") + " than " +
+                            title(parent) + ", which it hangs on, by a factor of " +
+                            format_number(std::round(std::max(mass / other, other / mass))));
     diagnostic.labels.push_back({parent.inertial->mass.span, "the other mass"});
   }
 }

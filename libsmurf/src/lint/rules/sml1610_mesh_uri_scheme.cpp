@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -8,13 +9,15 @@ bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
 }
 
+/// One habit of an exporter, so one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
+  Habit habit;
   for (const MeshReference& mesh : model.meshes) {
-    if (has_foreign_scheme(mesh.filename)) {
-      findings.report(mesh.span, "the path " + quoted(mesh.filename) +
-                                     " has a scheme that MuJoCo and MARS refuse");
-    }
+    if (!has_foreign_scheme(mesh.filename)) continue;
+    habit.add(mesh.span,
+              "the path " + quoted(mesh.filename) + " has a scheme that MuJoCo and MARS refuse");
   }
+  habit.report("such paths", findings);
 }
 
 }  // namespace

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "lint/geometry_queries.hpp"
+#include "lint/habit.hpp"
 
 namespace smurf::rules {
 namespace {
 
+/// How the left side is made of the right one: one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
+  Habit habit;
   for_each_geometry(model, [&](const GeometryUse& use) {
     const urdf::Mesh* mesh = use.mesh();
     if (mesh == nullptr || !mesh->scale) return;
-    for (const double component : *mesh->scale) {
-      if (!(component < 0)) continue;
-      findings.report(mesh->scale.span, "the mesh is mirrored by a negative scale");
-      return;
+    if (std::any_of(mesh->scale->begin(), mesh->scale->end(), [](double x) { return x < 0; })) {
+      habit.add(mesh->scale.span, "the mesh is mirrored by a negative scale");
     }
   });
+  habit.report("such scales", findings);
 }
 
 }  // namespace

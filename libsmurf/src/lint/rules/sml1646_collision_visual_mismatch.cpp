@@ -62,7 +62,8 @@ double gap(const Box& a, const Box& b) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kLarger = 20;
+  constexpr double kLarger = 20;       // where a mesh may have another unit
+  constexpr double kMuchLarger = 500;  // between shapes that are drawn as such
   for_each_link(model, [&](const urdf::Link& link) {
     LinkBox visual(model);
     LinkBox collision(model);
@@ -75,16 +76,17 @@ void check(const LinkedModel& model, Findings& findings) {
       collision.add(one.origin, one.geometry);
       has_mesh = has_mesh || std::holds_alternative<urdf::Mesh>(one.geometry.shape);
     }
-    if (!has_mesh || !visual.box() || !collision.box()) return;
+    if (!visual.box() || !collision.box()) return;
     const double seen = diagonal(*visual.box());
     const double felt = diagonal(*collision.box());
     if (!(seen > 0 && felt > 0)) return;
     const double ratio = felt / seen;
     std::string message;
-    if (ratio > kLarger || ratio < 1 / kLarger) {
+    const double most = has_mesh ? kLarger : kMuchLarger;
+    if (ratio > most || ratio < 1 / most) {
       message = "the collision of " + title(link) + " measures " + format_rounded(felt, 3) +
                 " m across, its visual " + format_rounded(seen, 3) + " m";
-    } else if (gap(*visual.box(), *collision.box()) > std::max(seen, felt)) {
+    } else if (has_mesh && gap(*visual.box(), *collision.box()) > std::max(seen, felt)) {
       message = "the collision of " + title(link) + " lies " +
                 format_rounded(gap(*visual.box(), *collision.box()), 3) + " m away from its visual";
     } else {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One finding for what an author or exporter does all over a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "smurf/lint.hpp"
+
+namespace smurf {
+
+/// Collects the places of one habit; they become one finding, at the first.
+class Habit {
+ public:
+  /// The message of the first place is the one that is shown.
+  void add(Span place, std::string message);
+  bool is_first() const { return count_ == 0; }
+  /// Reports it, and how many more there are: "the file holds 3 more `others`". Null when there is
+  /// none, else valid until the next report.
+  Diagnostic* report(std::string_view others, Findings& findings) const;
+
+ private:
+  Span place_;
+  std::string message_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace smurf

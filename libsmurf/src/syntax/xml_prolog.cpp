@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "syntax/xml_prolog.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/path.hpp"
+#include "base/rules.hpp"
+#include "syntax/text_check.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::string_view kDeclaration = "<?xml";
+
+void check_position(std::string_view text, SourceId id, std::size_t begin, DiagnosticSink& sink) {
+  const std::size_t declaration = text.find(kDeclaration);
+  if (declaration == std::string_view::npos || declaration == begin) return;
+  const std::size_t next = declaration + kDeclaration.size();
+  constexpr std::string_view kBlanks = " \t\r\n";
+  if (next < text.size() && kBlanks.find(text[next]) == std::string_view::npos) {
+    return;  // <?xml-stylesheet
+  }
+  if (text.substr(0, declaration).find('<') != std::string_view::npos) return;
+  const Span junk{id, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(declaration)};
+  Diagnostic& diagnostic = sink.report(rules::sml1005_xml_junk_before_prolog, junk,
+                                       "the XML declaration is not the first thing in the file");
+  diagnostic.help = "delete what stands before it";
+  diagnostic.fixes.push_back({Applicability::safe, {{junk, ""}}});
+}
+
+/// The name of the encoding within its quotes; empty when the declaration names none.
+Span declared_encoding(std::string_view text, SourceId id, std::size_t begin) {
+  const std::string_view declaration = text.substr(begin, text.find("?>", begin) - begin);
+  const std::size_t word = declaration.find("encoding");
+  const std::size_t open = declaration.find_first_of("\"'", std::min(word, declaration.size()));
+  if (open == std::string_view::npos) return {};
+  const std::size_t close = declaration.find(declaration[open], open + 1);
+  if (close == std::string_view::npos) return {};
+  return {id, static_cast<std::uint32_t>(begin + open + 1),
+          static_cast<std::uint32_t>(begin + close)};
+}
+
+/// A declaration that says otherwise is believed by some readers.
+void check_encoding(std::string_view text, SourceId id, std::size_t begin, DiagnosticSink& sink) {
+  if (!text.substr(begin).starts_with(kDeclaration)) return;
+  const Span place = declared_encoding(text, id, begin);
+  if (place.source != id || place.empty()) return;
+  const std::string written(text.substr(place.begin, place.end - place.begin));
+  const std::string encoding = path::to_lower(written);
+  if (encoding == "utf-8" || encoding == "us-ascii" || encoding == "ascii") return;
+  const bool is_wide = encoding.starts_with("utf-16") || encoding.starts_with("utf-32") ||
+                       encoding.starts_with("ucs-");
+  const bool is_ascii = std::all_of(text.begin(), text.end(),
+                                    [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  if (!is_wide && is_ascii) return;  // the same bytes in every encoding that extends ASCII
+  Diagnostic& diagnostic = sink.report(rules::sml1008_xml_encoding, place,
+                                       "the file is UTF-8, but declares `" + written + "`");
+  diagnostic.help = "write `UTF-8`";
+  diagnostic.fixes.push_back(
+      {is_wide ? Applicability::safe : Applicability::unsafe, {{place, "UTF-8"}}});
+  if (is_wide) return;
+  diagnostic.severity = Severity::warning;
+  diagnostic.notes.push_back("urdfdom and browsers decode names by it, tinyxml2 does not look");
+}
+
+}  // namespace
+
+void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink) {
+  const std::size_t begin = byte_order_mark_size(text);
+  check_position(text, id, begin, sink);
+  check_encoding(text, id, begin, sink);
+}
+
+}  // namespace smurf
