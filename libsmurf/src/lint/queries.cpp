@@ -26,6 +26,12 @@ Span visual_or_collision(const LinkedModel& model, NameKind kind, std::string_vi
   return {};
 }
 
+/// An entry without a name, or with that of another, may be the one that is looked for.
+template <class Entries>
+bool are_all_named(const Entries& entries, const NameTable& names) {
+  return names.names().size() == entries.size() && !names.contains("");
+}
+
 }  // namespace
 
 std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
@@ -72,8 +78,12 @@ Span definition(const LinkedModel& model, NameKind kind, std::string_view name) 
 }
 
 bool can_judge(const LinkedModel& model, NameKind kind) {
-  const bool is_annotation = kind == NameKind::motor || kind == NameKind::sensor;
-  return is_annotation ? model.is_complete : model.robot.has_value();
+  const Annotations& all = model.annotations;
+  switch (kind) {
+  case NameKind::motor: return model.is_complete && are_all_named(all.motors, model.motor_names);
+  case NameKind::sensor: return model.is_complete && are_all_named(all.sensors, model.sensor_names);
+  default: return model.robot.has_value();
+  }
 }
 
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
