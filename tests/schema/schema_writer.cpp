@@ -89,7 +89,8 @@ Json rotation() {
 
 std::vector<std::string> type_names(ValueType type) {
   switch (type) {
-  case ValueType::text: return {std::begin(kScalars), std::end(kScalars)};
+  case ValueType::text:
+  case ValueType::frame: return {std::begin(kScalars), std::end(kScalars)};
   case ValueType::number: return {"number"};
   case ValueType::integer: return {"integer"};
   case ValueType::names: return {"string", "number", "boolean", "array"};
@@ -153,6 +154,7 @@ Json schema_of(const KeySpec& spec) {
   if (spec.type != ValueType::rotation) add_components(schema, spec.type);
   if (spec.type == ValueType::number || spec.type == ValueType::integer) {
     add_bounds(schema, bounds_of(spec));
+    if (spec.positive) schema["exclusiveMinimum"] = 0;
   }
   return schema;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "smurf/lint.hpp"
 #include "smurf/yaml.hpp"
@@ -32,6 +33,9 @@ class UserSchemas {
   bool add_entity_type(std::string type, SourceId schema, const SourceMap& sources,
                        DiagnosticSink& sink);
 
+  /// The names that schemas are registered for.
+  std::vector<std::string_view> sections() const { return names_of(sections_); }
+  std::vector<std::string_view> entity_types() const { return names_of(entity_types_); }
   bool has_section(std::string_view name) const { return sections_.contains(name); }
   bool has_entity_type(std::string_view type) const { return entity_types_.contains(type); }
 
@@ -44,6 +48,7 @@ class UserSchemas {
   using Table = std::map<std::string, std::unique_ptr<const UserSchema>, std::less<>>;
   static bool add(Table& table, std::string name, SourceId schema, const SourceMap& sources,
                   DiagnosticSink& sink);
+  static std::vector<std::string_view> names_of(const Table& table);
 
   Table sections_, entity_types_;  ///< null for a broken schema
 };

@@ -71,6 +71,17 @@ constinit const Rule sml4006_number_notation{
     .remedy = "Write plain decimal digits.",
     .sources = "configmaps ConfigAtom.hpp:335-386 (run)."};
 
+constinit const Rule sml4008_incomplete_value{
+    .id = "SML4008",
+    .name = "incomplete-value",
+    .severity = Severity::warning,
+    .summary = "A value is there in part only.",
+    .why = "MARS reads what is absent as 0 or the empty text: a colour without `g` has no green, a "
+           "quaternion without `w` turns by half a turn, an empty name matches nothing, and a "
+           "motor without position stays out of the joint pose.",
+    .remedy = "Write the whole value.",
+    .sources = "mars_utils Color.cpp:28-34 (run); configmaps (run): an absent key reads as 0."};
+
 constinit const Rule sml4007_yaml_version{
     .id = "SML4007",
     .name = "yaml-version",

@@ -27,26 +27,22 @@ bool differ_in_style(std::string_view a, std::string_view b) {
   }
 }
 
-bool ends_in_digit(std::string_view text) {
-  return !text.empty() && text.back() >= '0' && text.back() <= '9';
-}
-
 /// The known key that an unknown one was meant to be. Stricter than for names of things: any key is
 /// allowed, and short words resemble each other by chance.
 std::optional<std::string_view> meant_key(std::string_view key,
                                           std::span<const std::string_view> known) {
-  constexpr std::size_t kShortest = 4;
+  constexpr std::size_t kShortest = 3;
   constexpr std::size_t kLong = 9;  // from here on two slips are still one word
   constexpr std::size_t kLongest = 64;
-  if (key.size() < kShortest || key.size() > kLongest) return std::nullopt;
+  if (key.size() > kLongest) return std::nullopt;
   for (const std::string_view other : known) {
     if (differ_in_style(key, other)) return other;
   }
-  const auto near = nearest(key, known);
-  if (!near || near->size() < kShortest) return std::nullopt;
+  const auto near = key.size() < kShortest ? std::nullopt : nearest(key, known);
+  if (!near || near->size() <= kShortest) return std::nullopt;
   const int allowed = key.size() < kLong ? 1 : 2;
-  const bool is_numbered = ends_in_digit(key) && ends_in_digit(*near);
-  if (is_numbered || edit_distance(key, *near, allowed) > allowed) return std::nullopt;
+  if (differ_only_in_digits(key, *near) || edit_distance(key, *near, allowed) > allowed)
+    return std::nullopt;
   return near;
 }
 
@@ -69,13 +65,44 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
                                           : mapping.span();
   Diagnostic& diagnostic = sink.report(rules::sml4004_missing_key, place,
                                        "this " + std::string(what) + " has no " + name);
+  if (!near && !key) {
+    diagnostic.labels.push_back({place_to_add(mapping, spec.name), "add it after this"});
+  }
   if (!near) return {};
   diagnostic.help = "did you mean " + name + " by `" + std::string(*near) + "`?";
   suggest(diagnostic, key, spec.name);
   return key;
 }
 
+/// The key of `entry` that comes before `key` in `other`; none when `other` does not help.
+Span place_like(yaml::View entry, yaml::View other, std::string_view key) {
+  if (!other.is_mapping() || !other.find(key)) return {};
+  Span place;
+  for (const yaml::View member : other) {
+    if (member.key() == key) return place;
+    if (const yaml::View own = entry.find(member.key())) place = own.key_span();
+  }
+  return place;
+}
+
 }  // namespace
+
+Span place_to_add(yaml::View entry, std::string_view key) {
+  constexpr int kMostOthers = 8;  // entries of one list look alike
+  const yaml::Document& document = entry.document();
+  const yaml::NodeId parent = document.nodes[static_cast<std::size_t>(entry.id())].parent;
+  int others = 0;
+  if (parent != yaml::kNoNode && yaml::View(document, parent).is_sequence()) {
+    for (const yaml::View other : yaml::View(document, parent)) {
+      if (++others > kMostOthers) break;
+      const Span place = place_like(entry, other, key);
+      if (!place.empty()) return place;
+    }
+  }
+  Span last = entry.span();
+  for (const yaml::View member : entry) last = member.key_span();
+  return last;
+}
 
 void report_difference(const KeyDifference& difference, yaml::View mapping, std::string_view what,
                        DiagnosticSink& sink) {

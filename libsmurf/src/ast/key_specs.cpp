@@ -66,7 +66,8 @@ Span without_quotes(Span key, std::string_view text) {
 
 std::string_view describe(ValueType type) {
   switch (type) {
-  case ValueType::text: return "a text";
+  case ValueType::text:
+  case ValueType::frame: return "a text";
   case ValueType::number: return "a number";
   case ValueType::integer: return "a whole number";
   case ValueType::boolean: return "true or false";

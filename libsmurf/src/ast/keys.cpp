@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "ast/notation.hpp"
 #include "base/numbers.hpp"
@@ -85,9 +87,11 @@ std::optional<double> finite_number(const KeySpec& spec, yaml::View value, Diagn
 
 bool check_range(const KeySpec& spec, yaml::View value, double number, DiagnosticSink& sink) {
   const Bounds bounds = bounds_of(spec);
-  if (number >= bounds.minimum && number <= bounds.maximum) return true;
-  const std::string bound = number < bounds.minimum ? "at least " + format_number(bounds.minimum)
-                                                    : "at most " + format_number(bounds.maximum);
+  const bool is_low = number < bounds.minimum || (spec.positive && number <= 0);
+  if (!is_low && number <= bounds.maximum) return true;
+  const std::string bound = !is_low         ? "at most " + format_number(bounds.maximum)
+                            : spec.positive ? std::string("above 0")
+                                            : "at least " + format_number(bounds.minimum);
   sink.report(rules::sml4003_out_of_range, value.span(),
               name_of(spec) + " is " + format_number(number) + ", but must be " + bound);
   return false;
@@ -129,7 +133,10 @@ void read_text(const KeySpec& spec, yaml::View value, Target target, DiagnosticS
   std::optional<std::string> text;
   if (value.is_scalar()) {
     check_choice(spec, value, sink);
-    check_text(spec, value, sink);
+    if (spec.type != ValueType::frame) check_text(spec, value, sink);
+    if (spec.required && value.text().empty()) {
+      sink.report(rules::sml4008_incomplete_value, value.place(), name_of(spec) + " is empty");
+    }
     text = std::string(value.text());
   } else {
     report_type(spec, value, "a text", sink);
@@ -207,11 +214,64 @@ void read_number_list(const KeySpec& spec, yaml::View value, std::size_t count, 
       if (const auto number = finite_number(spec, item, sink)) numbers.push_back(*number);
     }
   } else {
-    report_type(spec, value, count == 0 ? "a list of numbers" : "a list of three numbers", sink);
+    Diagnostic& diagnostic = report_type(
+        spec, value, count == 0 ? "a list of numbers" : "a list of three numbers", sink);
+    if (value.is_sequence()) diagnostic.message += " of " + std::to_string(value.size());
   }
   std::optional<Vector3> vector;
   if (count == 3 && numbers.size() == 3) vector = Vector3{numbers[0], numbers[1], numbers[2]};
   store(target, value, vector);
+}
+
+/// `r`, `g`, `b`.
+std::string in_words(std::span<const std::string_view> names) {
+  std::string words;
+  for (const std::string_view name : names) {
+    words += (words.empty() ? "`" : ", `") + std::string(name) + "`";
+  }
+  return words;
+}
+
+/// Components that must all be there, which ones depends on those that are. Others are 0 in MARS,
+/// which for a position or a speed may be meant.
+std::vector<std::string_view> missing_components(ValueType type, yaml::View value) {
+  const auto names = components_of(type);
+  std::span<const std::string_view> needed;
+  if (type == ValueType::quaternion) needed = names;
+  if (type == ValueType::color && value.size() > 0) needed = names.first(3);
+  if (type == ValueType::orientation) {
+    const auto quaternion = names.first(4);
+    const bool is_quaternion =
+        std::any_of(quaternion.begin(), quaternion.end(),
+                    [&](std::string_view name) { return bool(value.find(name)); });
+    if (is_quaternion) needed = quaternion;
+  }
+  std::vector<std::string_view> missing;
+  for (const std::string_view name : needed) {
+    if (!value.find(name)) missing.push_back(name);
+  }
+  return missing;
+}
+
+/// Keys that are no components, else components that are not there: one finding.
+void check_components(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
+  const auto names = components_of(spec.type);
+  for (const yaml::View member : value) {
+    if (std::find(names.begin(), names.end(), member.key()) != names.end()) continue;
+    Diagnostic& diagnostic =
+        sink.report(rules::sml4005_misspelt_key, member.key_span(),
+                    name_of(spec) + " has no component `" + std::string(member.key()) + "`");
+    diagnostic.help = "its components are " + in_words(names);
+    const auto near = nearest(member.key(), names);
+    if (!near || value.find(*near)) return;
+    offer(diagnostic, "did you mean `" + std::string(*near) + "`?",
+          without_quotes(member.key_span(), member.key()), *near);
+    return;
+  }
+  const auto missing = missing_components(spec.type, value);
+  if (missing.empty()) return;
+  sink.report(rules::sml4008_incomplete_value, value.place(),
+              name_of(spec) + " has no " + in_words(missing) + ", which MARS reads as 0");
 }
 
 /// A mapping whose components, if they are there, must be numbers. Absent ones stay absent.
@@ -228,6 +288,7 @@ bool read_components(const KeySpec& spec, yaml::View value, std::span<Field<doub
     const std::optional<double> number = finite_number(spec, member, sink);
     if (i < out.size()) out[i] = {number, member.place(), true};
   }
+  check_components(spec, value, sink);
   return true;
 }
 
@@ -240,17 +301,37 @@ void read_vector3(const KeySpec& spec, yaml::View value, Target target, Diagnost
   store(target, value, vector);
 }
 
+/// One finding for all components: colours of 0 to 255 are wrong in each. `parts` are those given.
+void check_color_range(const KeySpec& spec, std::span<const Field<double>, 4> parts,
+                       DiagnosticSink& sink) {
+  const auto names = components_of(spec.type);
+  std::string wrong;
+  Diagnostic* diagnostic = nullptr;
+  std::vector<Edit> edits;
+  bool is_byte = true;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i]) continue;
+    const double value = *parts[i];
+    is_byte = is_byte && value >= 0 && value <= 255 && std::trunc(value) == value;
+    edits.push_back({parts[i].span, format_rounded(value / 255, 3)});
+    if (value >= 0 && value <= 1) continue;
+    wrong += (wrong.empty() ? "" : ", ") + std::string(names[i]) + " = " + format_number(value);
+    if (diagnostic == nullptr) {
+      diagnostic = &sink.report(rules::sml4003_out_of_range, parts[i].span, {});
+    }
+  }
+  if (diagnostic == nullptr) return;
+  diagnostic->message = name_of(spec) + " has " + wrong + ", but colours lie between 0 and 1";
+  if (!is_byte) return;
+  diagnostic->help = "divide by 255";
+  diagnostic->fixes.push_back({Applicability::unsafe, std::move(edits)});
+}
+
 void read_color(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
   Field<double> parts[4];
   std::optional<Color> color;
   if (read_components(spec, value, parts, sink)) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (parts[i] && (*parts[i] < 0 || *parts[i] > 1)) {
-        sink.report(rules::sml4003_out_of_range, parts[i].span,
-                    name_of(spec) + " has " + std::string(components_of(spec.type)[i]) + " = " +
-                        format_number(*parts[i]) + ", but colours lie between 0 and 1");
-      }
-    }
+    check_color_range(spec, parts, sink);
     color = Color{parts[0], parts[1], parts[2], parts[3]};
   }
   store(target, value, std::move(color));
@@ -262,7 +343,12 @@ void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
     return;
   }
   for (const yaml::View member : value) {
-    if (member.is_null() || member.is_repeated()) continue;
+    if (member.is_repeated()) continue;
+    if (member.is_null()) {
+      sink.report(rules::sml4008_incomplete_value, member.place(),
+                  "`" + std::string(member.key()) + "` has no value and is left out");
+      continue;
+    }
     const KeySpec inner{.name = member.key(), .type = ValueType::number};
     finite_number(inner, member, sink);
   }
@@ -297,7 +383,8 @@ void read_value(const KeySpec& spec, yaml::View value, Target target, Diagnostic
   // configmaps and PyYAML both treat a null as a key that says nothing.
   if (value.is_null()) return;
   switch (spec.type) {
-  case ValueType::text: return read_text(spec, value, target, sink);
+  case ValueType::text:
+  case ValueType::frame: return read_text(spec, value, target, sink);
   case ValueType::number: return read_number(spec, value, target, sink);
   case ValueType::integer: return read_integer(spec, value, target, sink);
   case ValueType::boolean: return read_boolean(spec, value, target, sink);

@@ -20,6 +20,7 @@ namespace smurf {
 /// How a value is written. Quoted text is text; a null says nothing, as if the key were absent.
 enum class ValueType : std::uint8_t {
   text,          ///< any scalar
+  frame,         ///< any scalar; one that names no frame is reported where frames are looked up
   number,        ///< finite plain number
   integer,       ///< plain whole number; without bounds of its own it fits in 32 bits, as in MARS
   boolean,       ///< true or false; 1 or 0
@@ -64,6 +65,7 @@ struct KeySpec {
   bool required = false;
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
+  bool positive = false;                           ///< a number that must be above 0
   std::span<const std::string_view> choices = {};  ///< of a text; empty: any
   KeyTable members = {};                           ///< of a mapping, or of the mappings in a list
 };
@@ -121,6 +123,10 @@ void report_difference(const KeyDifference& difference, yaml::View mapping, std:
 
 /// The type of a quoted scalar when the quotes are taken away; text for everything else.
 yaml::ScalarType type_without_quotes(yaml::View value);
+
+/// The key of an entry after which a missing one would be looked for: where other entries of the
+/// list have it, else at the end.
+Span place_to_add(yaml::View entry, std::string_view key);
 
 /// The bytes of a scalar within its quotes, if it has any, so that an edit keeps them (JSON).
 Span within_quotes(yaml::View value);

@@ -32,11 +32,11 @@ constexpr KeySpec kEntity[] = {
      .unit = "deg",
      .fallback = "[1, 0, 0, 0]"},
     {.name = "parent",
-     .type = text,
+     .type = frame,
      .doc = "Frame that position and rotation refer to: `world`, or `ENTITY::LINK`.",
      .fallback = "\"world\""},
     {.name = "anchor",
-     .type = text,
+     .type = frame,
      .doc = "What the root link is fixed to: `none`, `world`, `parent` (the link named by "
             "`parent`), or `ENTITY::LINK`. Fixing moves nothing.",
      .fallback = "\"none\""},

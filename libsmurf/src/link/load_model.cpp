@@ -9,6 +9,7 @@
 #include "ast/urdf_reader.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "base/suggest.hpp"
 #include "link/kinematics.hpp"
 #include "link/read_file.hpp"
 #include "link/resources.hpp"
@@ -118,7 +119,15 @@ class ModelLoader {
         urdf_file(path, entry.span, rules::sml2001_missing_file);
       } else if (is_annotation(extension)) {
         annotation_file(path, entry.span, rules::sml2001_missing_file);
+      } else if (extension != ".srdf" && extension != ".sdf") {
+        model_.is_complete = false;  // what it was to bring may be missed elsewhere
       }
+    }
+    // Entries that are no texts are not in the list, and reported.
+    const yaml::View written = model_.files.front().document->view().find("files");
+    if (written && written.is_sequence() && model_.main.files &&
+        written.size() != model_.main.files->size()) {
+      model_.is_complete = false;
     }
   }
 
@@ -177,7 +186,17 @@ class ModelLoader {
     }
   }
 
+  /// Motors and sensors in a misspelt section are there, but not found.
+  void find_slips(const std::vector<CustomSection>& sections) {
+    constexpr std::string_view kNaming[] = {"motors", "sensors"};
+    for (const CustomSection& section : sections) {
+      if (nearest(section.name.value, kNaming)) model_.is_complete = false;
+    }
+  }
+
   void link() {
+    find_slips(model_.annotations.custom);
+    find_slips(model_.main.extra);
     name_all(model_.annotations.motors, model_.motor_names);
     name_all(model_.annotations.sensors, model_.sensor_names);
     resolve_resources(model_, context_);

@@ -132,7 +132,8 @@ class SceneExpander {
       scene_.is_complete = false;
     } else if (kind_of(type) == EntityKind::model) {
       instance.model = model_file(path, file_of(entity).span);
-    } else if (!path.empty() && path.find(":/") == std::string::npos) {
+    } else if (!path.empty() && path.find(":/") == std::string::npos &&
+               !type.starts_with("zsmurf")) {  // of which nothing is read
       check_data_file(path, file_of(entity).span, type);
     }
     const InstanceIndex number{static_cast<std::uint32_t>(scene_.instances.size())};

@@ -143,6 +143,7 @@ class ReferenceResolver {
     if (kind_of(instance.type) == EntityKind::other) {
       // The files of other types are not read. That does not matter to an anchor.
       if (reference.key == "anchor") return attachment;
+      if (is_type_reported(instance.type)) return std::nullopt;
       Diagnostic& diagnostic =
           sink_.report(reference.unknown, reference.field.span,
                        "the parent " + quoted(name) + " is of type " + quoted(instance.type) +
@@ -162,6 +163,12 @@ class ReferenceResolver {
       return std::nullopt;
     }
     return attachment;
+  }
+
+  /// Another finding says that this was to be a model.
+  static bool is_type_reported(std::string_view type) {
+    constexpr std::string_view kModels[] = {"smurf", "urdf"};
+    return type.empty() || type.starts_with("zsmurf") || nearest(type, kModels).has_value();
   }
 
   void label(Diagnostic& diagnostic, const Instance& instance, std::string text) {
@@ -220,6 +227,7 @@ class ReferenceResolver {
 
   void report_include(const Reference& reference, UseIndex include, std::string_view name) {
     const SceneUse& use = scene_.uses[to_size(include)];
+    if (!scene_.file(use).document) return;  // a broken include is reported
     Diagnostic& diagnostic = sink_.report(rules::sml5103_parent_of_scene, reference.field.span,
                                           quoted(reference.key) + " names " + quoted(name) +
                                               ", which is an included scene and has no links");

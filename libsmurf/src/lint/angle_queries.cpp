@@ -49,6 +49,17 @@ std::optional<double> intended_right_angle(const WrittenNumber& angle) {
   return intended;
 }
 
+std::optional<double> degrees_of_radians(double number) {
+  constexpr double kAngles[] = {30, 45, 60, 90, 120, 135, 150, 180, 270, 360};
+  constexpr double kRelativeTolerance = 1.2e-3;  // as near as three digits of pi bring them
+  for (const double degrees : kAngles) {
+    const double radians = degrees * std::numbers::pi / 180;
+    if (std::fabs(std::fabs(number) - radians) > kRelativeTolerance * radians) continue;
+    return std::copysign(degrees, number);
+  }
+  return std::nullopt;
+}
+
 bool is_rpy_snapped(const std::vector<WrittenNumber>& rpy) {
   constexpr double kSnapped = 4.47e-3;  // rad; acos of 0.99999, rounded down
   constexpr double kVisible = 1e-4;     // rad; 0.1 mm at the end of a metre

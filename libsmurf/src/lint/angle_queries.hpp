@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Angles of a URDF that were meant to be a right one.
+// Angles that were meant to be others than they are.
 #pragma once
 
 #include <optional>
@@ -22,6 +22,10 @@ std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute);
 /// The multiple of pi/2 that was rounded or cut to this text: pi/2 for "1.57". None when the text
 /// is no such number, or is exact to 1e-6 rad.
 std::optional<double> intended_right_angle(const WrittenNumber& angle);
+
+/// The degrees that a number would be as radians, when it is an angle that people write as a
+/// fraction of pi.
+std::optional<double> degrees_of_radians(double number);
 
 /// True for a pitch so near to pi/2 that urdfdom takes it for pi/2 (pose.h:118-126: |sin| >=
 /// 0.99999), and far enough for that to be seen. `rpy` are roll, pitch and yaw.

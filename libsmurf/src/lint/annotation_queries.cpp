@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
+#include "base/path.hpp"
 #include "base/suggest.hpp"
 
 namespace smurf {
@@ -52,6 +54,56 @@ std::vector<TopLevelKey> top_level_keys(const LinkedModel& model) {
     }
   }
   return keys;
+}
+
+Span place_in_files(const LinkedModel& model, SourceId source) {
+  if (!model.is_complete || !model.main.files) return {};
+  std::size_t index = 0;  // of the file in `files` of the model, where the main file is the first
+  std::unordered_set<std::string> read;
+  for (const Spanned<std::string>& entry : *model.main.files) {
+    const std::string extension = path::to_lower(path::extension(entry.value));
+    const bool is_read =
+        extension == ".urdf" || extension == ".yml" || extension == ".yaml" || extension == ".json";
+    if (!is_read || !read.insert(path::normalize(entry.value)).second) continue;
+    if (++index >= model.files.size()) return {};
+    if (model.files[index].source == source) return entry.span;
+  }
+  return {};
+}
+
+bool is_node(const LinkedModel& model, std::string_view name) {
+  constexpr std::string_view kInertial = "inertial_";
+  if (model.link_names.contains(name) || model.collision_names.contains(name) ||
+      model.visual_names.contains(name)) {
+    return true;
+  }
+  if (name.starts_with(kInertial) && model.link_names.contains(name.substr(kInertial.size()))) {
+    return true;
+  }
+  const auto& nodes = model.annotations.nodes;
+  return std::any_of(nodes.begin(), nodes.end(), [&](const NodeAnnotation& node) {
+    return node.name && *node.name == name && node.parent.written;
+  });
+}
+
+std::vector<const Motor*> leading_motors(const LinkedModel& model) {
+  std::vector<const Motor*> leading;
+  std::unordered_set<std::string_view> driven;
+  for (const Motor& motor : model.annotations.motors) {
+    if (!motor.joint || driven.insert(*motor.joint).second) leading.push_back(&motor);
+  }
+  return leading;
+}
+
+std::optional<double> quaternion_length(yaml::View orientation) {
+  if (!orientation || !orientation.is_mapping()) return std::nullopt;
+  double sum = 0;
+  for (const std::string_view name : {"w", "x", "y", "z"}) {
+    const std::optional<double> number = number_at(orientation, name);
+    if (!number) return std::nullopt;
+    sum += *number * *number;
+  }
+  return std::sqrt(sum);
 }
 
 MotorControl control_in_mars(const Motor& motor) {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/light_values.hpp"
 
+#include <algorithm>
+#include <vector>
+
+#include "ast/keys.hpp"
+#include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf {
@@ -27,20 +32,33 @@ constexpr Needed kNeeded[] = {
 };
 constexpr std::int64_t kSpot = 2;
 
+/// A key that is none of a light's, but nearly this one, is reported.
+bool is_misspelt(yaml::View mapping, std::string_view key) {
+  std::vector<std::string_view> known;
+  for (const Needed& needed : kNeeded) known.push_back(needed.key);
+  return std::any_of(mapping.begin(), mapping.end(),
+                     [&](yaml::View value) { return nearest(value.key(), known) == key; });
+}
+
 }  // namespace
 
-void report_incomplete_light(const Light& light, Findings& findings) {
+void report_incomplete_light(const Light& light, yaml::View mapping, Findings& findings) {
   const bool may_be_spot = !light.type || *light.type == kSpot;
   std::string missing;
+  std::string_view first;
   std::size_t count = 0;
   for (const Needed& needed : kNeeded) {
     if (needed.is_written(light) || (needed.of_spots_only && !may_be_spot)) continue;
+    if (!mapping || is_misspelt(mapping, needed.key)) continue;
+    if (count == 0) first = needed.key;
     missing += (count++ == 0 ? "" : ", ") + quoted(needed.key);
   }
   if (count == 0) return;
   const Span place = light.name.written ? light.name.span : light.span;
-  findings.report(place, subject("light", light) + " has no " + missing + ", which MARS reads as " +
-                             (count == 1 ? "a random value" : "random values"));
+  findings
+      .report(place, subject("light", light) + " has no " + missing + ", which MARS reads as " +
+                         (count == 1 ? "a random value" : "random values"))
+      .labels.push_back({place_to_add(mapping, first), "add it after this"});
 }
 
 }  // namespace smurf

@@ -7,6 +7,6 @@
 namespace smurf {
 
 /// Reports the values that a light leaves out and that have no default in MARS.
-void report_incomplete_light(const Light& light, Findings& findings);
+void report_incomplete_light(const Light& light, yaml::View mapping, Findings& findings);
 
 }  // namespace smurf

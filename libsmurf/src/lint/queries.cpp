@@ -28,6 +28,12 @@ Span visual_or_collision(const LinkedModel& model, NameKind kind, std::string_vi
   return {};
 }
 
+/// An entry without a name, or with that of another, may be the one that is looked for.
+template <class Entries>
+bool are_all_named(const Entries& entries, const NameTable& names) {
+  return names.names().size() == entries.size() && !names.contains("");
+}
+
 }  // namespace
 
 std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
@@ -74,8 +80,13 @@ Span definition(const LinkedModel& model, NameKind kind, std::string_view name) 
 }
 
 bool can_judge(const LinkedModel& model, NameKind kind) {
-  const bool is_annotation = kind == NameKind::motor || kind == NameKind::sensor;
-  if (is_annotation) return model.is_complete;
+  const Annotations& all = model.annotations;
+  if (kind == NameKind::motor) {
+    return model.is_complete && are_all_named(all.motors, model.motor_names);
+  }
+  if (kind == NameKind::sensor) {
+    return model.is_complete && are_all_named(all.sensors, model.sensor_names);
+  }
   if (!model.robot) return false;
   // What a link or joint without name is called is not known.
   const auto is_named = [](const auto& one) { return one.name && !is_xacro(*one.name); };

@@ -278,6 +278,9 @@ class Explainer {
             message(fault, *phrase, at));
     violation.notes = notes_[index];
     if (phrase->keyword == "enum") suggest_value(at, violation);
+    if (is_about_key && at.value.is_mapping()) {
+      violation.add_span = place_to_add(at.value, name_in(fault.description));
+    }
     if (is_about_key) suggest_key(at, name_in(fault.description), violation);
   }
 
@@ -289,6 +292,7 @@ class Explainer {
       if (std::find(known.begin(), known.end(), key.key()) != known.end()) continue;
       if (!nearest(key.key(), meant)) continue;
       violation.span = key.key_span();
+      violation.add_span = {};
       return suggest(violation, missing, without_quotes(key.key_span(), key.key()));
     }
   }

@@ -17,6 +17,7 @@ struct Violation {
   std::string message;
   std::string help;
   std::vector<std::string> notes;
+  Span add_span;     ///< what a missing key would follow; may be empty
   Span schema_span;  ///< the keyword of the schema that is broken; may be empty
   std::vector<Fix> fixes;
 };

@@ -33,6 +33,9 @@ void check(const UserSchema* schema, yaml::View value, Findings& findings) {
     diagnostic.help = std::move(violation.help);
     diagnostic.notes = std::move(violation.notes);
     diagnostic.fixes = std::move(violation.fixes);
+    if (!violation.add_span.empty()) {
+      diagnostic.labels.push_back({violation.add_span, "add it after this"});
+    }
     if (!violation.schema_span.empty()) {
       diagnostic.labels.push_back({violation.schema_span, "the schema asks for it here"});
     }
@@ -51,6 +54,12 @@ UserSchemas::UserSchemas() = default;
 UserSchemas::~UserSchemas() = default;
 UserSchemas::UserSchemas(UserSchemas&&) noexcept = default;
 UserSchemas& UserSchemas::operator=(UserSchemas&&) noexcept = default;
+
+std::vector<std::string_view> UserSchemas::names_of(const Table& table) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, schema] : table) names.emplace_back(name);
+  return names;
+}
 
 bool UserSchemas::add(Table& table, std::string name, SourceId schema, const SourceMap& sources,
                       DiagnosticSink& sink) {

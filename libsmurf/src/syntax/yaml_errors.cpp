@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
@@ -41,6 +42,21 @@ bool is_closed(std::string_view text, std::uint32_t bracket) {
   return false;
 }
 
+/// The innermost bracket that is open at a place where the parser has not told of any yet. Comments
+/// are passed over, texts are not.
+Span open_before(std::string_view text, std::uint32_t at, SourceId id) {
+  std::vector<std::uint32_t> open;
+  bool is_comment = false;
+  for (std::uint32_t i = 0; i < at && i < text.size(); ++i) {
+    const char c = text[i];
+    is_comment = c != '\n' && (is_comment || (c == '#' && (i == 0 || text[i - 1] == ' ')));
+    if (is_comment) continue;
+    if (c == '[' || c == '{') open.push_back(i);
+    if ((c == ']' || c == '}') && !open.empty()) open.pop_back();
+  }
+  return open.empty() ? Span{id, 0, 0} : Span{id, open.back(), open.back() + 1};
+}
+
 /// Something stands in brackets where only a comma or the closing bracket may stand.
 void report_in_brackets(std::uint32_t at, Span bracket, std::string_view text,
                         DiagnosticSink& sink) {
@@ -63,8 +79,13 @@ void report_parser_error(std::string_view words, int place, Span bracket, const 
   const std::uint32_t shift = byte_order_mark_size(text);
   const auto size = static_cast<std::uint32_t>(text.size());
   std::uint32_t at = std::min(static_cast<std::uint32_t>(std::max(place, 0)) + shift, size);
-  if (words.ends_with("flow not found") && !bracket.empty()) {
+  const bool is_in_brackets = !bracket.empty() && bracket.begin < size;
+  if (is_in_brackets && (words.ends_with("flow not found") || !is_closed(text, bracket.begin))) {
     return report_in_brackets(at, bracket, text, sink);
+  }
+  if (words.starts_with("illegal block entry") && bracket.empty()) {
+    const Span open = open_before(text, at, id);
+    if (!open.empty()) return report_in_brackets(size, open, text, sink);
   }
   std::string message = explain(words);
   // A tab in the indentation is reported by yaml-cpp at the following colon, in other words.

@@ -89,6 +89,53 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
           "MARS reads the first document and drops the rest, PyYAML (Phobos) refuses the file");
 }
 
+/// The first line of a kind after `begin`, which is the begin of a line; none when there is none.
+std::optional<Span> find_line(std::string_view text, std::uint32_t begin, SourceId id,
+                              bool (*is_meant)(std::string_view line)) {
+  for (std::size_t at = begin; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    if (is_meant(text.substr(at, end - at))) {
+      return Span{id, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)};
+    }
+    at = std::max(text.find_first_not_of("\r\n", end), end);
+    if (end == text.size() || at == std::string_view::npos) break;
+  }
+  return std::nullopt;
+}
+
+/// yaml-cpp takes the marks of a merge for texts, or ends the document there without a word.
+bool is_merge_mark(std::string_view line) {
+  return line.starts_with("<<<<<<< ") || line.starts_with(">>>>>>> ");
+}
+
+bool is_content(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && line[first] != '#';
+}
+
+/// yaml-cpp ends a document where nothing fits any more, and need not tell. What follows must be
+/// a mark then.
+bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, DiagnosticSink& sink) {
+  const std::size_t line_end = text.find_first_of("\r\n", first_end);
+  if (line_end == std::string_view::npos) return true;
+  const auto rest = find_line(text, static_cast<std::uint32_t>(line_end), id, is_content);
+  if (!rest) return true;
+  const std::string_view line = text.substr(rest->begin);
+  for (const std::string_view mark : {"---", "...", "%", "]", "}"}) {
+    if (line.substr(line.find_first_not_of(" \t")).starts_with(mark)) return true;
+  }
+  sink.report(rules::sml0010_yaml_syntax, *rest, "this line does not fit what stands above it");
+  return false;
+}
+
+/// What the builder made of a text that is no YAML would be judged by rules as if it were meant.
+bool has_syntax_error(const DiagnosticSink& sink, std::size_t known) {
+  const auto found = sink.diagnostics().subspan(known);
+  return std::any_of(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
+    return diagnostic.rule == &rules::sml0010_yaml_syntax;
+  });
+}
+
 /// The text up to a place where far more brackets seem to be open than any file needs, with these
 /// brackets closed; empty when there is none. Brackets inside of texts and comments are counted
 /// too.
@@ -163,12 +210,18 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
   }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
   const std::string_view text = sources.text(id);
+  const std::size_t known = sink.diagnostics().size();
+  if (const auto mark = find_line(text, 0, id, is_merge_mark)) {
+    sink.report(rules::sml0010_yaml_syntax, *mark, "a merge left its marks here").help =
+        "keep one of the two versions, and none of the marks";
+    return std::nullopt;
+  }
   TreeBuilder builder(sources, id, limits, sink);
   try {
     ViewBuffer buffer(text);
     std::istream stream(&buffer);
     YAML::Parser parser(stream);
-    if (parser.HandleNextDocument(builder)) {
+    if (parser.HandleNextDocument(builder) && check_rest(text, builder.end(), id, sink)) {
       check_second_document(parser, text, builder.end(), id, sink);
     }
   } catch (const StopParsing&) {
@@ -178,6 +231,7 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
                         builder.open_bracket(), sources, sink);
     return std::nullopt;
   }
+  if (has_syntax_error(sink, known)) return std::nullopt;
   return builder.take();
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sources: MARS SimEntity.cpp:503-513; Phobos poses.py.
+#include <cmath>
+
 #include "ast/sections.hpp"
 
 namespace smurf::sections {
@@ -26,8 +28,10 @@ void read_joints(yaml::View joints, JointPoseSet& pose) {
   if (!joints || !joints.is_mapping()) return;
   for (const yaml::View joint : joints) {
     if (joint.is_null() || joint.is_repeated()) continue;
-    pose.joints.push_back(
-        {{std::string(joint.key()), joint.key_span()}, {joint.number(), joint.place(), true}});
+    const std::optional<double> number = joint.number();
+    const bool is_finite = number && std::isfinite(*number);
+    pose.joints.push_back({{std::string(joint.key()), joint.key_span()},
+                           {is_finite ? number : std::nullopt, joint.place(), true}});
   }
 }
 

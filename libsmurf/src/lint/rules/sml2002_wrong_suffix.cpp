@@ -6,7 +6,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (!model.main.files) return;
+  if (!model.main.files || !model.is_complete) return;  // a missing file is reported as such
   for (const Spanned<std::string>& file : *model.main.files) {
     const std::string_view extension = path::extension(file.value);
     const std::string lower = path::to_lower(extension);

@@ -1,18 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include <algorithm>
+
+#include "base/path.hpp"
+#include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
 namespace {
+
+/// What stands where the URDF should: it must be made into one first.
+const Spanned<std::string>* other_source(const NameList& files) {
+  const auto found = std::find_if(files.begin(), files.end(), [](const auto& file) {
+    const std::string extension = path::to_lower(path::extension(file.value));
+    return extension == ".xacro" || extension == ".sdf";
+  });
+  return found == files.end() ? nullptr : &*found;
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.has_main || !model.urdf_path.empty() || model.files.empty()) return;
   const ModelFile& main = model.files.front();
   if (!main.document || !main.document->view() || !main.document->view().is_mapping()) return;
   if (model.main.files.written && !model.main.files) return;  // its shape is wrong, reported
-  const Span place = model.main.files.written ? main.document->view().find("files").key_span()
-                                              : Span{main.source, 0, 0};
-  findings.report(place, model.main.files.written ? "`files` lists no URDF"
-                                                  : "the main file has no `files`");
+  const yaml::View root = main.document->view();
+  if (!model.main.files.written) {
+    if (has_misspelt(root, "files")) return;
+    findings.report({main.source, 0, 0}, "the main file has no `files`");
+    return;
+  }
+  if (const Spanned<std::string>* other = other_source(*model.main.files)) {
+    findings
+        .report(other->span,
+                "MARS ignores " + quoted(other->value) + ", so that `files` lists no URDF")
+        .help = "make a .urdf of it and list that";
+    return;
+  }
+  findings.report(root.find("files").key_span(), "`files` lists no URDF");
 }
 
 }  // namespace

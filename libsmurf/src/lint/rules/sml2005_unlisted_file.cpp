@@ -5,14 +5,20 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (!model.has_main || !model.main.files) return;
-  for (const std::string& file : model.unlisted_files) {
-    Diagnostic& diagnostic =
-        findings.report(model.files.front().document->view().find("files").key_span(),
-                        quoted(file) + " lies beside the main file but is not listed");
-    diagnostic.notes.push_back("readers load only what `files` lists");
-    diagnostic.help = "list it, or delete it";
-  }
+  // A file that is missing may be one of these under a wrong name, and is reported.
+  if (!model.has_main || !model.main.files || !model.is_complete) return;
+  if (model.unlisted_files.empty()) return;
+  const std::size_t others = model.unlisted_files.size() - 1;
+  std::string who = quoted(model.unlisted_files.front());
+  if (others > 0) who += " and " + std::to_string(others) + (others == 1 ? " other" : " others");
+  Diagnostic& diagnostic =
+      findings.report(model.files.front().document->view().find("files").key_span(),
+                      who +
+                          (others == 0 ? " lies beside the main file but is"
+                                       : " lie beside the main file but are") +
+                          " not listed");
+  diagnostic.notes.push_back("readers load only what `files` lists");
+  diagnostic.help = others == 0 ? "list it, or delete it" : "list them, or delete them";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <map>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "lint/annotation_queries.hpp"
 
@@ -17,16 +18,30 @@ bool has_motors(const Sensor& sensor) {
   return by_id || (sensor.motors && !sensor.motors->empty());
 }
 
-void check_pair(const Order& order, std::string_view user, std::string_view used,
-                Findings& findings) {
+bool comes_before(const Order& order, std::string_view user, std::string_view used) {
   const auto first = order.find(user);
   const auto second = order.find(used);
-  if (first == order.end() || second == order.end()) return;
-  if (first->second.first > second->second.first) return;
-  Diagnostic& diagnostic = findings.report(
-      first->second.second, "MARS reads " + quoted(user) + " before " + quoted(used) +
-                                " and finds none of the " + std::string(used) + " it names");
-  diagnostic.labels.push_back({second->second.second, "comes too late"});
+  return first != order.end() && second != order.end() &&
+         first->second.first < second->second.first;
+}
+
+/// `used` are sections that `user` names things of.
+void check_order(const LinkedModel& model, const Order& order, std::string_view user,
+                 const std::vector<std::string_view>& used, Findings& findings) {
+  std::string late;
+  for (const std::string_view section : used) {
+    if (comes_before(order, user, section)) late += (late.empty() ? "" : " and ") + quoted(section);
+  }
+  if (late.empty()) return;
+  const Span place = order.at(user).second;
+  Diagnostic& diagnostic = findings.report(place, "MARS reads " + quoted(user) + " before " + late +
+                                                      " and finds nothing of what it names there");
+  for (const std::string_view section : used) {
+    if (!comes_before(order, user, section)) continue;
+    diagnostic.labels.push_back({order.at(section).second, "comes too late"});
+  }
+  const Span listed = place_in_files(model, place.source);
+  if (!listed.empty()) diagnostic.labels.push_back({listed, "the file is listed here"});
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -39,16 +54,18 @@ void check(const LinkedModel& model, Findings& findings) {
       std::tie(model.annotations.sensors, model.annotations.controllers);
   const auto names_any = [](const Field<NameList>& list) { return list && !list->empty(); };
   if (std::any_of(sensors.begin(), sensors.end(), has_motors)) {
-    check_pair(order, "sensors", "motors", findings);
+    check_order(model, order, "sensors", {"motors"}, findings);
   }
+  std::vector<std::string_view> used;
   if (std::any_of(controllers.begin(), controllers.end(),
                   [&](const Controller& c) { return names_any(c.motors); })) {
-    check_pair(order, "controllers", "motors", findings);
+    used.push_back("motors");
   }
   if (std::any_of(controllers.begin(), controllers.end(),
                   [&](const Controller& c) { return names_any(c.sensors); })) {
-    check_pair(order, "controllers", "sensors", findings);
+    used.push_back("sensors");
   }
+  check_order(model, order, "controllers", used, findings);
 }
 
 }  // namespace

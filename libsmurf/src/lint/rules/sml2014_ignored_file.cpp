@@ -13,6 +13,8 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const Spanned<std::string>& file : *model.main.files) {
     const std::string extension = path::to_lower(path::extension(file.value));
     if (std::find(std::begin(kKinds), std::end(kKinds), extension) != std::end(kKinds)) continue;
+    const bool is_model = extension == ".sdf" || extension == ".xacro";
+    if (is_model && model.urdf_path.empty()) continue;  // reported: there is no URDF
     Diagnostic& diagnostic = findings.report(file.span, "MARS ignores " + quoted(file.value) +
                                                             ": it is no .urdf or .yml");
     if (extension == ".sdf") {

@@ -4,6 +4,7 @@
 #include "ast/sections.hpp"
 #include "base/suggest.hpp"
 #include "lint/annotation_queries.hpp"
+#include "smurf/user_schemas.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -40,6 +41,26 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+/// Data files of entities hold sections of the user's own.
+void check_data(const LinkedScene& scene, Findings& findings) {
+  if (scene.schemas == nullptr) return;
+  const std::vector<std::string_view> known = scene.schemas->sections();
+  for (const DataFile& file : scene.data_files) {
+    const yaml::View root = file.document.view();
+    if (!root || !root.is_mapping()) continue;
+    for (const yaml::View value : root) {
+      const auto near = nearest(value.key(), known);
+      if (!near || root.find(*near) || value.is_scalar()) continue;
+      Diagnostic& diagnostic = findings.report(
+          value.key_span(), "there is no schema for a section " + quoted(value.key()));
+      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      diagnostic.fixes.push_back(
+          {Applicability::unsafe,
+           {{without_quotes(value.key_span(), value.key()), std::string(*near)}}});
+    }
+  }
+}
+
 }  // namespace
 
 extern constinit const Rule sml2016_misspelt_section{
@@ -52,6 +73,7 @@ extern constinit const Rule sml2016_misspelt_section{
            "this one have no effect.",
     .remedy = "Correct the name. Sections of your own are welcome; name them less alike.",
     .sources = "MARS smurf.cpp:257-485.",
-    .check_model = check};
+    .check_model = check,
+    .check_scene = check_data};
 
 }  // namespace smurf::rules

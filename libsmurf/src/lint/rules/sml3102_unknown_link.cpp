@@ -9,6 +9,27 @@ void check_link(const LinkedModel& model, const Field<std::string>& name, const 
   if (name) check_reference(model, NameKind::link, *name, name.span, who, findings);
 }
 
+/// Sensors of nodes take the names of collisions and visuals, too.
+void check_nodes(const LinkedModel& model, const Field<NameList>& list, const std::string& who,
+                 Findings& findings) {
+  if (!list) return;
+  for (const Spanned<std::string>& name : *list) {
+    if (is_node(model, name.value)) continue;
+    check_reference(model, NameKind::link, name.value, name.span, who, findings);
+  }
+}
+
+/// An entry for the inertia of a link that is not there makes a new node.
+void check_inertial(const LinkedModel& model, const NodeAnnotation& entry, Findings& findings) {
+  constexpr std::string_view kInertial = "inertial_";
+  if (!entry.name || !entry.name->starts_with(kInertial) || entry.parent.written) return;
+  if (is_node(model, *entry.name)) return;
+  Span place = within_quotes(model, entry.name.span);
+  place.begin += static_cast<std::uint32_t>(kInertial.size());
+  check_reference(model, NameKind::link, entry.name->substr(kInertial.size()), place,
+                  "this node entry", findings);
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const Sensor& sensor : model.annotations.sensors) {
     const std::string who = subject("sensor", sensor);
@@ -16,6 +37,9 @@ void check(const LinkedModel& model, Findings& findings) {
       check_reference(model, NameKind::link, *sensor.link, sensor.link.span, who, findings);
     }
     check_references(model, NameKind::link, sensor.links, who, findings);
+    if (sensor.type && sensor_target(*sensor.type) == NameKind::link) {
+      check_nodes(model, sensor.id, who, findings);
+    }
   }
   for (const CollisionAnnotation& entry : model.annotations.collisions) {
     if (!entry.link) continue;
@@ -28,6 +52,7 @@ void check(const LinkedModel& model, Findings& findings) {
     check_reference(model, NameKind::link, *name, name.span, "this link entry", findings);
   }
   for (const NodeAnnotation& entry : model.annotations.nodes) {
+    check_inertial(model, entry, findings);
     check_link(model, entry.parent, subject("node", entry), findings);
     check_link(model, entry.viz_link, subject("node", entry), findings);
   }
@@ -43,6 +68,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
   for (const Interface& entry : model.annotations.interfaces) {
     check_link(model, entry.parent, subject("interface", entry), findings);
+  }
+  for (const Light& light : model.annotations.lights) {
+    // The node may belong to another robot of the scene.
+    if (!light.node_name || is_node(model, *light.node_name)) continue;
+    if (!is_slip(model, NameKind::link, *light.node_name)) continue;
+    check_link(model, light.node_name, subject("light", light), findings);
   }
   for (const Submodel& entry : model.annotations.submodels) {
     check_link(model, entry.start, subject("submodel", entry), findings);

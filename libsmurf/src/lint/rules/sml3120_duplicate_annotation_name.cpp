@@ -6,25 +6,35 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kLeads = "in MARS the name leads to the last one";
+constexpr std::string_view kReplaces = "readers disagree on which of the two counts";
+
 template <class Entries>
-void check_entries(const Entries& entries, std::string_view kind, Findings& findings) {
+void check_entries(const Entries& entries, std::string_view kind, std::string_view note,
+                   Findings& findings) {
   std::unordered_map<std::string_view, Span> first;
   for (const auto& entry : entries) {
-    if (!entry.name) continue;
+    if (!entry.name || entry.name->empty()) continue;
     const auto [found, is_new] = first.emplace(*entry.name, entry.name.span);
     if (is_new) continue;
     Diagnostic& diagnostic = findings.report(
         entry.name.span, "there is another " + std::string(kind) + " " + quoted(*entry.name));
     diagnostic.labels.push_back({found->second, "the first one"});
-    diagnostic.notes.push_back("in MARS the name leads to the last one");
+    diagnostic.notes.emplace_back(note);
   }
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  check_entries(model.annotations.motors, "motor", findings);
-  check_entries(model.annotations.sensors, "sensor", findings);
-  check_entries(model.annotations.controllers, "controller", findings);
-  check_entries(model.annotations.poses, "joint pose", findings);
+  const Annotations& all = model.annotations;
+  check_entries(all.motors, "motor", kLeads, findings);
+  check_entries(all.sensors, "sensor", kLeads, findings);
+  check_entries(all.controllers, "controller", kLeads, findings);
+  check_entries(all.poses, "joint pose", kLeads, findings);
+  check_entries(all.materials, "material entry", kReplaces, findings);
+  check_entries(all.collisions, "collision entry", kReplaces, findings);
+  check_entries(all.visuals, "visual entry", kReplaces, findings);
+  check_entries(all.links, "link entry", kReplaces, findings);
+  check_entries(all.joints, "joint entry", kReplaces, findings);
 }
 
 }  // namespace
@@ -33,10 +43,12 @@ extern constinit const Rule sml3120_duplicate_annotation_name{
     .id = "SML3120",
     .name = "duplicate-annotation-name",
     .severity = Severity::warning,
-    .summary = "Two motors, sensors, controllers or joint poses have one name.",
-    .why = "MARS creates both, but a name leads to the last one only: controllers, poses "
-           "and mimicking motors never reach the first.",
-    .remedy = "Rename one of them.",
+    .summary = "Two entries of a section have one name.",
+    .why =
+        "MARS creates both, but a name leads to the last one only: controllers, poses "
+        "and mimicking motors never reach the first. Entries that change the URDF are applied one "
+        "after the other in MARS, while Phobos keeps one of them.",
+    .remedy = "Rename one of them, or make one entry of the two.",
     .sources = "MARS smurf.cpp:262, 326.",
     .check_model = check};
 

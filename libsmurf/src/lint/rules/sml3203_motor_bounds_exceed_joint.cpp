@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "base/suggest.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -21,7 +23,24 @@ bool looks_like_degrees(double bound, const urdf::Joint& joint) {
   return joint.type == urdf::JointType::revolute && std::fabs(bound) > kManyTurns;
 }
 
-void check_motor(const Motor& motor, const urdf::Joint& joint, Findings& findings) {
+/// One bound without the other: MARS takes half a turn, or 3.14 m, for the one that is not there.
+void check_absent(const Motor& motor, const urdf::Joint& joint, const Field<double>& low,
+                  const Field<double>& high, Findings& findings) {
+  if (low.written == high.written) return;
+  const bool is_low = high.written;
+  const Field<double>& limit = is_low ? joint.limit->lower : joint.limit->upper;
+  const double bound = is_low ? -std::numbers::pi : std::numbers::pi;
+  if (is_low ? !is_clearly_less(bound, *limit) : !is_clearly_less(*limit, bound)) return;
+  const Field<double>& given = is_low ? high : low;
+  Diagnostic& diagnostic = findings.report(
+      given.span, subject("motor", motor) + " has no " + (is_low ? "lower" : "upper") +
+                      " bound and goes to " + format_rounded(bound) + " in MARS, but " +
+                      title(joint) + " only to " + format_rounded(*limit));
+  diagnostic.labels.push_back({limit.span, "the limit of the joint"});
+}
+
+void check_motor(const Motor& motor, const urdf::Joint& joint, bool is_misspelt,
+                 Findings& findings) {
   if (!joint.limit || joint.type == urdf::JointType::continuous) return;
   const Field<double>& lower = joint.limit->lower;
   const Field<double>& upper = joint.limit->upper;
@@ -30,6 +49,7 @@ void check_motor(const Motor& motor, const urdf::Joint& joint, Findings& finding
   const Field<double>& low = lower_bound(motor);
   const Field<double>& high = upper_bound(motor);
   if (low && high && *low > *high) return;  // reported
+  if (!is_misspelt) check_absent(motor, joint, low, high, findings);
   if (low && !looks_like_degrees(*low, joint) && is_clearly_less(*low, *lower)) {
     report(motor, joint, low, lower, findings);
   }
@@ -38,12 +58,22 @@ void check_motor(const Motor& motor, const urdf::Joint& joint, Findings& finding
   }
 }
 
+/// A key that is no bound, but nearly one, is reported.
+bool has_misspelt_bound(yaml::View mapping) {
+  constexpr std::string_view kBounds[] = {"minValue", "maxValue", "minPosition", "maxPosition"};
+  return mapping && std::any_of(mapping.begin(), mapping.end(), [&](yaml::View value) {
+           return nearest(value.key(), kBounds).has_value();
+         });
+}
+
 void check(const LinkedModel& model, Findings& findings) {
-  for (const Motor& motor : model.annotations.motors) {
+  for (const Motor* leading : leading_motors(model)) {
+    const Motor& motor = *leading;
     const urdf::Joint* joint = joint_of(model, motor);
     // Only position controllers are clamped.
     if (joint == nullptr || !joint->has_one_axis()) continue;
-    if (control_in_mars(motor) == MotorControl::position) check_motor(motor, *joint, findings);
+    if (control_in_mars(motor) != MotorControl::position) continue;
+    check_motor(motor, *joint, has_misspelt_bound(mapping_of(model, motor)), findings);
   }
 }
 

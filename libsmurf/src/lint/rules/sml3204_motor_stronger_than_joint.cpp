@@ -25,7 +25,8 @@ void check_pair(const Motor& motor, const urdf::Joint& joint, const Pair& pair,
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  for (const Motor& motor : model.annotations.motors) {
+  for (const Motor* leading : leading_motors(model)) {
+    const Motor& motor = *leading;
     const urdf::Joint* joint = joint_of(model, motor);
     if (joint == nullptr || !joint->limit) continue;
     check_pair(motor, *joint, {motor.max_effort, joint->limit->effort, "maxEffort", "effort"},

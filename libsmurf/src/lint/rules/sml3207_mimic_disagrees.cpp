@@ -41,6 +41,7 @@ void check(const LinkedModel& model, Findings& findings) {
       continue;
     }
     if (!motor.mimic_motor || !mimic.joint) continue;
+    if (motor.name && *motor.mimic_motor == *motor.name) continue;  // reported
     if (!is_same_leader(model, *motor.mimic_motor, *mimic.joint)) {
       Diagnostic& diagnostic = findings.report(
           motor.mimic_motor.span, subject("motor", motor) + " follows " +

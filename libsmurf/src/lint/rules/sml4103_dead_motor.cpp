@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ast/keys.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -10,6 +11,7 @@ struct Need {
 };
 constexpr Need kSpeed{"maxSpeed", "maximumVelocity", "does not move in MARS"};
 constexpr Need kEffort{"maxEffort", "motorMaxForce", "is limp in MARS"};
+constexpr Need kGain{"p", "p", "does not move in MARS"};
 
 void check_need(const LinkedModel& model, const Motor& motor, const Need& need,
                 Findings& findings) {
@@ -25,14 +27,24 @@ void check_need(const LinkedModel& model, const Motor& motor, const Need& need,
   }
   if (mapping.find("URI") || mapping.find("URIs") || has_misspelt(mapping, need.key)) return;
   const Span place = motor.name.written ? motor.name.span : (*mapping.begin()).key_span();
-  findings.report(place, subject("motor", motor) + " has no " + quoted(need.key) + " and " +
-                             std::string(need.consequence));
+  findings
+      .report(place, subject("motor", motor) + " has no " + quoted(need.key) + " and " +
+                         std::string(need.consequence))
+      .labels.push_back({place_to_add(mapping, need.key), "add it after this"});
+}
+
+/// A gain that is not written may be missing in all motors of a model that is not for MARS; 0 is
+/// said on purpose.
+bool has_zero_gain(const LinkedModel& model, const Motor& motor) {
+  const bool is_zero = motor.p && *motor.p == 0 && motor.i.value_or(0) == 0;
+  return is_zero && mapping_of(model, motor) && control_in_mars(motor) == MotorControl::position;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) {
     if (control_in_mars(motor) != MotorControl::torque) check_need(model, motor, kSpeed, findings);
     check_need(model, motor, kEffort, findings);
+    if (has_zero_gain(model, motor)) check_need(model, motor, kGain, findings);
   }
 }
 
@@ -42,11 +54,12 @@ extern constinit const Rule sml4103_dead_motor{
     .id = "SML4103",
     .name = "dead-motor",
     .severity = Severity::error,
-    .summary = "A motor has no speed or no effort, so that it never moves.",
+    .summary = "A motor has no speed, no effort or no gain, so that it never moves.",
     .why = "MARS clamps the speed to `maxSpeed` and the force of the joint to `maxEffort`; "
-           "both are 0 when they are absent. A torque motor needs the effort only.",
+           "both are 0 when they are absent. A torque motor needs the effort only. A position "
+           "motor moves at `p` times its error: with a `p` of 0 it stands still.",
     .remedy = "Write both; the limits of the URDF joint are a good start.",
-    .sources = "MARS MotorData.cpp:85-86, SimMotor.cpp:434-444.",
+    .sources = "MARS MotorData.cpp:85-86, SimMotor.cpp:352-407, 434-444.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -6,7 +6,12 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) {
-    if (!motor.mimic_motor.written || motor.mimic_multiplier.written) continue;
+    if (!motor.mimic_motor.written) continue;
+    if (motor.mimic_multiplier && *motor.mimic_multiplier == 0) {
+      findings.report(motor.mimic_multiplier.span,
+                      subject("motor", motor) + " does not follow: its factor is 0");
+    }
+    if (motor.mimic_multiplier.written) continue;
     const yaml::View mapping = mapping_of(model, motor);
     if (!mapping || has_misspelt(mapping, "mimic_multiplier")) continue;
     findings
@@ -23,7 +28,7 @@ extern constinit const Rule sml4105_mimic_multiplier_missing{
     .id = "SML4105",
     .name = "mimic-multiplier-missing",
     .severity = Severity::error,
-    .summary = "A motor mimics another one without `mimic_multiplier`.",
+    .summary = "A motor mimics another one without `mimic_multiplier`, or with 0.",
     .why = "MARS enables the mimic by `mimic_motor` and reads the absent multiplier as 0: "
            "the motor holds `mimic_offset` and follows nobody. The URDF default of 1 does "
            "not apply.",

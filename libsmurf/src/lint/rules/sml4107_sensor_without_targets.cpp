@@ -25,6 +25,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         place, subject("sensor", sensor) + " names no " +
                    std::string(to_string(*sensor_target(*sensor.type))) + " to measure");
+    if (!targets && !sensor.id.written) {
+      diagnostic.labels.push_back({place_to_add(mapping, "id"), "add `id` after this"});
+    }
     if (!targets) continue;
     diagnostic.help = "did you mean `id` by `targets`?";
     diagnostic.fixes.push_back(

@@ -6,7 +6,9 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  for (const Light& light : model.annotations.lights) report_incomplete_light(light, findings);
+  for (const Light& light : model.annotations.lights) {
+    report_incomplete_light(light, mapping_of(model, light), findings);
+  }
 }
 
 }  // namespace

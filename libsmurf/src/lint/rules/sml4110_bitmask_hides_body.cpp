@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -8,14 +9,30 @@ namespace smurf::rules {
 namespace {
 
 constexpr std::int64_t kSeenByRays = 32768;
+constexpr std::int64_t kDefault = 65535;
+
+bool has_ray_sensor(const LinkedModel& model) {
+  const auto& sensors = model.annotations.sensors;
+  return std::any_of(sensors.begin(), sensors.end(), [](const Sensor& sensor) {
+    return sensor.type && (*sensor.type == "RaySensor" || *sensor.type == "RotatingRaySensor");
+  });
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   std::vector<const CollisionAnnotation*> hidden;
   for (const CollisionAnnotation& entry : model.annotations.collisions) {
     if (!entry.bitmask) continue;
     if (*entry.bitmask == 0) {
-      findings.report(entry.bitmask.span,
-                      subject("collision", entry) + " collides with nothing: its bitmask is 0");
+      findings
+          .report(entry.bitmask.span,
+                  subject("collision", entry) + " collides with nothing: its bitmask is 0")
+          .severity = Severity::warning;
+    } else if ((*entry.bitmask & kDefault) == 0) {
+      findings
+          .report(entry.bitmask.span, subject("collision", entry) +
+                                          " collides with nothing that has the default mask: none "
+                                          "of the bits 0 to 15 is set")
+          .severity = Severity::warning;
     } else if ((*entry.bitmask & kSeenByRays) == 0) {
       hidden.push_back(&entry);
     }
@@ -26,9 +43,11 @@ void check(const LinkedModel& model, Findings& findings) {
   const std::size_t others = hidden.size() - 1;
   std::string who = subject("collision", first);
   if (others > 0) who += " and " + std::to_string(others) + (others == 1 ? " other" : " others");
-  findings
-      .report(first.bitmask.span, "ray sensors of MARS do not see " + who + ": bit 15 is not set")
-      .help = "with it the bitmask is " + std::to_string(*first.bitmask | kSeenByRays);
+  Diagnostic& diagnostic = findings.report(first.bitmask.span, "ray sensors of MARS do not see " +
+                                                                   who + ": bit 15 is not set");
+  diagnostic.help = "with it the bitmask is " + std::to_string(*first.bitmask | kSeenByRays);
+  // A robot with eyes is rarely meant to be invisible to others of its kind.
+  if (has_ray_sensor(model)) diagnostic.severity = Severity::warning;
 }
 
 }  // namespace

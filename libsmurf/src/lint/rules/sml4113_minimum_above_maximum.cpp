@@ -31,6 +31,21 @@ void check_entries(const LinkedModel& model, const Entries& entries,
   }
 }
 
+/// Bounds that leave a motor one position.
+void check_ranges(const LinkedModel& model, Findings& findings) {
+  for (const Motor& motor : model.annotations.motors) {
+    const Field<double>& low = lower_bound(motor);
+    const Field<double>& high = upper_bound(motor);
+    if (!low || !high || *low != *high) continue;
+    if (control_in_mars(motor) != MotorControl::position) continue;
+    Diagnostic& diagnostic = findings.report(low.span, subject("motor", motor) +
+                                                           " can go nowhere: both its bounds are " +
+                                                           format_number(*low));
+    diagnostic.severity = Severity::warning;
+    diagnostic.labels.push_back({high.span, "the upper bound"});
+  }
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   const Annotations& all = model.annotations;
   check_entries(model, all.motors, {{"minValue", "maxValue"}, {"minPosition", "maxPosition"}},
@@ -41,6 +56,7 @@ void check(const LinkedModel& model, Findings& findings) {
                  {"lowStopAxis2", "highStopAxis2"},
                  {"minPosition", "maxPosition"}},
                 findings);
+  check_ranges(model, findings);
   check_entries(model, all.graphics, {{"fogStart", "fogEnd"}}, findings);
 }
 
@@ -50,11 +66,12 @@ extern constinit const Rule sml4113_minimum_above_maximum{
     .id = "SML4113",
     .name = "minimum-above-maximum",
     .severity = Severity::error,
-    .summary = "A lower bound lies above the upper one.",
-    .why = "MARS clamps to one bound after the other, so the motor goes to the bound that "
-           "is checked last; fog and ray distances turn inside out.",
+    .summary = "A lower bound lies above the upper one, or leaves a motor one position.",
+    .why = "MARS clamps commands to the upper bound, then to the lower one: the motor goes to the "
+           "lower bound whatever it is told. Of stops, distances and fog the other way round "
+           "nothing is left.",
     .remedy = "Swap the two.",
-    .sources = "MARS SimMotor.cpp:352-365, GraphicData.cpp, RotatingRaySensor.cpp.",
+    .sources = "MARS SimMotor.cpp (runPositionController), GraphicData.cpp, RotatingRaySensor.cpp.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -20,9 +20,21 @@ void check_keys(const LinkedModel& model, const Entry& entry, std::string_view w
   }
 }
 
+/// How to follow is said, but not whom.
+void check_follower(const LinkedModel& model, const Motor& motor, Findings& findings) {
+  if (motor.mimic_motor.written || !motor.mimic_multiplier.written) return;
+  const yaml::View mapping = mapping_of(model, motor);
+  if (!mapping || has_misspelt(mapping, "mimic_motor")) return;
+  Diagnostic& diagnostic = findings.report(mapping.find("mimic_multiplier").key_span(),
+                                           "`mimic_multiplier` of " + subject("motor", motor) +
+                                               " has no effect: there is no `mimic_motor`");
+  diagnostic.severity = Severity::warning;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) {
     check_keys(model, motor, "a motor", {"position", "axis", "index", "jointIndex"}, findings);
+    check_follower(model, motor, findings);
   }
   for (const Sensor& sensor : model.annotations.sensors) {
     if (!sensor.type) continue;
@@ -42,9 +54,10 @@ extern constinit const Rule sml4114_key_without_effect{
     .name = "key-without-effect",
     .severity = Severity::info,
     .summary = "A key that MARS reads has no effect.",
-    .why = "MARS overwrites `axis`, `index` and `jointIndex` of a motor when it loads it, "
-           "and takes the control value before it stores `position`, so the motor starts "
-           "at 0. A RaySensor casts one row of rays: its height says nothing.",
+    .why =
+        "MARS overwrites `axis`, `index` and `jointIndex` of a motor when it loads it, "
+        "and takes the control value before it stores `position`, so the motor starts "
+        "at 0. A factor of a mimic without a motor to follow is not looked at. A RaySensor casts one row of rays: its height says nothing.",
     .remedy = "Delete the key. A pose under `poses` sets the positions in which the robot "
               "starts.",
     .sources = "MARS smurf.cpp:261-264, SimMotor.cpp:49-89, RaySensor.cpp.",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "base/numbers.hpp"
@@ -8,26 +9,50 @@
 namespace smurf::rules {
 namespace {
 
-void check_angle(std::optional<double> angle, Span place, const std::string& what,
-                 Findings& findings) {
+bool looks_like_degrees(double angle) {
   constexpr double kTwoTurns = 4 * std::numbers::pi;
   constexpr double kPlaceholder = 1000;  // 1e16 and the like mean "no limit"
-  if (!angle || std::fabs(*angle) <= kTwoTurns || std::fabs(*angle) >= kPlaceholder) return;
-  findings
-      .report(place, what + " is " + format_number(*angle) + " rad, " +
-                         format_rounded(std::fabs(*angle) / (2 * std::numbers::pi), 3) +
-                         " turns; is it in degrees?")
-      .help = format_number(*angle) + " degrees are " +
-              format_rounded(*angle * std::numbers::pi / 180, 6) + " rad";
+  return std::fabs(angle) > kTwoTurns && std::fabs(angle) < kPlaceholder;
+}
+
+/// Null when there is nothing to report.
+Diagnostic* check_angle(std::optional<double> angle, Span place, const std::string& what,
+                        Findings& findings) {
+  if (!angle || !looks_like_degrees(*angle)) return nullptr;
+  Diagnostic& diagnostic =
+      findings.report(place, what + " is " + format_number(*angle) + " rad, " +
+                                 format_rounded(std::fabs(*angle) / (2 * std::numbers::pi), 3) +
+                                 " turns; is it in degrees?");
+  diagnostic.help = format_number(*angle) + " degrees are " +
+                    format_rounded(*angle * std::numbers::pi / 180, 6) + " rad";
+  return &diagnostic;
+}
+
+/// One finding for all angles of one thing, which are in one unit.
+void check_angles(std::initializer_list<const Field<double>*> angles, const std::string& what,
+                  Findings& findings) {
+  Diagnostic* found = nullptr;
+  for (const Field<double>* angle : angles) {
+    if (found == nullptr) {
+      found = check_angle(angle->value, angle->span, what, findings);
+    } else if (*angle && looks_like_degrees(**angle)) {
+      found->labels.push_back({angle->span, "this too"});
+    }
+  }
 }
 
 void check_motor(const LinkedModel& model, const Motor& motor, Findings& findings) {
   const urdf::Joint* joint = joint_of(model, motor);
   if (joint == nullptr || joint->type != urdf::JointType::revolute) return;
-  for (const Field<double>* bound :
-       {&motor.min_value, &motor.max_value, &motor.min_position, &motor.max_position}) {
-    check_angle(bound->value, bound->span, "a bound of " + subject("motor", motor), findings);
-  }
+  check_angles({&motor.min_value, &motor.max_value, &motor.min_position, &motor.max_position},
+               "a bound of " + subject("motor", motor), findings);
+}
+
+void check_stops(const LinkedModel& model, const JointAnnotation& entry, Findings& findings) {
+  const urdf::Joint* joint = entry.name ? find_joint(model, *entry.name) : nullptr;
+  if (joint == nullptr || joint->type != urdf::JointType::revolute) return;
+  check_angles({&entry.low_stop, &entry.high_stop}, "a stop of " + subject("joint", entry),
+               findings);
 }
 
 void check_pose(const LinkedModel& model, const JointPoseSet& pose, Findings& findings) {
@@ -45,6 +70,7 @@ void check_pose(const LinkedModel& model, const JointPoseSet& pose, Findings& fi
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) check_motor(model, motor, findings);
+  for (const JointAnnotation& entry : model.annotations.joints) check_stops(model, entry, findings);
   for (const JointPoseSet& pose : model.annotations.poses) check_pose(model, pose, findings);
   for (const Interface& entry : model.annotations.interfaces) {
     if (!entry.rotation) continue;
@@ -61,8 +87,8 @@ extern constinit const Rule sml4117_angle_looks_like_degrees{
     .id = "SML4117",
     .name = "angle-looks-like-degrees",
     .severity = Severity::warning,
-    .summary = "An angle of a motor, joint pose or interface looks like degrees.",
-    .why = "Motors, joint poses and interfaces take radians in all readers: 90 is more "
+    .summary = "An angle of a motor, joint, joint pose or interface looks like degrees.",
+    .why = "Motors, stops, joint poses and interfaces take radians in all readers: 90 is more "
            "than 14 turns.",
     .remedy = "Multiply by pi/180.",
     .sources = "MARS MotorData.cpp, SimEntity.cpp:503-513; Phobos representation.py:2289-2326.",

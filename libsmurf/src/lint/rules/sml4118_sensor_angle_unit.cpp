@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "lint/angle_queries.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -27,16 +28,56 @@ void check_value(yaml::View mapping, std::string_view key, bool is_camera, Findi
                         : text + " degrees are " + format_rounded(*value / factor, 6) + " rad";
 }
 
+/// A flat picture shows less than half a turn.
+void check_camera(yaml::View mapping, Findings& findings) {
+  constexpr double kHalfTurn = 180;
+  for (const std::string_view key :
+       {"opening_width", "opening_height", "opening_angle", "opening_angle2"}) {
+    const auto value = number_at(mapping, key);
+    if (!value || *value < kHalfTurn) continue;
+    findings.report(mapping.find(key).span(), quoted(key) + " of a camera is " +
+                                                  format_number(*value) +
+                                                  " degrees, but pictures show less than 180");
+  }
+}
+
+/// Roll, pitch and yaw are in degrees here, and in radians in most other places.
+void check_turns(yaml::View orientation, Findings& findings) {
+  if (!orientation || !orientation.is_mapping()) return;
+  for (const std::string_view key : {"roll", "pitch", "yaw"}) {
+    const auto value = number_at(orientation, key);
+    const auto degrees = value ? degrees_of_radians(*value) : std::nullopt;
+    if (!degrees) continue;
+    Diagnostic& diagnostic = findings.report(
+        orientation.find(key).span(), "MARS takes " + quoted(key) + " of this sensor as " +
+                                          format_number(*value) + " degrees; is it in radians?");
+    diagnostic.help = "in degrees it is " + format_number(*degrees);
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{orientation.find(key).span(), format_number(*degrees)}}});
+    return;
+  }
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const Sensor& sensor : model.annotations.sensors) {
     if (!sensor.type) continue;
+    const yaml::View mapping = mapping_of(model, sensor);
+    if (!mapping) continue;
+    for (const std::string_view key : {"orientation_offset", "rotation_offset", "orientation"}) {
+      check_turns(mapping.find(key), findings);
+    }
     const bool is_camera = *sensor.type == "CameraSensor";
     const bool is_ray = *sensor.type == "RaySensor" || *sensor.type == "RotatingRaySensor";
-    if (!is_camera && !is_ray) continue;
-    const yaml::View mapping = mapping_of(model, sensor);
-    for (const std::string_view key :
-         {"opening_width", "opening_height", "opening_angle", "opening_angle2"}) {
-      check_value(mapping, key, is_camera, findings);
+    if (is_camera) check_camera(mapping, findings);
+    if (is_camera || is_ray) {
+      for (const std::string_view key :
+           {"opening_width", "opening_height", "opening_angle", "opening_angle2"}) {
+        check_value(mapping, key, is_camera, findings);
+      }
+    }
+    if (*sensor.type == "MultiLevelLaserRangeFinder") {
+      check_value(mapping, "verticalOpeningAngle", false, findings);
+      check_value(mapping, "horizontalOpeningAngle", false, findings);
     }
   }
 }
@@ -47,10 +88,10 @@ extern constinit const Rule sml4118_sensor_angle_unit{
     .id = "SML4118",
     .name = "sensor-angle-unit",
     .severity = Severity::warning,
-    .summary = "The opening of a sensor looks like radians where MARS takes degrees, or the "
-               "reverse.",
+    .summary = "An angle of a sensor looks like radians where MARS takes degrees, or the reverse.",
     .why = "MARS takes the opening of a CameraSensor in degrees, that of ray sensors in "
-           "radians: 1.57 degrees is a slit, 90 rad are 14 turns.",
+           "radians: 1.57 degrees is a slit, 90 rad are 14 turns. Roll, pitch and yaw of an offset "
+           "are degrees.",
     .remedy = "Convert the value.",
     .sources = "MARS CameraSensor.cpp:480-570, RaySensor.cpp, RotatingRaySensor.cpp.",
     .check_model = check};

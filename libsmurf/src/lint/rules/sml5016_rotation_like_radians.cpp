@@ -1,28 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-#include <numbers>
-
 #include "base/numbers.hpp"
+#include "lint/angle_queries.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
 namespace {
-
-/// Angles that people write as fractions of pi, in degrees.
-constexpr double kAngles[] = {30, 45, 60, 90, 120, 135, 150, 180, 270, 360};
-/// As near as three written digits of pi bring them.
-constexpr double kRelativeTolerance = 1.2e-3;
-
-/// The degrees that a number would be as radians, when it is one of those angles.
-std::optional<double> as_degrees(double number) {
-  for (const double degrees : kAngles) {
-    const double radians = degrees * std::numbers::pi / 180;
-    if (std::fabs(std::fabs(number) - radians) > kRelativeTolerance * radians) continue;
-    return std::copysign(degrees, number);
-  }
-  return std::nullopt;
-}
 
 /// The numbers of a rotation as they are written.
 std::vector<yaml::View> numbers_of(yaml::View rotation) {
@@ -40,7 +23,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     for (const yaml::View number : numbers_of(mapping_of(file, entity).find("rotation"))) {
       const double value = *number.number();
       if (value == 0) continue;
-      const std::optional<double> degrees = as_degrees(value);
+      const std::optional<double> degrees = degrees_of_radians(value);
       if (!degrees) return;
       edits.push_back({number.span(), format_number(*degrees)});
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ast/keys.hpp"
+#include "base/numbers.hpp"
 #include "base/suggest.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
@@ -24,6 +25,27 @@ void report_shape(yaml::View shape, Findings& findings) {
   }
 }
 
+/// How many components of `extend` a shape takes its size from, x first.
+std::size_t size_components(std::string_view shape) {
+  if (shape == "box") return 3;
+  if (shape == "plane" || shape == "cylinder" || shape == "capsule") return 2;
+  return 1;
+}
+
+void check_size(yaml::View extend, std::string_view shape, Findings& findings) {
+  constexpr std::string_view kNames[] = {"x", "y", "z"};
+  if (!extend || !extend.is_mapping()) return;
+  for (std::size_t i = 0; i < size_components(shape); ++i) {
+    const yaml::View size = extend.find(kNames[i]);
+    const std::optional<double> number = size ? size.number() : 0;
+    if (!number || *number > 0) continue;  // what is no number is another finding
+    findings.report(size ? size.span() : extend.span(), "`extend` gives the " + std::string(shape) +
+                                                            " the size " + format_number(*number) +
+                                                            " along " + std::string(kNames[i]));
+    return;
+  }
+}
+
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
     if (entity_type(entity) != "primitive") return;
@@ -41,6 +63,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     const bool is_known =
         std::find(std::begin(kShapes), std::end(kShapes), shape.text()) != std::end(kShapes);
     if (!shape.is_scalar() || !is_known) return report_shape(shape, findings);
+    check_size(keys.find("extend"), shape.text(), findings);
     const bool has_preset = shape.text() != "cylinder" && shape.text() != "capsule";
     if (!has_preset && !keys.find("extend")) {
       Diagnostic& diagnostic =
@@ -58,7 +81,7 @@ extern constinit const Rule sml5023_primitive_without_shape{
     .id = "SML5023",
     .name = "primitive-without-shape",
     .severity = Severity::error,
-    .summary = "An entity of type primitive has no shape, an unknown one, or one without size.",
+    .summary = "An entity of type primitive has no shape, an unknown one, or one without a size.",
     .why = "MARS takes the shape from `geometry: {type: ...}` and has sizes for plane, box and "
            "sphere only. It cannot make a node without shape or size and then keeps an entity "
            "that is nothing.",

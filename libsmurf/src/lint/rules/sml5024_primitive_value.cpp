@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
+#include "base/rules.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -8,12 +9,27 @@
 namespace smurf::rules {
 namespace {
 
+/// The colours and textures of the primitive, as in the section `materials`.
+void check_material(yaml::View material, DiagnosticSink& found) {
+  if (material.is_null()) return;
+  if (!material.is_mapping()) {
+    found.report(rules::sml4001_wrong_type, material.place(),
+                 "`material` of a primitive takes a mapping, not " + describe(material));
+    return;
+  }
+  for (const KeySpec* spec : sections::materials.keys()) {
+    const yaml::View value = material.find(spec->name);
+    if (value) read_value(*spec, value, {}, found);
+  }
+}
+
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
     if (entity_type(entity) != "primitive") return;
     DiagnosticSink found;
     for (const yaml::View value : mapping_of(file, entity)) {
       if (value.is_repeated() || find_key({all_entity_keys()}, value.key())) continue;
+      if (value.key() == "material") check_material(value, found);
       const KeySpec* spec = find_key({sections::node_keys()}, value.key());
       if (spec != nullptr) read_value(*spec, value, {}, found);
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
 #include "base/suggest.hpp"
@@ -18,12 +20,35 @@ bool takes(const KeySpec& spec, yaml::View value) {
 /// `my_physics` is a name of one's own, no slip of the pen.
 constexpr int kMostEdits = 2;
 
+/// Words of other formats, and singulars, for keys of scenes and entities.
+constexpr std::pair<std::string_view, std::string_view> kOtherWords[] = {
+    {"entity", "entities"}, {"objects", "entities"},     {"models", "entities"},
+    {"light", "lights"},    {"orientation", "rotation"}, {"rot", "rotation"},
+    {"rpy", "rotation"},    {"quaternion", "rotation"},  {"translation", "position"},
+    {"pos", "position"},    {"xyz", "position"},         {"radius", "extend"},
+    {"size", "extend"},     {"extent", "extend"},        {"extents", "extend"},
+};
+
+/// Null when no reader has another word for it, or the value would not fit.
+const KeySpec* meant_by_other_word(yaml::View value, yaml::View mapping,
+                                   std::span<const KeySpec> keys) {
+  for (const auto& [word, key] : kOtherWords) {
+    if (value.key() != word || mapping.find(key)) continue;
+    const KeySpec* spec = find_key({keys}, key);
+    if (spec == nullptr || value.is_null()) continue;
+    const bool is_list = spec->type == ValueType::list;
+    if (!is_list || value.is_sequence()) return spec;
+  }
+  return nullptr;
+}
+
 /// The key that was meant: near, absent, and one that takes the value.
 const KeySpec* meant_by(yaml::View value, yaml::View mapping, std::span<const KeySpec> keys) {
   std::vector<std::string_view> names;
   for (const KeySpec& spec : keys) {
     if (spec.name != "URI") names.push_back(spec.name);  // nobody should write it
   }
+  if (const KeySpec* other = meant_by_other_word(value, mapping, keys)) return other;
   const auto near = nearest(value.key(), names);
   if (!near || mapping.find(*near)) return nullptr;
   if (edit_distance(value.key(), *near, kMostEdits) > kMostEdits) return nullptr;
@@ -35,6 +60,7 @@ void report(yaml::View value, const KeySpec& meant, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       value.key_span(), quoted(value.key()) + " is no key that readers of scenes know");
   diagnostic.help = "did you mean " + quoted(meant.name) + "?";
+  if (!takes(meant, value)) return;
   diagnostic.fixes.push_back(
       {Applicability::unsafe,
        {{without_quotes(value.key_span(), value.key()), std::string(meant.name)}}});

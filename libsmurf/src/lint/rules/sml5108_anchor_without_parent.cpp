@@ -9,9 +9,16 @@ void check(const LinkedScene& scene, Findings& findings) {
   for_each_use(scene, [&](const Use& use) {
     if (!use.entity.anchor || *use.entity.anchor != "parent") return;
     if (!use.placement.is_known || use.placement.parent.kind != Attachment::Kind::none) return;
+    // `WORLD`, and a key that is nearly `parent`, are reported.
+    if (use.entity.parent.written && *use.entity.parent != "world") return;
+    if (!use.entity.parent.written && slip_of(use.entity, "parent") != nullptr) return;
     Diagnostic& diagnostic = findings.report(
         use.entity.anchor.span, title(use.entity) + " is anchored to its parent, but has none");
     diagnostic.help = "write `world` if that is meant";
+    const Field<std::string>& file = use.entity.file;
+    if (!use.entity.parent.written && file.written) {
+      diagnostic.labels.push_back({file.span, "no `parent` follows"});
+    }
   });
 }
 

@@ -9,6 +9,8 @@ void check(const LinkedScene& scene, Findings& findings) {
   for_each_use(scene, [&](const Use& use) {
     if (!use.inherits_in_mars() || !use.is_member()) return;
     if (use.around.placement.parent.kind != Attachment::Kind::link) return;
+    const bool is_meant = use.entity.root.written && !use.entity.root;
+    if (is_meant || slip_of(use.entity, "root") != nullptr) return;  // reported
     Diagnostic& diagnostic =
         findings.report(place_of(use.entity),
                         title(use.entity) + " is no root of the assembly, so that MARS leaves "

@@ -9,7 +9,9 @@ namespace {
 void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneFile& file : scene.scenes) {
     if (!world_value(file, "lights")) continue;
-    for (const Light& light : file.scene.lights) report_incomplete_light(light, findings);
+    for (const Light& light : file.scene.lights) {
+      report_incomplete_light(light, yaml::View(*file.document, light.node), findings);
+    }
   }
 }
 

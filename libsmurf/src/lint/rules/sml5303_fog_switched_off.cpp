@@ -31,6 +31,9 @@ void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneFile& file : scene.scenes) {
     const yaml::View environment = world_value(file, "environment");
     if (!environment || has_fog(environment)) continue;
+    // An environment that yields to that of the scene around it is reported as such.
+    if (&file != &scene.scenes.front() && world_value(scene.scenes.front(), "environment"))
+      continue;
     Diagnostic& diagnostic = findings.report(
         environment.key_span(), "this environment has no `fog` and so switches fog off in MARS");
     diagnostic.labels.push_back({*fog, "fog is asked for here"});

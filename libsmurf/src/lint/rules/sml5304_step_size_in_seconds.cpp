@@ -8,11 +8,17 @@ namespace {
 
 /// Simulations step by 0.1 ms to 20 ms; as seconds these numbers are below this.
 constexpr double kSmallestMilliseconds = 0.05;
+/// With a second between two looks things have fallen through each other.
+constexpr double kLargestMilliseconds = 1000;
 
 void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneFile& file : scene.scenes) {
     if (!file.scene.physics || !world_value(file, "physics")) continue;
     const Field<double>& step = file.scene.physics->step_size;
+    if (step && *step >= kLargestMilliseconds) {
+      findings.report(step.span, "the step is " + format_number(*step / 1000) +
+                                     " seconds long; the key takes milliseconds");
+    }
     if (!step || *step < 0 || *step >= kSmallestMilliseconds) continue;
     if (*step == 0) {
       findings.report(step.span, "with a step of 0 ms time stands still");
@@ -32,7 +38,7 @@ extern constinit const Rule sml5304_step_size_in_seconds{
     .id = "SML5304",
     .name = "step-size-in-seconds",
     .severity = Severity::warning,
-    .summary = "The step of the physics engine is so small that seconds seem to be meant.",
+    .summary = "The step of the physics engine is far too small or too large.",
     .why = "MARS takes `stepsize` as milliseconds, Phobos' script for PyBullet as seconds: a "
            "simulation runs a thousand times slower than it should.",
     .remedy = "Write milliseconds: 1 for a thousand steps a second.",

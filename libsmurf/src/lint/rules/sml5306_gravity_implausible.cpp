@@ -27,6 +27,11 @@ void check(const LinkedScene& scene, Findings& findings) {
       Diagnostic& diagnostic = findings.report(up.span(), "gravity pulls upward");
       diagnostic.help = "did you mean " + format_number(-z) + "?";
       diagnostic.fixes.push_back({Applicability::unsafe, {{up.span(), format_number(-z)}}});
+    } else if (strength == 0 && !up && !keys.find("gravity").find("Z")) {
+      findings.report(gravity.span, "there is no gravity: `z` is missing and reads as 0");
+    } else if (strength > 0 && z == 0) {
+      findings.report(gravity.span, "gravity pulls sideways").help =
+          "z points upward in MARS, so that gravity is `z: " + format_number(-strength) + "`";
     }
   }
 }
@@ -37,7 +42,8 @@ extern constinit const Rule sml5306_gravity_implausible{
     .id = "SML5306",
     .name = "gravity-implausible",
     .severity = Severity::warning,
-    .summary = "Gravity pulls upward, or more strongly than that of any planet.",
+    .summary =
+        "Gravity pulls upward or sideways, is not there, or pulls more strongly than that of any planet.",
     .why = "In SMURF scenes z points up and gravity is an acceleration in m/s^2, taken as it is: "
            "with a positive z everything falls into the sky.",
     .remedy = "Write {x: 0, y: 0, z: -9.81}.",

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "base/rules.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -7,10 +10,25 @@
 namespace smurf::rules {
 namespace {
 
+/// What is no position or rotation at all is reported where the scene is read.
+bool is_reported(const Entity& entity, const Diagnostic& diagnostic) {
+  const bool is_position = entity.position.written && !entity.position;
+  const bool is_rotation = entity.rotation.form == RotationForm::invalid;
+  return (is_position && diagnostic.span == entity.position.span) ||
+         (is_rotation && diagnostic.span == entity.rotation.span);
+}
+
 void check(const LinkedScene& scene, Findings& findings) {
   if (scene.schemas == nullptr) return;
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
-    scene.schemas->check_entity(entity_type(entity), mapping_of(file, entity), findings);
+    DiagnosticSink sink;
+    Findings found(rules::sml5401_entity_against_schema, sink);
+    scene.schemas->check_entity(entity_type(entity), mapping_of(file, entity), found);
+    for (Diagnostic& diagnostic : sink.take()) {
+      if (is_reported(entity, diagnostic)) continue;
+      Diagnostic& reported = findings.report(diagnostic.span, {});
+      reported = std::move(diagnostic);
+    }
   });
 }
 

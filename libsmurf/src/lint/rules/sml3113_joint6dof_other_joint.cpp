@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (!sensor.type || *sensor.type != "Joint6DOF" || !sensor.link || !sensor.joint) continue;
+    const auto link = model.link_names.find(*sensor.link);
+    const auto joint = model.joint_names.find(*sensor.joint);
+    if (!link || !joint || !model.tree.parent_joint[*link]) continue;
+    const urdf::Joint& measured = model.joint(*model.tree.parent_joint[*link]);
+    if (&measured == &model.robot->joints[*joint]) continue;
+    Diagnostic& diagnostic = findings.report(
+        sensor.joint.span, subject("sensor", sensor) + " measures " + title(measured) +
+                               " in MARS, which leads to " + quoted(*sensor.link) + ", but " +
+                               quoted(*sensor.joint) + " in MARS 2");
+    diagnostic.labels.push_back({sensor.link.span, "MARS goes by the link"});
+    if (!measured.name) continue;
+    diagnostic.help = "did you mean " + quoted(*measured.name) + "?";
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{within_quotes(model, sensor.joint.span), *measured.name}}});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3113_joint6dof_other_joint{
+    .id = "SML3113",
+    .name = "joint6dof-other-joint",
+    .severity = Severity::warning,
+    .summary = "A Joint6DOF sensor names a joint that does not lead to its link.",
+    .why = "MARS ignores `joint` and measures the joint that leads to `link`; MARS 2 measures "
+           "the joint that `joint` names. The same file gives the forces of two different "
+           "joints.",
+    .remedy = "Name the joint whose child the link is.",
+    .sources = "MARS smurf.cpp:277-283; envire_smurf_loader Model.cpp:487-505.",
+    .check_model = check};
+
+}  // namespace smurf::rules

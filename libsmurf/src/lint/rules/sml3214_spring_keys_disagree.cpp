@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "ast/keys.hpp"
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+struct Pair {
+  std::string_view mars, others;
+};
+constexpr Pair kPairs[] = {{"spring_const_constraint_axis1", "springStiffness"},
+                           {"damping_const_constraint_axis1", "springDamping"}};
+
+/// rock-cpp/smurf reads the four keys when all are there, else none.
+void check_count(yaml::View mapping, const std::string& who, Findings& findings) {
+  std::string_view missing;
+  int count = 0;
+  for (const Pair& pair : kPairs) {
+    for (const std::string_view key : {pair.mars, pair.others}) {
+      const yaml::View value = mapping.find(key);
+      if (value && !value.is_null()) {
+        ++count;
+      } else {
+        missing = key;
+      }
+    }
+  }
+  if (count != 3 || has_misspelt(mapping, missing)) return;
+  Diagnostic& diagnostic = findings.report(place_to_add(mapping, missing),
+                                           who + " has no " + quoted(missing) +
+                                               ", but the other three keys of its spring");
+  diagnostic.notes.push_back("rock-cpp/smurf reads all four of them, or none");
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const JointAnnotation& joint : model.annotations.joints) {
+    const yaml::View mapping = mapping_of(model, joint);
+    if (!mapping) continue;
+    for (const Pair& pair : kPairs) {
+      const auto in_mars = number_at(mapping, pair.mars);
+      const auto elsewhere = number_at(mapping, pair.others);
+      if (!in_mars || !elsewhere || *in_mars == *elsewhere) continue;
+      if (*in_mars < 0 || *elsewhere < 0) continue;  // reported
+      Diagnostic& diagnostic =
+          findings.report(mapping.find(pair.others).span(),
+                          quoted(pair.others) + " of " + subject("joint", joint) + " is " +
+                              format_number(*elsewhere) + ", but " + quoted(pair.mars) + " is " +
+                              format_number(*in_mars));
+      diagnostic.labels.push_back({mapping.find(pair.mars).span(), "what MARS reads"});
+    }
+    check_count(mapping, subject("joint", joint), findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3214_spring_keys_disagree{
+    .id = "SML3214",
+    .name = "spring-keys-disagree",
+    .severity = Severity::warning,
+    .summary =
+        "The two names for the spring or the damping of a joint hold different values, or one"
+        " is missing.",
+    .why = "MARS reads the keys with `constraint`, rock-cpp/smurf the four keys together or not "
+           "at all, and MARS 2 both names, of which that with `constraint` wins: the joint "
+           "differs from reader to reader.",
+    .remedy = "Write the same value under both names.",
+    .sources = "MARS JointData.cpp:89-164; rock-cpp/smurf Joint.cpp:101-124; mars_ode_physics "
+               "Joint.cpp:180-193.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <string>
+#include <unordered_set>
+
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_list(const LinkedModel& model, const Submechanism& mechanism, std::string_view key,
+                const Field<NameList>& list, Findings& findings) {
+  if (!list) return;
+  std::unordered_set<std::string_view> all;
+  for (const Spanned<std::string>& name : *mechanism.joint_names) all.insert(name.value);
+  for (const Spanned<std::string>& name : *list) {
+    // What is no joint of the robot may be a slip, which is reported.
+    if (all.contains(name.value) || !model.joint_names.contains(name.value)) continue;
+    Diagnostic& diagnostic = findings.report(
+        name.span, quoted(key) + " of " + subject("submechanism", mechanism) + " holds " +
+                       quoted(name.value) + ", which `jointnames` does not");
+    diagnostic.labels.push_back({mechanism.joint_names.span, "all joints of the mechanism"});
+  }
+}
+
+/// Unknown and repeated names are reported, and may stand for those that are missing.
+bool is_sound(const LinkedModel& model, const NameList& names) {
+  std::unordered_set<std::string_view> seen;
+  return std::all_of(names.begin(), names.end(), [&](const Spanned<std::string>& name) {
+    return model.joint_names.contains(name.value) && seen.insert(name.value).second;
+  });
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for (const Submechanism& mechanism : model.annotations.submechanisms) {
+    if (!mechanism.joint_names || !is_sound(model, *mechanism.joint_names)) continue;
+    check_list(model, mechanism, "jointnames_spanningtree", mechanism.joint_names_spanning_tree,
+               findings);
+    check_list(model, mechanism, "jointnames_active", mechanism.joint_names_active, findings);
+    check_list(model, mechanism, "jointnames_independent", mechanism.joint_names_independent,
+               findings);
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml3241_submechanism_lists_disagree{
+    .id = "SML3241",
+    .name = "submechanism-lists-disagree",
+    .severity = Severity::warning,
+    .summary = "A list of a submechanism holds a joint that is not among the joints of the "
+               "mechanism.",
+    .why =
+        "`jointnames` lists all joints of a submechanism, and the other lists choose from it. "
+        "Phobos takes them as they are and writes them for HyRoDyn: lists that disagree describe "
+        "no mechanism.",
+    .remedy = "Add the joint to `jointnames`, or take it out of the other list.",
+    .sources = "Phobos io/hyrodyn.py.",
+    .check_model = check};
+
+}  // namespace smurf::rules

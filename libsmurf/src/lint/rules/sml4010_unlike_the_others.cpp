@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "ast/keys.hpp"
+#include "base/path.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// A key that some reader needs, and keys that stand for it.
+struct Needed {
+  std::string_view key;
+  std::array<std::string_view, 3> instead;
+  std::size_t fewest_others;  ///< that have it, before one without it stands out
+  std::string_view consequence;
+};
+constexpr Needed kOfMotors[] = {
+    {"type", {}, 1, "MARS 2 stops at a motor without it"},
+    {"p", {}, 1, "MARS reads 0, so that the motor does not follow its commands"},
+    {"minValue",
+     {"minPosition", "maxValue", "maxPosition"},
+     1,
+     "MARS lets the motor go half a turn, or 3.14 m, either way"},
+};
+constexpr Needed kOfCollisions[] = {
+    {"link", {}, 2, "MARS 2 stops at an entry without it"},
+    {"bitmask", {}, 2, "rock-cpp/smurf reads 0, with which nothing collides"},
+};
+constexpr Needed kOfLinks[] = {
+    {"link", {}, 1, "MARS 2 stops at an entry without it"},
+    {"name", {}, 1, "MARS and Phobos match by it and pass over the entry"},
+};
+
+bool has_key(yaml::View mapping, const Needed& needed) {
+  const auto is_given = [&](std::string_view key) {
+    const yaml::View value = key.empty() ? yaml::View() : mapping.find(key);
+    return value && !value.is_null();
+  };
+  return is_given(needed.key) ||
+         std::any_of(needed.instead.begin(), needed.instead.end(), is_given);
+}
+
+/// Something else says more: the rest of the entry is in another file, or the key is misspelt.
+bool is_excused(yaml::View mapping, const Needed& needed) {
+  constexpr std::size_t kShort = 2;  // letters of such keys resemble each other by chance
+  if (mapping.find("URI") || mapping.find("URIs")) return true;
+  if (needed.key.size() > kShort) return has_misspelt(mapping, needed.key);
+  return std::any_of(mapping.begin(), mapping.end(),
+                     [&](yaml::View value) { return path::to_lower(value.key()) == needed.key; });
+}
+
+/// Entries of one kind.
+struct Entry {
+  yaml::View mapping;
+  Span place;
+  std::string who;
+};
+
+void check_entries(const std::vector<Entry>& entries, const Needed& needed, Findings& findings) {
+  std::vector<const Entry*> without;
+  for (const Entry& entry : entries) {
+    if (!has_key(entry.mapping, needed)) without.push_back(&entry);
+  }
+  if (without.size() != 1 || entries.size() <= needed.fewest_others) return;
+  const Entry& odd = *without.front();
+  if (is_excused(odd.mapping, needed)) return;
+  const std::size_t others = entries.size() - 1;
+  Diagnostic& diagnostic = findings.report(
+      odd.place, odd.who + " has no " + quoted(needed.key) + ", unlike " +
+                     (others == 1 ? "the other one" : "the " + std::to_string(others) + " others"));
+  diagnostic.labels.push_back({place_to_add(odd.mapping, needed.key), "add it after this"});
+  diagnostic.notes.emplace_back(needed.consequence);
+}
+
+template <class T>
+Entry entry_of(const LinkedModel& model, const T& entry, std::string_view what) {
+  const Span place = entry.name.written ? entry.name.span : entry.span;
+  return {mapping_of(model, entry), place, subject(what, entry)};
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::vector<Entry> motors;
+  std::vector<Entry> position_motors;  // only they have gains and bounds
+  for (const Motor& motor : model.annotations.motors) {
+    motors.push_back(entry_of(model, motor, "motor"));
+    // A type that nobody knows is reported, and may be any.
+    const bool is_position =
+        motor.type && (*motor.type == "PID" || *motor.type == "generic_bldc" || *motor.type == "1");
+    if (is_position && !motor.mimic_motor.written) position_motors.push_back(motors.back());
+  }
+  for (const Needed& needed : kOfMotors) {
+    check_entries(needed.key == "type" ? motors : position_motors, needed, findings);
+  }
+  std::vector<Entry> collisions;
+  for (const CollisionAnnotation& entry : model.annotations.collisions) {
+    collisions.push_back(entry_of(model, entry, "collision entry"));
+  }
+  for (const Needed& needed : kOfCollisions) check_entries(collisions, needed, findings);
+  std::vector<Entry> links;
+  for (const LinkAnnotation& entry : model.annotations.links) {
+    links.push_back(entry_of(model, entry, "link entry"));
+  }
+  for (const Needed& needed : kOfLinks) check_entries(links, needed, findings);
+}
+
+}  // namespace
+
+extern constinit const Rule sml4010_unlike_the_others{
+    .id = "SML4010",
+    .name = "unlike-the-others",
+    .severity = Severity::warning,
+    .summary = "One entry lacks a key that all others of its section have.",
+    .why = "Each of these keys is needed by some reader: without `p` a position motor of MARS "
+           "does not move, without `link` MARS 2 stops at a collision entry, without `bitmask` "
+           "rock-cpp/smurf lets nothing collide. That one entry alone is without it is rarely "
+           "meant.",
+    .remedy = "Add the key.",
+    .sources = "MARS SimMotor.cpp:352-407, MotorData.cpp; envire_smurf_loader Model.cpp:216-230, "
+               "443-505; rock-cpp/smurf Robot.cpp:53-83.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "base/numbers.hpp"
+#include "lint/annotation_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Shapes whose size MARS takes from the first so many components of `extend`; 0 for others.
+std::size_t size_components(std::string_view shape) {
+  if (shape == "box") return 3;
+  if (shape == "capsule" || shape == "cylinder") return 2;
+  return shape == "sphere" || shape.empty() ? 1 : 0;
+}
+
+template <class Entries>
+void check_sizes(const LinkedModel& model, const Entries& entries, std::string_view what,
+                 Findings& findings) {
+  for (const auto& entry : entries) {
+    const yaml::View mapping = mapping_of(model, entry);
+    const yaml::View extend = mapping ? mapping.find("extend") : yaml::View();
+    if (!extend || !extend.is_mapping()) continue;
+    const auto shape = text_at(mapping, "physicmode");
+    std::size_t needed = size_components(shape ? shape->value : std::string_view());
+    for (const std::string_view key : {"x", "y", "z"}) {
+      const auto size = number_at(extend, key);
+      const bool is_needed = needed > 0;
+      if (is_needed) --needed;
+      if (!size || *size > 0 || (*size == 0 && !is_needed)) continue;
+      findings.report(extend.find(key).span(), "`extend` of " + subject(what, entry) + " has " +
+                                                   std::string(key) + " = " + format_number(*size));
+      break;
+    }
+  }
+}
+
+void check_joint(const LinkedModel& model, const JointAnnotation& joint, Findings& findings) {
+  const yaml::View mapping = mapping_of(model, joint);
+  const auto place = mapping ? text_at(mapping, "anchorpos") : std::nullopt;
+  if (place && place->value == "custom" && !mapping.find("anchor")) {
+    Diagnostic& diagnostic = findings.report(
+        place->span, subject("joint", joint) + " is at a place of its own, but has no `anchor`");
+    diagnostic.severity = Severity::warning;
+  }
+  if (!joint.axis || !mapping) return;
+  const auto& [x, y, z] = *joint.axis;
+  const yaml::View components = mapping.find("axis1");
+  if (x != 0 || y != 0 || z != 0 || components.size() == 0) return;
+  findings.report(components.span(), "the axis of " + subject("joint", joint) + " has length 0");
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  const Annotations& all = model.annotations;
+  check_sizes(model, all.nodes, "node", findings);
+  check_sizes(model, all.collisions, "collision entry", findings);
+  for (const JointAnnotation& joint : all.joints) check_joint(model, joint, findings);
+}
+
+}  // namespace
+
+extern constinit const Rule sml4124_object_cannot_be_made{
+    .id = "SML4124",
+    .name = "object-cannot-be-made",
+    .severity = Severity::error,
+    .summary = "An entry makes a shape or a joint that the physics engine cannot build.",
+    .why = "MARS stops loading at the first object that cannot be made, such as a shape without "
+           "size or a joint without axis: all that follows is missing, and the pose and the "
+           "anchor of the robot are skipped.",
+    .remedy = "Write sizes above 0 and an axis with a direction.",
+    .sources = "MARS smurf.cpp:1014-1058, JointManager.cpp:82-85, NodePhysics.cpp:626-634.",
+    .check_model = check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// An entity before the one that it stands on is another finding.
+bool stands_on_earlier(const Use& use) {
+  const std::size_t self = static_cast<std::size_t>(use.instance - use.scene.instances.data());
+  return to_size(use.placement.parent.instance) < self;
+}
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_use(scene, [&](const Use& use) {
+    const Entity& entity = use.entity;
+    if (use.instance == nullptr || !entity.parent || entity.anchor.written) return;
+    if (use.placement.parent.kind != Attachment::Kind::link) return;
+    if (entity.parent->find("::") == std::string::npos || !stands_on_earlier(use)) return;
+    if (slip_of(entity, "anchor") != nullptr) return;
+    Diagnostic& diagnostic =
+        findings.report(entity.parent.span, title(entity) + " is placed on " +
+                                                quoted(*entity.parent) + ", but not fixed to it");
+    diagnostic.help = "add `anchor: parent`, or say `anchor: none` when it is to move freely";
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml5109_parent_without_anchor{
+    .id = "SML5109",
+    .name = "parent-without-anchor",
+    .severity = Severity::warning,
+    .summary = "An entity has a parent, but says nothing of an anchor.",
+    .why = "`parent` says where an entity starts, not that it stays there: without `anchor: "
+           "parent` it falls. MARS also waits for the parent only when `anchor` names it as "
+           "well, and else creates the entity last, in file order.",
+    .remedy = "Add `anchor: parent`; to place without fixing, write `anchor: none`.",
+    .sources = "MARS SimEntity.cpp:344-501, SMURFLoader.cpp:587-636 (run).",
+    .check_scene = check};
+
+}  // namespace smurf::rules
