@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/numbers.hpp"
 #include "smurf-load-check/trace.hpp"
@@ -34,7 +35,7 @@ std::string pixels(double value) { return format_number(std::round(value * 100) 
 struct Curve {
   std::string_view what;
   std::vector<double> times, values;
-  double bound = 0;
+  std::optional<double> bound;  ///< none: the stage does not judge it
 };
 
 /// One panel: a headline with the largest value and its bound, axes, and the curve. The bound is a
@@ -45,25 +46,21 @@ class Panel {
     low_ = std::min(0.0, *std::min_element(curve.values.begin(), curve.values.end()));
     peak_ = *std::max_element(curve.values.begin(), curve.values.end());
     high_ = std::max(0.0, peak_);
-    // What is far below the bound is rounding, and not to be blown up.
-    constexpr double kSmallest = 1e-4;
-    if (high_ - low_ < kSmallest * curve.bound) high_ = low_ + kSmallest * curve.bound;
+    // What is rounding is not to be blown up.
+    constexpr double kSmallest = 1e-7;  // m
+    if (high_ - low_ < kSmallest) high_ = low_ + kSmallest;
     // A bound that is far above would flatten the curve.
     constexpr double kSight = 5;
-    is_bound_seen_ = curve.bound <= kSight * high_;
-    if (is_bound_seen_) high_ = std::max(high_, curve.bound);
+    is_bound_seen_ = curve.bound && *curve.bound <= kSight * high_;
+    if (is_bound_seen_) high_ = std::max(high_, *curve.bound);
     end_ = std::max(curve.times.back(), 1e-9);
   }
 
   std::string draw() const {
     const double right = left_ + kPanelWidth - kRight;
     const double bottom = top_ + kPanelHeight - kBottom;
-    const bool is_within = peak_ <= curve_.bound;  // false for NaN
     std::string out = label(left_ + kLeft, top_ + kTop - 12, "start", curve_.what, kInk);
-    out += label(right, top_ + kTop - 12, "end",
-                 "at most " + format_rounded(std::max(0.0, peak_), 3) + ", bound " +
-                     format_rounded(curve_.bound, 3) + " m",
-                 is_within ? kQuiet : kAlarm);
+    out += label(right, top_ + kTop - 12, "end", summary(), is_within() ? kQuiet : kAlarm);
     out += line(left_ + kLeft, top_ + kTop, left_ + kLeft, bottom, kGrid, "");
     for (const double value : {low_, high_}) out += grid(value, right);
     if (low_ < 0 && y(0) - y(high_) > kLabelHeight && y(low_) - y(0) > kLabelHeight) {
@@ -74,7 +71,7 @@ class Panel {
     out += label(left_ + kLeft, bottom + 16, "middle", "0", kQuiet);
     out += label(right, bottom + 16, "end", format_rounded(end_, 3) + " s", kQuiet);
     if (is_bound_seen_) {
-      out += line(left_ + kLeft, y(curve_.bound), right, y(curve_.bound), kAlarm, "6 4");
+      out += line(left_ + kLeft, y(*curve_.bound), right, y(*curve_.bound), kAlarm, "6 4");
     }
     out += "<polyline fill=\"none\" stroke=\"#1f6fb4\" stroke-width=\"1.5\" "
            "stroke-linejoin=\"round\" points=\"";
@@ -90,6 +87,13 @@ class Panel {
   static constexpr std::string_view kGrid = "#ddd";
   static constexpr std::string_view kAlarm = "#c0392b";
   static constexpr double kLabelHeight = 14;
+
+  bool is_within() const { return !curve_.bound || peak_ <= *curve_.bound; }  // NaN is not
+
+  std::string summary() const {
+    const std::string peak = "peak " + format_rounded(std::max(0.0, peak_), 3) + " m";
+    return curve_.bound ? peak + ", bound " + format_rounded(*curve_.bound, 3) + " m" : peak;
+  }
 
   double x(double time) const {
     return left_ + kLeft + (kPanelWidth - kLeft - kRight) * time / end_;
@@ -133,8 +137,7 @@ struct Row {
 std::vector<Row> rows_of(const CheckResult& result, const Bounds& bounds) {
   std::vector<Row> rows;
   for (const Stage stage : {Stage::still, Stage::hang, Stage::drop, Stage::anchor}) {
-    Row row{
-        stage, {"energy gained, m of height", {}, {}, 0}, {"largest gap of a joint", {}, {}, 0}};
+    Row row{stage, {"energy gained", {}, {}, {}}, {"largest gap of a joint", {}, {}, {}}};
     for (const Sample& sample : result.samples) {
       if (sample.stage != stage) continue;
       for (Curve* curve : {&row.energy, &row.gap}) curve->times.push_back(sample.time);
@@ -142,8 +145,11 @@ std::vector<Row> rows_of(const CheckResult& result, const Bounds& bounds) {
       row.gap.values.push_back(sample.gap);
     }
     if (row.energy.times.empty()) continue;
-    row.energy.bound = bounds[stage == Stage::drop ? "drop-energy" : "hang-energy"];
-    row.gap.bound = bounds["gap"];
+    if (stage == Stage::hang) {
+      row.energy.bound = bounds["hang-energy"];
+      row.gap.bound = bounds["gap"];
+    }
+    if (stage == Stage::drop) row.energy.bound = bounds["drop-energy"];
     rows.push_back(std::move(row));
   }
   return rows;
@@ -160,7 +166,10 @@ std::string render_plot(const Checked& checked, const Bounds& bounds) {
                     "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                     "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
                     "<text x=\"16\" y=\"24\" font-size=\"15\" font-weight=\"bold\">" +
-                    escaped(checked.job->path) + "</text>\n";
+                    escaped(checked.job->path) + "</text>\n<text x=\"" +
+                    pixels(2 * kPanelWidth - kRight) +
+                    "\" y=\"24\" text-anchor=\"end\" fill=\"#666\">energy is divided by the "
+                    "weight: a height</text>\n";
   double top = kTitle;
   for (const Row& row : rows) {
     out += "<text x=\"16\" y=\"" + pixels(top + kTop - 12) + "\" font-weight=\"bold\">" +
