@@ -3,7 +3,10 @@
 import csv
 import io
 import json
+import os
 import pathlib
+import pty
+import subprocess
 import sys
 import xml.etree.ElementTree
 
@@ -101,9 +104,53 @@ class Scenes(LoadCheckTest):
                          ("SML6201", "scene.smurfs", 2))
         self.assertIn("50 mm", found["message"])
 
-    def test_the_showcase(self):
-        report = self.report(0, cli.FIXTURES / "scenes/showcase/showcase.smurfs")
-        self.assertEqual(self.stages(report["checks"][-1])["ANCHOR"], "pass")
+    def test_two_robots_a_plane_and_a_heightfield(self):
+        for name in ["showcase", "terrain"]:
+            report = self.report(0, cli.FIXTURES / f"scenes/{name}/{name}.smurfs")
+            scene = report["checks"][-1]
+            self.assertEqual(self.stages(scene)["ANCHOR"], "pass")
+            self.assertNotIn("left out", scene["stages"][0]["note"])
+            [figure] = scene["stages"][-1]["figures"]
+            self.assertLessEqual(figure["value"], 1e-6)
+            print(f"{name}: anchors move by {figure['value']:.2g} m")
+
+    def test_the_terrain_carries_the_cart(self):
+        scene = cli.FIXTURES / "scenes/terrain/terrain.smurfs"
+        self.expect(0, scene, "--stages", "anchor", "--trace", "trace.csv")
+        rows = [row for row in csv.DictReader(io.StringIO(self.read("trace.csv")))
+                if row["stage"] == "ANCHOR" and row["link"].endswith("chassis")]
+        self.assertEqual(len(rows), 501)
+        heights = [float(row["z"]) for row in rows]
+        # On the terrace of 0.3 m; that of 0.1 m is where the image's rows would be upside down.
+        self.assertAlmostEqual(heights[-1], 0.38, delta=2e-3)
+        self.assertNotEqual(heights[0], heights[-1])
+
+    def heights(self, image):
+        self.write("heights.png", image)
+        self.write("scene.smurfs", """entities:
+- {name: A, file: ball.urdf, position: [0, 0, 1]}
+- {name: Hill, type: heightmap, file: heights.png, width: 1, length: 1, height: 0.1}
+""")
+
+    def test_heights_that_cannot_be_read(self):
+        image = (cli.FIXTURES / "scenes/terrain/heightmaps/terraces.png").read_bytes()
+        for broken in [b"no image", image[:70]]:
+            self.heights(broken)
+            report = self.report(1, "scene.smurfs")
+            [found] = report["diagnostics"]
+            self.assertEqual((found["id"], found["file"], found["line"]),
+                             ("SML6107", "scene.smurfs", 3))
+            self.assertEqual(self.stages(report["checks"][-1])["BUILD"], "fail")
+
+    def test_meshes_of_packages_are_found_through_the_environment(self):
+        mesh = (cli.FIXTURES / "models/arm/meshes/forearm_hull.stl").read_bytes()
+        self.write("ws/stuff/meshes/hull.stl", mesh)
+        self.write("ball.urdf", BALL.replace(
+            '<sphere radius="0.1"/>', '<mesh filename="package://stuff/meshes/hull.stl"/>'))
+        for variables, note in [({"ROS_PACKAGE_PATH": str(self.folder / "ws")}, "1 mesh as box"),
+                                ({}, "1 mesh missing")]:
+            done = self.expect(0, "ball.urdf", "--format", "json", environment=variables)
+            self.assertIn(note, json.loads(done.stdout)["checks"][0]["stages"][0]["note"])
 
 
 class Options(LoadCheckTest):
@@ -147,6 +194,7 @@ class Options(LoadCheckTest):
         root = xml.etree.ElementTree.fromstring(self.read("plot.svg"))
         curves = root.findall("{http://www.w3.org/2000/svg}polyline")
         self.assertEqual(len(curves), 6)
+        self.assertIn("bound 0.001 m", self.read("plot.svg"))
         self.expect_complaint("--plot takes one model or scene, not 3", ".", "--plot", "p.svg")
 
     def test_what_ode_gives_up_on_is_a_finding(self):
@@ -160,6 +208,45 @@ class Options(LoadCheckTest):
         [found] = report["diagnostics"]
         self.assertEqual((found["id"], found["line"]), ("SML6002", 2))
 
+    def test_a_joint_without_its_second_axis(self):
+        self.write("robot.smurf", "modelname: r\nfiles: [good.urdf, joint.yml]\n")
+        self.write("joint.yml", "joint:\n- name: shoulder\n  type: universal\n")
+        [found] = self.report(1, "robot.smurf", "--stages", "build")["diagnostics"]
+        self.assertEqual((found["id"], found["file"], found["line"]), ("SML6105", "joint.yml", 3))
+
+    def test_reports_obey_the_schema(self):
+        try:
+            import jsonschema
+        except ImportError:
+            self.skipTest("python3-jsonschema is not installed")
+        schema = json.loads((cli.FIXTURES.parent / "schemas/load-report.schema.json").read_text())
+        self.write("scene.smurfs", "entities:\n- {name: A, file: bad.urdf, anchor: world}\n")
+        self.write("broken.urdf", BALL.replace('radius="0.1"', 'radius="wide"'))
+        report = self.report(1, ".")
+        self.assertEqual({c["verdict"] for c in report["checks"]}, {"pass", "fail"})
+        jsonschema.validate(report, schema)
+
+    def test_progress_is_for_terminals(self):
+        shown, terminal = pty.openpty()
+        self.addCleanup(os.close, shown)
+        done = subprocess.run([cli.TOOL, "."], cwd=self.folder, stderr=terminal,
+                              stdout=subprocess.PIPE, check=False)
+        os.close(terminal)
+        text = b""
+        try:
+            while part := os.read(shown, 4096):
+                text += part
+        except OSError:  # so ends a terminal on Linux
+            pass
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"checked 1 of 3", text)
+        self.assertTrue(text.endswith(b"\r\x1b[K"), text)
+        self.assertEqual(self.expect(1, ".").stdout.encode(), done.stdout)
+
+    def test_tables_fit_a_terminal(self):
+        for line in self.expect(1, ".").stdout.splitlines():
+            self.assertLessEqual(len(line), 80, line)
+
     def test_the_same_bytes_every_time(self):
         for form in ["full", "json"]:
             first = self.expect(1, ".", "--format", form).stdout
@@ -170,6 +257,12 @@ class Options(LoadCheckTest):
         self.expect(0, "good.urdf", "-o", "report.txt")
         self.assertIn("good.urdf: pass\n", self.read("report.txt"))
         self.assertEqual(self.expect(0, "good.urdf", "-q").stdout, "")
+
+    def test_reports_for_other_programs(self):
+        self.expect(1, "bad.urdf", "--report", "sarif=found.sarif", "--report", "github=found.txt")
+        [result] = json.loads(self.read("found.sarif"))["runs"][0]["results"]
+        self.assertEqual(result["ruleId"], "SML6301")
+        self.assertIn("::error file=bad.urdf", self.read("found.txt"))
 
     def test_nothing_to_check(self):
         self.expect_complaint("cannot read 'none.urdf': No such file or directory", "none.urdf")

@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "load_check/built.hpp"
 #include "smurf-load-check/check.hpp"
-#include "smurf-load-check/world.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
 #include "smurf/render.hpp"
@@ -30,16 +30,13 @@ std::string read(const fs::path& path) {
   return text.str();
 }
 
-void fail_on_fault(const std::string& message) { throw std::runtime_error(message); }
-
 struct Case {
   SourceMap sources;
   MemoryFiles files;
   CheckResult result;
 
   explicit Case(const fs::path& folder) {
-    static const bool is_started = (start_engine(fail_on_fault), true);
-    REQUIRE(is_started);
+    start_engine_once();
     files.add("robot.urdf", read(folder / "robot.urdf"));
     DiagnosticSink sink;
     LoadContext context{sources, files, sink, {}, {}};

@@ -1,68 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The world against textbook physics.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <numbers>
-
-#include "smurf-load-check/shapes.hpp"
-#include "smurf-load-check/world.hpp"
-#include "smurf/load.hpp"
+#include "load_check/built.hpp"
 
 using namespace smurf;
 using namespace smurf::load_check;
 
 namespace {
 
-constexpr double kGravity = 9.81;
-
-void fail_on_fault(const std::string& message) { throw std::runtime_error(message); }
-
-/// A URDF as a plan.
-struct Built {
-  SourceMap sources;
-  MemoryFiles files;
-  DiagnosticSink sink;
-  LinkedModel model;
-  Plan plan;
-
-  Built(const std::string& body, Base::Kind base, const JointPositions& positions = {},
-        const Pose& X_WR = {}) {
-    static const bool is_started = (start_engine(fail_on_fault), true);
-    REQUIRE(is_started);
-    files.add("robot.urdf", "<robot name=\"r\">" + body + "</robot>");
-    LoadContext context{sources, files, sink, {}, {}};
-    model = load_model("robot.urdf", context);
-    REQUIRE(model.robot);
-    PlacedModel placed{&model, X_WR, positions, {}};
-    placed.base.kind = base;
-    plan = make_plan({placed});
-    add_shapes(plan, sink);
-    REQUIRE(sink.diagnostics().empty());
-  }
-};
-
-std::string link(const std::string& name, const std::string& center, double mass, double moment,
-                 const std::string& more = "") {
-  const std::string i = std::to_string(moment);
-  return "<link name=\"" + name + "\"><inertial><origin xyz=\"" + center + "\"/><mass value=\"" +
-         std::to_string(mass) + "\"/><inertia ixx=\"" + i + "\" ixy=\"0\" ixz=\"0\" iyy=\"" + i +
-         "\" iyz=\"0\" izz=\"" + i + "\"/></inertial>" + more + "</link>";
-}
-
-std::string joint(const std::string& type, const std::string& axis, const std::string& more = "") {
-  return "<joint name=\"j\" type=\"" + type +
-         "\"><parent link=\"base\"/><child link=\"arm\"/><axis xyz=\"" + axis + "\"/>" + more +
-         "</joint>";
-}
-
-const std::string kBase = "<link name=\"base\"/>";
 const std::string kBox = "<collision><geometry><box size=\"0.4 0.4 0.2\"/></geometry></collision>";
-
-void run(World& world, double seconds) {
-  const auto steps = std::lround(seconds / world.step_size());
-  for (long i = 0; i < steps; ++i) world.step();
-}
 
 }  // namespace
 
@@ -75,24 +20,10 @@ TEST_CASE("a compound pendulum has the period of the formula") {
                     Base::Kind::world, {{"j", kAmplitude}});
   World world(built.plan, {});
   CHECK(world.joint_position(0) == doctest::Approx(kAmplitude).epsilon(1e-12));
-  // From the first to the last passage through zero, by interpolation.
-  std::vector<double> passages;
-  double before = world.joint_position(0);
-  while (world.time() < 10) {
-    world.step();
-    const double now = world.joint_position(0);
-    if ((before > 0) != (now > 0)) {
-      passages.push_back(world.time() - world.step_size() * now / (now - before));
-    }
-    before = now;
-  }
-  REQUIRE(passages.size() > 8);
-  const double period =
-      2 * (passages.back() - passages.front()) / static_cast<double>(passages.size() - 1);
-  const double small =
-      2 * std::numbers::pi *
-      std::sqrt((kMoment + kMass * kLength * kLength) / (kMass * kGravity * kLength));
-  const double expected = small * (1 + kAmplitude * kAmplitude / 16);
+  const double period = period_of(world, [&] { return world.joint_position(0); });
+  const double expected = pendulum_period(kMass, kLength, kMoment, kAmplitude);
+  MESSAGE("period " << period << " s, formula " << expected << " s, off by "
+                    << 100 * std::fabs(period / expected - 1) << " %");
   CHECK(std::fabs(period / expected - 1) < 5e-3);
   CHECK(world.joint_error(0).gap < 1e-5);
 }
@@ -107,6 +38,8 @@ TEST_CASE("a box falls as it should and comes to rest on the ground") {
   world.add_ground(0);
   const double start = world.energy();
   run(world, 0.5);
+  MESSAGE("after 0.5 s at " << world.body_pose(0).position[2] << " m, formula "
+                            << 2 - kGravity * 0.125 << " m");
   CHECK(world.body_pose(0).position[2] == doctest::Approx(2 - kGravity * 0.125).epsilon(5e-3));
   CHECK(std::fabs(world.energy() - start) < 5e-3);
   run(world, 2.5);
@@ -123,6 +56,7 @@ TEST_CASE("a slider falls onto its stop") {
   run(world, 0.2);
   CHECK(world.joint_position(0) == doctest::Approx(-kGravity * 0.02).epsilon(1e-2));
   run(world, 2);
+  MESSAGE("at " << world.joint_position(0) << " m, stop at -0.3 m");
   CHECK(world.joint_position(0) == doctest::Approx(-0.3).epsilon(1e-3));
   CHECK(world.link_pose(built.plan.links[1]).position[2] == doctest::Approx(-0.3).epsilon(1e-3));
 }
@@ -137,6 +71,7 @@ TEST_CASE("a hinge turns about its axis by the right-hand rule, from the zero of
     CHECK(world.joint_position(0) == doctest::Approx(0.3 * sign));
     // About +y the arm along x sinks.
     run(world, 0.1);
+    MESSAGE("axis " << axis << ": from " << 0.3 * sign << " to " << world.joint_position(0));
     CHECK(world.joint_position(0) * sign > 0.31);
     const JointPositions now{{"j", world.joint_position(0)}};
     const Pose expected = *forward_kinematics(built.model, now)[1];
@@ -173,6 +108,7 @@ TEST_CASE("links that are fixed to each other are one body with the inertia of t
   const double along = 6 * (kEdge * kEdge + kEdge * kEdge) / 12;
   const double across = 6 * (4 * kEdge * kEdge + kEdge * kEdge) / 12;
   const Eigen::Vector3d bar(along, across, across);
+  MESSAGE("off by " << (mass.inertia - Eigen::Matrix3d(bar.asDiagonal())).norm() << " kg m^2");
   CHECK((mass.inertia - Eigen::Matrix3d(bar.asDiagonal())).norm() < 1e-12);
 }
 

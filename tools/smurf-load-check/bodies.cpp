@@ -144,6 +144,10 @@ class BodyCheck {
 
   void check_axis(const JointPlan& plan, Figure& figure) {
     const urdf::Joint& joint = plan_.joint(plan);
+    if (plan.kind == JointKind::universal && plan.axis2_W.isZero()) {
+      sink_.report(rules::sml6105_axis_zero, plan.form_place,
+                   name_of(plan_, plan).name + " has no second axis to turn about");
+    }
     if (!joint.axis || joint.type == urdf::JointType::floating) return;
     const double length = axis_length(joint);
     const double error = std::fabs(length - 1);
@@ -154,7 +158,9 @@ class BodyCheck {
       figure.place = joint.axis.span;
     }
     if (length == 0) {
-      sink_.report(rules::sml6105_axis_zero, joint.axis.span, named.name + " turns about no axis");
+      sink_.report(rules::sml6105_axis_zero, joint.axis.span,
+                   named.name + (plan.kind == JointKind::slider ? " slides along no axis"
+                                                                : " turns about no axis"));
     } else if (error > figure.limit) {
       Diagnostic& diagnostic = sink_.report(rules::sml6104_axis_not_unit, joint.axis.span,
                                             "the axis of " + named.name + " is no unit vector");

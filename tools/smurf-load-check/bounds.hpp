@@ -22,7 +22,7 @@ inline constexpr std::array<BoundInfo, 9> kBounds = {{
     {"overlap", "m", 1e-4, "depth of two shapes in each other at the start"},
     {"motion", "m", 1e-9, "way of a link without gravity; a radian counts as a metre"},
     {"gap", "m", 1e-3, "distance of the two halves of a joint, hanging"},
-    {"twist", "rad", 5e-3, "angle between the two halves of a joint, hanging"},
+    {"twist", "rad", 1e-2, "angle between the two halves of a joint, hanging"},
     {"hang-energy", "m", 1e-3, "energy gained while hanging, by the weight"},
     {"drop-energy", "m", 0.1, "energy gained while dropping, by the weight"},
     {"anchor", "m", 1e-6, "way of an anchored root link; a radian counts as a metre"},

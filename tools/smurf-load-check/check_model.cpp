@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <map>
 
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
@@ -51,29 +50,18 @@ class ModelCheck {
 
   void build(StageResult& result) {
     fixed_ = plan_on(Base::Kind::world);
-    free_ = plan_on(Base::Kind::free);
-    const Plan& moving = can_move() ? free_ : fixed_;
-    result.figures = check_bodies(moving, run_.options().bounds, run_.sink());
-    const ShapeCount count = add_shapes(fixed_, run_.sink());
-    free_.shapes = fixed_.shapes;
-    rebase_shapes();
-    result.note = summary(count);
-  }
-
-  /// A root without mass is a fixed base.
-  bool can_move() const { return free_.bodies.front().mass.mass > 0; }
-
-  /// The same shapes on the bodies of the free robot.
-  void rebase_shapes() {
-    std::map<LinkIndex, std::size_t> bodies;
-    for (const LinkPlan& link : free_.links) bodies[link.link] = link.body;
-    for (ShapePlan& shape : free_.shapes) shape.body = bodies[shape.link];
+    Plan free = plan_on(Base::Kind::free);
+    // A root without mass is a fixed base.
+    is_free_ = free.bodies.front().mass.mass > 0;
+    whole_ = is_free_ ? std::move(free) : fixed_;
+    result.figures = check_bodies(whole_, run_.options().bounds, run_.sink());
+    result.note = summary(add_shapes(whole_, run_.sink()));
   }
 
   std::string summary(const ShapeCount& count) const {
-    std::string text = count_of(fixed_.bodies.size(), "moving body", "moving bodies") + ", " +
-                       count_of(fixed_.joints.size(), "joint", "joints") + ", " +
-                       count_of(fixed_.shapes.size(), "shape", "shapes");
+    std::string text = count_of(whole_.bodies.size(), "moving body", "moving bodies") + ", " +
+                       count_of(whole_.joints.size(), "joint", "joints") + ", " +
+                       count_of(whole_.shapes.size(), "shape", "shapes");
     if (count.stand_ins > 0) {
       text += "; " + count_of(count.stand_ins, "mesh", "meshes") + " as box";
     }
@@ -84,18 +72,15 @@ class ModelCheck {
       text += "; " + count_of(fixed_.unbounded_joints, "hinge", "hinges") +
               " beyond half a turn, without stops";
     }
-    if (fixed_.planar_joints > 0) {
-      text += "; " + count_of(fixed_.planar_joints, "planar joint", "planar joints") + " left free";
-    }
     return text;
   }
 
   void look_at_start(StageResult& result) {
-    World world(fixed_, setup());
+    World world(whole_, setup());
     Figure figure = run_.figure("overlap");
     for (const Overlap& overlap : world.overlaps()) {
-      const ShapePlan& first = fixed_.shapes[overlap.first];
-      const ShapePlan& second = fixed_.shapes[overlap.second];
+      const ShapePlan& first = whole_.shapes[overlap.first];
+      const ShapePlan& second = whole_.shapes[overlap.second];
       if (overlap.depth > figure.value) {
         figure.value = overlap.depth;
         figure.worst = first.name + " and " + second.name;
@@ -134,16 +119,20 @@ class ModelCheck {
     for (const JointPlan& joint : fixed_.joints) {
       if (!joint.stops) continue;
       const auto [lower, upper] = *joint.stops;
-      if (lower <= 0 && 0 <= upper) continue;
+      if (lower <= joint.start && joint.start <= upper) continue;
       is_explained = true;
       const urdf::Limit& limit = *fixed_.joint(joint).limit;
-      const bool is_below = lower > 0;
+      const bool is_below = lower > joint.start;
       const Field<double>& bound = is_below ? limit.lower : limit.upper;
       const Named named = name_of(fixed_, joint);
-      Diagnostic& diagnostic =
-          run_.sink().report(rules::sml6301_zero_outside_limits, bound.span,
-                             "the zero position of " + named.name + " is outside its limits");
-      diagnostic.caret = is_below ? "all positions are above 0" : "all positions are below 0";
+      // A joint that mimics another one starts at its offset.
+      const bool is_at_zero = joint.start == 0;
+      Diagnostic& diagnostic = run_.sink().report(
+          rules::sml6301_zero_outside_limits, bound.written ? bound.span : limit.span,
+          is_at_zero ? "the zero position of " + named.name + " is outside its limits"
+                     : named.name + " starts outside its limits");
+      diagnostic.caret = std::string("all positions are ") + (is_below ? "above " : "below ") +
+                         format_rounded(joint.start, 3);
       diagnostic.notes.push_back("without gravity, " + figure.worst + " moves by " +
                                  format_rounded(figure.value, 3) + " m");
     }
@@ -188,17 +177,17 @@ class ModelCheck {
   }
 
   void drop(StageResult& result) {
-    if (!can_move()) return run_.skip(result, "the root has no mass: it is a fixed base");
+    if (!is_free_) return run_.skip(result, "the root has no mass: it is a fixed base");
     WorldSetup with_contacts = setup();
     with_contacts.contacts = true;
-    World world(free_, with_contacts);
+    World world(whole_, with_contacts);
     const std::optional<double> lowest = world.lowest_point();
     if (!lowest) return run_.skip(result, "there is no shape that could touch the ground");
     world.add_ground(*lowest - kDropHeight);
     Figure energy = run_.figure("drop-energy");
     const double start = world.energy();
-    const bool is_finite = run_.step(world, free_, kDropTime, [&] {
-      run_.note_worst(energy, world.energy() - start, [&] { return fastest(world, free_); });
+    const bool is_finite = run_.step(world, whole_, kDropTime, [&] {
+      run_.note_worst(energy, world.energy() - start, [&] { return fastest(world, whole_); });
     });
     if (is_finite && !energy.is_within()) report_explosion(energy);
     result.figures = {energy};
@@ -208,8 +197,8 @@ class ModelCheck {
   void report_explosion(Figure& energy) {
     if (deepest_ && deepest_->depth > run_.options().bounds["overlap"]) {
       run_.withdraw(rules::sml6201_initial_overlap);
-      const ShapePlan& first = fixed_.shapes[deepest_->first];
-      const ShapePlan& second = fixed_.shapes[deepest_->second];
+      const ShapePlan& first = whole_.shapes[deepest_->first];
+      const ShapePlan& second = whole_.shapes[deepest_->second];
       Diagnostic& diagnostic =
           run_.sink().report(rules::sml6501_contact_explodes, first.place,
                              first.name + " and " + second.name + " push the robot apart");
@@ -224,7 +213,9 @@ class ModelCheck {
 
   const LinkedModel& model_;
   StageRun run_;
-  Plan fixed_, free_;
+  Plan fixed_;  ///< the root held, without shapes
+  Plan whole_;  ///< with shapes; the root free when it can be
+  bool is_free_ = false;
   std::optional<Overlap> deepest_;
 };
 

@@ -6,8 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <limits>
 #include <new>
 
 namespace smurf::load_check {
@@ -24,8 +26,9 @@ constexpr bool kHasMemoryLimit = !__has_feature(address_sanitizer);
 constexpr bool kHasMemoryLimit = true;
 #endif
 
+/// The soft limit tells what happened, by its own signal; the hard one is for who ignores it.
 void limit(int resource, std::uint64_t most) {
-  const rlimit both{most, most};
+  const rlimit both{most, most + 1};
   ::setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
@@ -42,6 +45,10 @@ void write_all(int descriptor, const std::string& text) {
                             const ChildTask& task) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<std::uint64_t>(limits.seconds));
+  // A child that waits for ever takes no processor time; loaded machines deserve patience.
+  constexpr std::int64_t kPatience = 20;
+  constexpr std::int64_t kLongest = std::numeric_limits<int>::max();
+  ::alarm(static_cast<unsigned>(std::min(kPatience * limits.seconds, kLongest)));
   if (kHasMemoryLimit) limit(RLIMIT_AS, limits.memory_bytes);
   std::set_new_handler([] { ::_exit(kOutOfMemory); });
   task(index, [descriptor](const std::string& text) { write_all(descriptor, text); });
@@ -124,8 +131,16 @@ class Pool {
       return;
     }
     outcome.signal = WTERMSIG(status);
-    const bool was_slow = outcome.signal == SIGXCPU || outcome.signal == SIGKILL;
-    outcome.end = was_slow ? ChildOutcome::End::out_of_time : ChildOutcome::End::crashed;
+    outcome.end = end_of(outcome.signal);
+  }
+
+  static ChildOutcome::End end_of(int signal) {
+    switch (signal) {
+    case SIGXCPU:
+    case SIGALRM: return ChildOutcome::End::out_of_time;
+    case SIGKILL: return ChildOutcome::End::out_of_memory;  // by the kernel, when all is taken
+    default: return ChildOutcome::End::crashed;
+    }
   }
 
   const ChildLimits& limits_;

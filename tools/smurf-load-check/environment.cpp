@@ -1,84 +1,101 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-load-check/environment.hpp"
 
+#include <algorithm>
 #include <string_view>
+
+#include "base/rules.hpp"
+#include "flatten/shapes.hpp"
+#include "smurf-load-check/heightfield.hpp"
 
 namespace smurf::load_check {
 namespace {
-
-const Value* find(const Value::Object& object, std::string_view key) {
-  for (const ValueMember& member : object) {
-    if (member.key == key) return &member.value;
-  }
-  return nullptr;
-}
-
-const Value* find(const Value* value, std::string_view key) {
-  const auto* object = value != nullptr ? std::get_if<Value::Object>(&value->data) : nullptr;
-  return object != nullptr ? find(*object, key) : nullptr;
-}
-
-double number(const Value* value, double fallback) {
-  if (value == nullptr) return fallback;
-  if (const auto* real = std::get_if<double>(&value->data)) return *real;
-  if (const auto* whole = std::get_if<std::int64_t>(&value->data)) {
-    return static_cast<double>(*whole);
-  }
-  return fallback;
-}
-
-std::string_view text(const Value* value) {
-  const auto* found = value != nullptr ? std::get_if<std::string>(&value->data) : nullptr;
-  return found != nullptr ? std::string_view(*found) : std::string_view();
-}
 
 bool is_true(const Value* value) {
   const auto* found = value != nullptr ? std::get_if<bool>(&value->data) : nullptr;
   return found != nullptr && *found;
 }
 
-/// The shape of a primitive with MARS's defaults (primitives.cpp:115-150), which builds no others.
-std::optional<Shape> primitive(const Value::Object& properties) {
-  const Value* extend = find(properties, "extend");
-  const auto extent = [&](std::string_view axis, double fallback) {
-    return number(find(extend, axis), fallback);
-  };
-  const std::string_view type = text(find(find(properties, "geometry"), "type"));
-  if (type == "plane") return PlaneShape{};
-  if (type == "box") {
-    return BoxShape{{extent("x", 1), extent("y", 1), extent("z", 1)}};
+/// The image in the form that the engine takes; image rows run from +y to -y, as in Gazebo and
+/// MuJoCo.
+HeightfieldShape to_heightfield(const FlatHeightmap& map, const HeightImage& image) {
+  HeightfieldShape shape{map.length, map.width, image.columns, image.rows, {}};
+  shape.heights.reserve(image.heights.size());
+  for (std::size_t row = image.rows; row-- > 0;) {
+    for (std::size_t column = 0; column < image.columns; ++column) {
+      const float height = image.heights[row * image.columns + column];
+      shape.heights.push_back(height * static_cast<float>(map.height));
+    }
   }
-  if (type == "sphere") return SphereShape{extent("x", 0.5)};
-  return std::nullopt;
+  return shape;
 }
 
-bool has_extent(const Shape& shape) {
-  if (const auto* box = std::get_if<BoxShape>(&shape)) return box->size.minCoeff() > 0;
-  if (const auto* sphere = std::get_if<SphereShape>(&shape)) return sphere->radius > 0;
-  return true;
-}
+class EnvironmentBuilder {
+ public:
+  EnvironmentBuilder(const LinkedScene& scene, Plan& plan, DiagnosticSink& sink)
+      : scene_(scene), plan_(plan), sink_(sink) {}
+
+  /// False when it is left out.
+  bool add(const Instance& instance, const FlatInstance& flat) {
+    if (flat.shapes.empty() || !flat.X_WE || is_true(find(flat.properties, "movable"))) {
+      return false;
+    }
+    bool is_whole = true;
+    for (const FlatShape& flat_shape : flat.shapes) {
+      std::optional<Shape> shape = shape_of(flat_shape.geometry, instance);
+      is_whole = is_whole && shape.has_value();
+      if (!shape) continue;
+      ShapePlan& added = plan_.shapes.emplace_back();
+      added.name = "entity `" + flat.path + "`";
+      added.place = smurf::place_of(scene_.entity(instance));
+      added.body = kEnvironment;
+      added.X_WS = *flat.X_WE * flat_shape.X_ES;
+      added.shape = std::move(*shape);
+    }
+    return is_whole;
+  }
+
+ private:
+  std::optional<Shape> shape_of(const FlatGeometry& geometry, const Instance& instance) {
+    if (std::holds_alternative<FlatPlane>(geometry)) return PlaneShape{};
+    if (const auto* box = std::get_if<FlatBox>(&geometry)) return BoxShape{to_eigen(box->size)};
+    if (const auto* sphere = std::get_if<FlatSphere>(&geometry)) return SphereShape{sphere->radius};
+    if (const auto* cylinder = std::get_if<FlatCylinder>(&geometry)) {
+      return CylinderShape{cylinder->radius, cylinder->length};
+    }
+    if (const auto* capsule = std::get_if<FlatCapsule>(&geometry)) {
+      return CapsuleShape{capsule->radius, capsule->length};
+    }
+    if (const auto* map = std::get_if<FlatHeightmap>(&geometry)) return heights(*map, instance);
+    return std::nullopt;
+  }
+
+  std::optional<Shape> heights(const FlatHeightmap& map, const Instance& instance) {
+    const auto image = read_height_image(instance.file);
+    if (const auto* found = std::get_if<HeightImage>(&image)) return to_heightfield(map, *found);
+    const Entity& entity = scene_.entity(instance);
+    sink_
+        .report(rules::sml6107_shape_not_buildable,
+                entity.file ? entity.file.span : smurf::place_of(entity),
+                "the heights of entity `" + instance.path + "` cannot be read")
+        .caret = std::get<std::string>(image);
+    return std::nullopt;
+  }
+
+  const LinkedScene& scene_;
+  Plan& plan_;
+  DiagnosticSink& sink_;
+};
 
 }  // namespace
 
 std::size_t add_environment(const LinkedScene& scene, const FlatScene& flat, Plan& plan,
-                            DiagnosticSink&) {
+                            DiagnosticSink& sink) {
+  EnvironmentBuilder builder(scene, plan, sink);
   std::size_t left_out = 0;
   for (std::size_t i = 0; i < flat.instances.size(); ++i) {
-    const FlatInstance& instance = flat.instances[i];
-    if (instance.model) continue;
-    std::optional<Shape> shape;
-    const bool stands = !is_true(find(instance.properties, "movable"));
-    if (instance.type == "primitive" && stands) shape = primitive(instance.properties);
-    if (!shape || !has_extent(*shape) || !instance.X_WE) {
-      ++left_out;
-      continue;
-    }
-    ShapePlan& added = plan.shapes.emplace_back();
-    added.name = "entity `" + instance.path + "`";
-    added.place = smurf::place_of(scene.entity(scene.instances[i]));
-    added.body = kEnvironment;
-    added.X_WS = *instance.X_WE;
-    added.shape = std::move(*shape);
+    if (flat.instances[i].model) continue;
+    if (!builder.add(scene.instances[i], flat.instances[i])) ++left_out;
   }
   return left_out;
 }

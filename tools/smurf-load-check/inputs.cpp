@@ -84,7 +84,8 @@ class Loader {
   void load(const std::string& file) {
     if (!done_.insert(identity(file)).second) return;
     DiagnosticSink sink;
-    LoadContext context{inputs_.sources, inputs_.files, sink, {}, options_.packages};
+    LoadContext context{inputs_.sources,   inputs_.files,   sink, {},
+                        options_.packages, package_folders_};
     const LinkedScene& scene = inputs_.scenes.emplace_back(load_scene(file, context));
     for (const LinkedModel& model : scene.models) {
       lint_model(model, building_rules(), sink);
@@ -124,6 +125,7 @@ class Loader {
   }
 
   const InputOptions& options_;
+  const std::vector<std::string> package_folders_ = package_folders_of_environment();
   Inputs& inputs_;
   std::set<std::string> done_;  ///< by identity
 };

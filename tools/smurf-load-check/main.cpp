@@ -50,6 +50,21 @@ bool write_curves(const Options& options, std::span<const Checked> checked) {
   return is_written;
 }
 
+/// The findings alone, for programs that know no figures.
+bool write_reports(const Options& options, const Report& report) {
+  const Results results{report.diagnostics, report.sources, report.summary, {}, kTool};
+  bool is_written = true;
+  for (const ReportRequest& request : options.reports) {
+    if (request.file.empty()) {
+      write_error(request.format->render(results, style_for(Stream::error, options.color)));
+    } else {
+      is_written =
+          write_output(kTool, request.file, request.format->render(results, {})) && is_written;
+    }
+  }
+  return is_written;
+}
+
 std::vector<Diagnostic> all_diagnostics(std::span<const Checked> checked,
                                         const SourceMap& sources) {
   std::vector<Diagnostic> all;
@@ -88,7 +103,8 @@ int main(int argc, char** argv) {
   const std::string text = options.format == "json"
                                ? render_json(report)
                                : render_text(report, style_for(Stream::output, options.color));
-  const bool is_written = write_output(kTool, options.output, text);
-  if (!write_curves(options, checked) || !is_written || inputs.has_failed) return kFailed;
+  const bool is_written = write_output(kTool, options.output, text) &&
+                          write_curves(options, checked) && write_reports(options, report);
+  if (!is_written || inputs.has_failed) return kFailed;
   return judge(report.summary, options.threshold);
 }

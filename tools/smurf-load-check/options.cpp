@@ -113,6 +113,7 @@ std::vector<Option> output_options(Options& options) {
        .values = {"full", "json"},
        .set = tools::set_text(options.format)},
       tools::output_option(options.output, "Write the report to FILE."),
+      tools::report_option("report", options.reports),
       {.group = "Output",
        .name = "trace",
        .metavar = "FILE",
@@ -140,7 +141,9 @@ tools::Command command_of(Options& options) {
       "unless given. Every model is checked on its own: BUILD makes bodies, joints and shapes; "
       "POSE0 looks for shapes inside each other; STILL, without gravity, sees whether anything "
       "moves; HANG holds the root link; DROP lets the model fall by a millimetre. In a scene, "
-      "ANCHOR sees whether anchors hold. A stage that fails is the last one.";
+      "ANCHOR sees whether anchors hold. A stage that fails is the last one. Meshes that stand still "
+      "are triangles; those that move are boxes around them, which touch the ground and the "
+      "surroundings only, as ODE may crash where two meshes of triangles cross.";
   for (auto& group : {check_options(options), output_options(options)}) {
     command.options.insert(command.options.end(), group.begin(), group.end());
   }

@@ -16,6 +16,7 @@ struct Options {
   std::optional<int> jobs;
   std::string format = "full";
   std::string output, trace, plot;
+  std::vector<tools::ReportRequest> reports;
   tools::Threshold threshold;
   tools::ColorChoice color = tools::ColorChoice::automatic;
   bool quiet = false;

@@ -5,29 +5,24 @@
 #include <cmath>
 #include <numbers>
 
+#include "link/kinematics.hpp"
+
 namespace smurf::load_check {
 namespace {
 
 /// ODE wraps the angle of a hinge to (-pi, pi]; a stop beyond has no meaning there.
-std::optional<std::pair<double, double>> stops_of(const urdf::Joint& joint, double start) {
-  if (!joint.limit || joint.type == urdf::JointType::continuous || !joint.has_one_axis()) {
-    return std::nullopt;
-  }
-  const std::pair stops{joint.limit->lower.value_or(0), joint.limit->upper.value_or(0)};
-  if (stops.first > stops.second) return std::nullopt;
-  const bool is_within_turn =
-      stops.first - start >= -std::numbers::pi && stops.second - start <= std::numbers::pi;
-  if (joint.type == urdf::JointType::revolute && !is_within_turn) return std::nullopt;
-  return stops;
+bool is_within_turn(const std::pair<double, double>& stops, double start) {
+  return stops.first - start >= -std::numbers::pi && stops.second - start <= std::numbers::pi;
 }
 
-JointPlan::Kind kind_of(urdf::JointType type) {
-  switch (type) {
-  case urdf::JointType::prismatic: return JointPlan::Kind::slider;
-  case urdf::JointType::planar:
-  case urdf::JointType::floating: return JointPlan::Kind::free;
-  default: return JointPlan::Kind::hinge;
-  }
+/// The limits of the URDF, which are those of its own kind of joint.
+std::optional<std::pair<double, double>> limits_of(const urdf::Joint& joint, JointKind kind) {
+  const bool is_limited = (joint.type == urdf::JointType::revolute && kind == JointKind::hinge) ||
+                          (joint.type == urdf::JointType::prismatic && kind == JointKind::slider);
+  if (!joint.limit || !is_limited) return std::nullopt;
+  const std::pair limits{joint.limit->lower.value_or(0), joint.limit->upper.value_or(0)};
+  if (limits.first > limits.second) return std::nullopt;
+  return limits;
 }
 
 class Planner {
@@ -60,6 +55,7 @@ class Planner {
     const PlacedModel& placed = plan_.models[instance];
     const LinkedModel& model = *placed.model;
     const std::vector<std::optional<Pose>> X_RL = forward_kinematics(model, placed.positions);
+    forms_ = joint_forms(model);
     body_of_[instance].resize(model.robot->links.size(), kWorld);
     for (const LinkIndex link : model.tree.order) {
       if (!X_RL[to_size(link)]) continue;
@@ -73,7 +69,7 @@ class Planner {
       body_of_[instance][to_size(link)] = body;
       plan_.links.push_back({instance, link, body, X_WL});
       if (body != kWorld) add_mass(plan_.bodies[body], model.link(link), X_WL);
-      if (above && model.joint(*above).is_movable()) add_joint(instance, *above, X_WL);
+      if (above && forms_[to_size(*above)]) add_joint(instance, *above, X_WL);
     }
   }
 
@@ -92,39 +88,42 @@ class Planner {
 
   std::size_t body_below(std::size_t instance, JointIndex joint) const {
     const LinkedModel& model = *plan_.models[instance].model;
-    if (model.joint(joint).is_movable()) return kNew;
+    if (forms_[to_size(joint)]) return kNew;
     return body_of_[instance][to_size(*model.tree.joint_parent[to_size(joint)])];
   }
 
   void add_joint(std::size_t instance, JointIndex index, const Pose& X_WC) {
     const LinkedModel& model = *plan_.models[instance].model;
     const urdf::Joint& joint = model.joint(index);
+    const JointForm& form = *forms_[to_size(index)];
+    const auto to_world_axis = [&](const Eigen::Vector3d& axis) {
+      return to_eigen(rotate(X_WC.orientation, {axis[0], axis[1], axis[2]}));
+    };
     JointPlan plan;
-    plan.kind = kind_of(joint.type);
+    plan.kind = form.kind;
+    plan.form_place = form.place;
     plan.instance = instance;
     plan.joint = index;
     plan.parent = body_of_[instance][to_size(*model.tree.joint_parent[to_size(index)])];
     plan.child = body_of_[instance][to_size(*model.tree.joint_child[to_size(index)])];
     plan.anchor_W = to_eigen(X_WC.position);
     // The motion of a joint leaves its axis where it is, so that the child's frame will do.
-    const Eigen::Vector3d axis = to_eigen(joint.axis.value_or(Vector3{1, 0, 0})).normalized();
-    plan.axis_W = to_eigen(rotate(X_WC.orientation, {axis[0], axis[1], axis[2]}));
-    if (joint.name) {
-      const auto given = plan_.models[instance].positions.find(*joint.name);
-      if (given != plan_.models[instance].positions.end()) plan.start = given->second;
+    plan.axis_W = to_world_axis(form.axis_C);
+    plan.axis2_W = to_world_axis(form.axis2_C);
+    if (joint.has_one_axis()) {
+      plan.start = position_of(model, joint, plan_.models[instance].positions);
     }
-    // Where a mimicking joint stands is its leader's business, so that its stops are unknown.
-    const bool has_start = !joint.mimic || plan_.models[instance].positions.empty();
-    if (has_start) plan.stops = stops_of(joint, plan.start);
-    if (joint.type == urdf::JointType::revolute && joint.limit && has_start && !plan.stops) {
+    plan.stops = limits_of(joint, form.kind);
+    if (plan.stops && form.kind == JointKind::hinge && !is_within_turn(*plan.stops, plan.start)) {
+      plan.stops.reset();
       ++plan_.unbounded_joints;
     }
-    if (joint.type == urdf::JointType::planar) ++plan_.planar_joints;
     plan_.joints.push_back(std::move(plan));
   }
 
   static constexpr std::size_t kNew = kWorld - 2;
   Plan plan_;
+  std::vector<std::optional<JointForm>> forms_;    ///< of the model that is being added
   std::vector<std::vector<std::size_t>> body_of_;  ///< by instance and link
 };
 

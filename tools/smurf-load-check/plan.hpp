@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "convert/mass_properties.hpp"
+#include "smurf-load-check/joint_forms.hpp"
 #include "smurf/linked.hpp"
 
 namespace smurf::load_check {
@@ -33,7 +34,8 @@ struct Base {
 /// A model to build: one instance of a plan. Its tree has one root.
 struct PlacedModel {
   const LinkedModel* model = nullptr;
-  Pose X_WR;  ///< of the root link
+  std::string name;  ///< of the entity; empty for a model on its own
+  Pose X_WR;         ///< of the root link
   JointPositions positions;
   Base base;
 };
@@ -51,16 +53,16 @@ struct BodyPlan {
 };
 
 struct JointPlan {
-  /// `free`: floating, and planar, for which ODE has no joint between two bodies.
-  enum class Kind : std::uint8_t { hinge, slider, free };
-  Kind kind = Kind::hinge;
+  JointKind kind = JointKind::hinge;
   std::size_t instance = 0;
   JointIndex joint{};
   std::size_t parent = kWorld, child = kWorld;  ///< bodies
   Eigen::Vector3d anchor_W = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis_W = Eigen::Vector3d::UnitX();
-  double start = 0;                                ///< position at the start; rad or m
-  std::optional<std::pair<double, double>> stops;  ///< rad or m
+  Eigen::Vector3d axis2_W = Eigen::Vector3d::Zero();  ///< universal; turns with the child
+  Span form_place;                                    ///< as in JointForm
+  double start = 0;                                   ///< position at the start; rad or m
+  std::optional<std::pair<double, double>> stops;     ///< rad or m
 };
 
 struct BoxShape {
@@ -83,7 +85,7 @@ struct TriangleShape {
 struct PlaneShape {};
 /// Heights over the x-y plane of the shape's frame, the frame in the middle.
 struct HeightfieldShape {
-  double width, length;        ///< along x and y, m
+  double size_x, size_y;       ///< m
   std::size_t columns, rows;   ///< along x and y; at least 2
   std::vector<float> heights;  ///< by row from -y to +y; m
 };
@@ -111,7 +113,6 @@ struct Plan {
   std::vector<JointPlan> joints;
   std::vector<ShapePlan> shapes;
   std::size_t unbounded_joints = 0;  ///< whose limits no stop can express
-  std::size_t planar_joints = 0;     ///< that are free instead
 
   const LinkedModel& model_of(const LinkPlan& link) const { return *models[link.instance].model; }
   const urdf::Link& link(const LinkPlan& link) const { return model_of(link).link(link.link); }

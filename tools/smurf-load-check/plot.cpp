@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/numbers.hpp"
 #include "smurf-load-check/trace.hpp"
@@ -8,12 +9,13 @@
 namespace smurf::load_check {
 namespace {
 
-constexpr double kWidth = 720;
-constexpr double kHeight = 200;  // of a panel
-constexpr double kLeft = 90;
-constexpr double kRight = 20;
-constexpr double kTop = 34;
-constexpr double kBottom = 30;
+// In pixels. Energy stands to the left, the gap to the right; a stage is a row.
+constexpr double kPanelWidth = 450;
+constexpr double kPanelHeight = 190;
+constexpr double kLeft = 84;
+constexpr double kRight = 16;
+constexpr double kTop = 46;
+constexpr double kBottom = 28;
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -31,50 +33,78 @@ std::string escaped(std::string_view text) {
 std::string pixels(double value) { return format_number(std::round(value * 100) / 100); }
 
 struct Curve {
-  std::string title;
+  std::string_view what;
   std::vector<double> times, values;
-  double bound = 0;
+  std::optional<double> bound;  ///< none: the stage does not judge it
 };
 
-/// One panel: axes, the bound as a dashed line when it is in range, and the curve.
+/// One panel: a headline with the largest value and its bound, axes, and the curve. The bound is a
+/// dashed line when it is in sight.
 class Panel {
  public:
-  Panel(const Curve& curve, double top) : curve_(curve), top_(top) {
+  Panel(const Curve& curve, double left, double top) : curve_(curve), left_(left), top_(top) {
     low_ = std::min(0.0, *std::min_element(curve.values.begin(), curve.values.end()));
-    high_ = std::max(0.0, *std::max_element(curve.values.begin(), curve.values.end()));
+    peak_ = *std::max_element(curve.values.begin(), curve.values.end());
+    high_ = std::max(0.0, peak_);
+    // What is rounding is not to be blown up.
+    constexpr double kSmallest = 1e-7;  // m
+    if (high_ - low_ < kSmallest) high_ = low_ + kSmallest;
     // A bound that is far above would flatten the curve.
-    has_bound_ = curve.bound <= 5 * high_;
-    if (has_bound_) high_ = std::max(high_, curve.bound);
-    if (high_ - low_ <= 0) high_ = low_ + 1e-12;
+    constexpr double kSight = 5;
+    is_bound_seen_ = curve.bound && *curve.bound <= kSight * high_;
+    if (is_bound_seen_) high_ = std::max(high_, *curve.bound);
     end_ = std::max(curve.times.back(), 1e-9);
   }
 
   std::string draw() const {
-    const double bottom = top_ + kHeight - kBottom;
-    std::string out = label(kLeft, top_ + kTop - 12, "start", curve_.title);
-    for (const double value : {low_, high_}) {
-      out += line(kLeft, y(value), kWidth - kRight, y(value), "#ccc", "");
-      out += label(kLeft - 8, y(value) + 4, "end", format_rounded(value, 3));
+    const double right = left_ + kPanelWidth - kRight;
+    const double bottom = top_ + kPanelHeight - kBottom;
+    std::string out = label(left_ + kLeft, top_ + kTop - 12, "start", curve_.what, kInk);
+    out += label(right, top_ + kTop - 12, "end", summary(), is_within() ? kQuiet : kAlarm);
+    out += line(left_ + kLeft, top_ + kTop, left_ + kLeft, bottom, kGrid, "");
+    for (const double value : {low_, high_}) out += grid(value, right);
+    if (low_ < 0 && y(0) - y(high_) > kLabelHeight && y(low_) - y(0) > kLabelHeight) {
+      out += grid(0, right);
+    } else if (low_ < 0) {
+      out += line(left_ + kLeft, y(0), right, y(0), kGrid, "");
     }
-    if (low_ < 0) out += line(kLeft, y(0), kWidth - kRight, y(0), "#ccc", "");
-    out += label(kLeft, bottom + 18, "middle", "0 s");
-    out += label(kWidth - kRight, bottom + 18, "end", format_rounded(end_, 3) + " s");
-    if (has_bound_) {
-      out += line(kLeft, y(curve_.bound), kWidth - kRight, y(curve_.bound), "#c0392b", "6 4");
-      out += label(kWidth - kRight, y(curve_.bound) - 5, "end",
-                   "bound " + format_rounded(curve_.bound, 3));
+    out += label(left_ + kLeft, bottom + 16, "middle", "0", kQuiet);
+    out += label(right, bottom + 16, "end", format_rounded(end_, 3) + " s", kQuiet);
+    if (is_bound_seen_) {
+      out += line(left_ + kLeft, y(*curve_.bound), right, y(*curve_.bound), kAlarm, "6 4");
     }
-    out += "<polyline fill=\"none\" stroke=\"#1f6fb4\" stroke-width=\"1.5\" points=\"";
+    out += "<polyline fill=\"none\" stroke=\"#1f6fb4\" stroke-width=\"1.5\" "
+           "stroke-linejoin=\"round\" points=\"";
     for (std::size_t i = 0; i < curve_.times.size(); ++i) {
-      out += pixels(x(curve_.times[i])) + "," + pixels(y(curve_.values[i])) + " ";
+      out += (i > 0 ? " " : "") + pixels(x(curve_.times[i])) + "," + pixels(y(curve_.values[i]));
     }
     return out + "\"/>\n";
   }
 
  private:
-  double x(double time) const { return kLeft + (kWidth - kLeft - kRight) * time / end_; }
+  static constexpr std::string_view kInk = "#222";
+  static constexpr std::string_view kQuiet = "#666";
+  static constexpr std::string_view kGrid = "#ddd";
+  static constexpr std::string_view kAlarm = "#c0392b";
+  static constexpr double kLabelHeight = 14;
+
+  bool is_within() const { return !curve_.bound || peak_ <= *curve_.bound; }  // NaN is not
+
+  std::string summary() const {
+    const std::string peak = "peak " + format_rounded(std::max(0.0, peak_), 3) + " m";
+    return curve_.bound ? peak + ", bound " + format_rounded(*curve_.bound, 3) + " m" : peak;
+  }
+
+  double x(double time) const {
+    return left_ + kLeft + (kPanelWidth - kLeft - kRight) * time / end_;
+  }
   double y(double value) const {
-    return top_ + kTop + (kHeight - kTop - kBottom) * (high_ - value) / (high_ - low_);
+    return top_ + kTop + (kPanelHeight - kTop - kBottom) * (high_ - value) / (high_ - low_);
+  }
+
+  std::string grid(double value, double right) const {
+    return line(left_ + kLeft, y(value), right, y(value), kGrid, "") +
+           label(left_ + kLeft - 8, y(value) + 4, "end", format_rounded(value, 3), kQuiet);
   }
 
   static std::string line(double x1, double y1, double x2, double y2, std::string_view color,
@@ -86,56 +116,66 @@ class Panel {
     return out + "/>\n";
   }
 
-  static std::string label(double x, double y, std::string_view anchor, std::string_view text) {
+  static std::string label(double x, double y, std::string_view anchor, std::string_view text,
+                           std::string_view color) {
     return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" +
-           std::string(anchor) + "\">" + escaped(text) + "</text>\n";
+           std::string(anchor) + "\" fill=\"" + std::string(color) + "\">" + escaped(text) +
+           "</text>\n";
   }
 
   const Curve& curve_;
-  double top_;
-  double low_ = 0, high_ = 0, end_ = 0;
-  bool has_bound_ = false;
+  double left_, top_;
+  double low_ = 0, high_ = 0, peak_ = 0, end_ = 0;
+  bool is_bound_seen_ = false;
 };
 
-std::vector<Curve> curves_of(const CheckResult& result, const Bounds& bounds) {
-  std::vector<Curve> curves;
+struct Row {
+  Stage stage;
+  Curve energy, gap;
+};
+
+std::vector<Row> rows_of(const CheckResult& result, const Bounds& bounds) {
+  std::vector<Row> rows;
   for (const Stage stage : {Stage::still, Stage::hang, Stage::drop, Stage::anchor}) {
-    Curve energy;
-    Curve gap;
+    Row row{stage, {"energy gained", {}, {}, {}}, {"largest gap of a joint", {}, {}, {}}};
     for (const Sample& sample : result.samples) {
       if (sample.stage != stage) continue;
-      for (Curve* curve : {&energy, &gap}) curve->times.push_back(sample.time);
-      energy.values.push_back(sample.energy);
-      gap.values.push_back(sample.gap);
+      for (Curve* curve : {&row.energy, &row.gap}) curve->times.push_back(sample.time);
+      row.energy.values.push_back(sample.energy);
+      row.gap.values.push_back(sample.gap);
     }
-    if (energy.times.empty()) continue;
-    const std::string name(to_string(stage));
-    energy.title = name + ": energy gained, in metres of height";
-    energy.bound = bounds[stage == Stage::drop ? "drop-energy" : "hang-energy"];
-    gap.title = name + ": largest gap of a joint, m";
-    gap.bound = bounds["gap"];
-    curves.push_back(std::move(energy));
-    curves.push_back(std::move(gap));
+    if (row.energy.times.empty()) continue;
+    if (stage == Stage::hang) {
+      row.energy.bound = bounds["hang-energy"];
+      row.gap.bound = bounds["gap"];
+    }
+    if (stage == Stage::drop) row.energy.bound = bounds["drop-energy"];
+    rows.push_back(std::move(row));
   }
-  return curves;
+  return rows;
 }
 
 }  // namespace
 
 std::string render_plot(const Checked& checked, const Bounds& bounds) {
-  const std::vector<Curve> curves = curves_of(checked.result, bounds);
-  constexpr double kTitle = 30;
-  const double height = kTitle + kHeight * static_cast<double>(curves.size());
-  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + pixels(kWidth) +
+  const std::vector<Row> rows = rows_of(checked.result, bounds);
+  constexpr double kTitle = 34;
+  const double height = kTitle + kPanelHeight * static_cast<double>(rows.size());
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + pixels(2 * kPanelWidth) +
                     "\" height=\"" + pixels(height) +
                     "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                     "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-                    "<text x=\"10\" y=\"20\" font-size=\"14\" font-weight=\"bold\">" +
-                    escaped(checked.job->path) + "</text>\n";
+                    "<text x=\"16\" y=\"24\" font-size=\"15\" font-weight=\"bold\">" +
+                    escaped(checked.job->path) + "</text>\n<text x=\"" +
+                    pixels(2 * kPanelWidth - kRight) +
+                    "\" y=\"24\" text-anchor=\"end\" fill=\"#666\">energy is divided by the "
+                    "weight: a height</text>\n";
   double top = kTitle;
-  for (const Curve& curve : curves) {
-    out += Panel(curve, top).draw();
-    top += kHeight;
+  for (const Row& row : rows) {
+    out += "<text x=\"16\" y=\"" + pixels(top + kTop - 12) + "\" font-weight=\"bold\">" +
+           std::string(to_string(row.stage)) + "</text>\n";
+    out += Panel(row.energy, 0, top).draw() + Panel(row.gap, kPanelWidth, top).draw();
+    top += kPanelHeight;
   }
   return out + "</svg>\n";
 }

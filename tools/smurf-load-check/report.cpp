@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/numbers.hpp"
+#include "base/path.hpp"
 #include "common/command.hpp"
 
 namespace smurf::load_check {
@@ -12,8 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The folders are those of the diagnostics and of the headline; a table has no room for them.
 std::string place_text(Span place, const SourceMap& sources) {
-  return sources.path(place.source) + ":" +
+  return std::string(path::file_name(sources.path(place.source))) + ":" +
          std::to_string(sources.line_of(place.source, place.begin));
 }
 
@@ -33,28 +35,44 @@ std::string painted(Verdict verdict, std::string_view text, const TextStyle& sty
   return codes[static_cast<std::size_t>(verdict)] + std::string(text) + "\x1b[0m";
 }
 
-/// "  HANG   pass     gap          2.7e-04 m    at most 0.001 m   joint `a` arm.urdf:12"
-std::string figure_text(const Figure& figure, const SourceMap& sources) {
+constexpr std::size_t kStageWidth = 10;  // with its indentation
+constexpr std::size_t kVerdictWidth = 9;
+constexpr std::size_t kLineWidth = 80;
+
+/// "gap          0.00027 m     at most 0.001 m    joint `a`, arm.urdf:12"; what has the value takes
+/// a line of its own where it is too long.
+std::vector<std::string> figure_lines(const Figure& figure, const SourceMap& sources,
+                                      std::size_t indent) {
   const std::string_view unit = bound_info(figure.bound).unit;
-  std::string line = padded(figure.bound, 12) + padded(with_unit(figure.value, unit), 14) +
-                     "at most " + padded(with_unit(figure.limit, unit), 11);
-  if (!figure.worst.empty()) line += figure.worst + "  " + place_text(figure.place, sources);
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line;
+  std::string line = padded(figure.bound, 13) + padded(with_unit(figure.value, unit), 14) +
+                     "at most " + with_unit(figure.limit, unit);
+  if (figure.worst.empty()) return {line};
+  const std::string worst = figure.worst + ", " + place_text(figure.place, sources);
+  constexpr std::size_t kWorstColumn = 46;
+  if (indent + kWorstColumn + worst.size() <= kLineWidth) {
+    return {padded(line, kWorstColumn) + worst};
+  }
+  return {line, "  " + worst};
 }
 
+/// The verdict with what was built or why it was skipped, then the figures; a stage with one
+/// figure and nothing to say takes one line.
 std::string stage_text(const StageResult& stage, const SourceMap& sources, const TextStyle& style) {
-  const std::string blank(2 + 8 + 9, ' ');
-  std::string head =
-      "  " + padded(std::string(to_string(stage.stage)), 8) +
-      painted(stage.verdict, padded(std::string(to_string(stage.verdict)), 9), style);
-  std::string out;
-  const auto add = [&](const std::string& line) {
-    out += (out.empty() ? head : blank) + line + "\n";
-  };
-  if (!stage.note.empty()) add(stage.note);
-  for (const Figure& figure : stage.figures) add(figure_text(figure, sources));
-  if (out.empty()) add("");
+  std::vector<std::string> lines;
+  if (!stage.note.empty()) lines.push_back(stage.note);
+  for (const Figure& figure : stage.figures) {
+    for (std::string& line : figure_lines(figure, sources, kStageWidth + kVerdictWidth)) {
+      lines.push_back(std::move(line));
+    }
+  }
+  std::string out = padded("  " + std::string(to_string(stage.stage)), kStageWidth) +
+                    painted(stage.verdict, to_string(stage.verdict), style);
+  if (lines.empty()) return out + "\n";
+  out.append(kVerdictWidth - to_string(stage.verdict).size(), ' ');
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i > 0) out.append(kStageWidth + kVerdictWidth, ' ');
+    out += lines[i] + "\n";
+  }
   return out;
 }
 

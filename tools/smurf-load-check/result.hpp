@@ -57,7 +57,7 @@ struct Sample {
 struct CheckResult {
   std::vector<StageResult> stages;
   std::vector<Diagnostic> diagnostics;
-  std::vector<std::string> links;  ///< "instance/link" of the sampled poses
+  std::vector<std::string> links;  ///< of the sampled poses: "link", in scenes "entity/link"
   std::vector<Sample> samples;     ///< only when asked for
 };
 

@@ -82,7 +82,9 @@ void StageRun::sample(const World& world, const Plan& plan, double start_energy)
     for (const LinkPlan& link : plan.links) sample.X_WL.push_back(world.link_pose(link));
     if (result_.links.empty()) {
       for (const LinkPlan& link : plan.links) {
-        result_.links.push_back(plan.link(link).name.value_or(""));
+        const std::string& entity = plan.models[link.instance].name;
+        result_.links.push_back((entity.empty() ? "" : entity + "/") +
+                                plan.link(link).name.value_or(""));
       }
     }
   }

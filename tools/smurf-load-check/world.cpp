@@ -8,8 +8,9 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <map>
 #include <set>
+
+#include "smurf-load-check/ode_joint.hpp"
 
 namespace smurf::load_check {
 namespace {
@@ -23,17 +24,6 @@ constexpr double kContactCfm = 1e-4;
 constexpr int kContactsPerPair = 8;
 /// Shape number of the ground that add_ground() makes.
 constexpr std::size_t kGround = kWorld;
-
-struct JointFrames {
-  Vector anchor_P, anchor_C;  ///< in the frames of the bodies
-  Vector axis_P, axis_C;
-};
-
-void set_stops(dJointID joint, const JointPlan& plan, void (*set)(dJointID, int, dReal)) {
-  if (!plan.stops) return;
-  set(joint, dParamLoStop, plan.stops->first - plan.start);
-  set(joint, dParamHiStop, plan.stops->second - plan.start);
-}
 
 void (*fault_handler)(const std::string&) = nullptr;
 
@@ -54,8 +44,7 @@ struct World::Engine {
   dSpaceID space = dHashSpaceCreate(nullptr);
   dJointGroupID contacts = dJointGroupCreate(0);
   std::vector<dBodyID> bodies;
-  std::vector<dJointID> joints;
-  std::vector<JointFrames> frames;
+  std::vector<OdeJoint> joints;
   std::vector<Pose> X_BL;  ///< by link
   std::vector<dTriMeshDataID> meshes;
   std::vector<dHeightfieldDataID> heightfields;
@@ -88,12 +77,7 @@ struct World::Engine {
 
   dBodyID id(std::size_t body) const { return body < bodies.size() ? bodies[body] : nullptr; }
 
-  Pose pose(std::size_t body) const {
-    if (id(body) == nullptr) return {};
-    const dReal* p = dBodyGetPosition(id(body));
-    const dReal* q = dBodyGetQuaternion(id(body));
-    return {{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}};
-  }
+  Pose pose(std::size_t body) const { return pose_of(id(body)); }
 
   void add_body(const BodyPlan& plan_) {
     const MassProperties& mass = plan_.mass;
@@ -107,39 +91,10 @@ struct World::Engine {
     dBodySetPosition(body, mass.center[0], mass.center[1], mass.center[2]);
   }
 
-  Vector to_body(std::size_t body, const Vector& p_W) const {
-    return to_world(inverse(pose(body)), p_W);
-  }
-
   void add_joint(const JointPlan& joint) {
-    jointed.insert(std::minmax(joint.parent, joint.child));
-    frames.push_back({to_body(joint.parent, joint.anchor_W), to_body(joint.child, joint.anchor_W),
-                      joint.axis_W, joint.axis_W});
-    joints.push_back(make_joint(joint));
-  }
-
-  /// The child is the first body, so that positions grow as in the URDF.
-  dJointID make_joint(const JointPlan& plan_) {
-    const Vector& p = plan_.anchor_W;
-    const Vector& a = plan_.axis_W;
-    dJointID joint = nullptr;
-    switch (plan_.kind) {
-    case JointPlan::Kind::hinge:
-      joint = dJointCreateHinge(world, nullptr);
-      dJointAttach(joint, id(plan_.child), id(plan_.parent));
-      dJointSetHingeAnchor(joint, p[0], p[1], p[2]);
-      dJointSetHingeAxis(joint, a[0], a[1], a[2]);
-      set_stops(joint, plan_, dJointSetHingeParam);
-      break;
-    case JointPlan::Kind::slider:
-      joint = dJointCreateSlider(world, nullptr);
-      dJointAttach(joint, id(plan_.child), id(plan_.parent));
-      dJointSetSliderAxis(joint, a[0], a[1], a[2]);
-      set_stops(joint, plan_, dJointSetSliderParam);
-      break;
-    case JointPlan::Kind::free: break;
-    }
-    return joint;
+    // A floating joint connects nothing in ODE.
+    if (joint.kind != JointKind::floating) jointed.insert(std::minmax(joint.parent, joint.child));
+    joints.emplace_back(world, joint, id(joint.parent), id(joint.child));
   }
 
   void add_shape(std::size_t index) {
@@ -204,8 +159,8 @@ struct World::Engine {
     }
     constexpr double kThickness = 1;  // m; what falls below comes back up
     heightfields.push_back(dGeomHeightfieldDataCreate());
-    dGeomHeightfieldDataBuildSingle(heightfields.back(), heights.data(), 1, field.width,
-                                    field.length, static_cast<int>(field.columns),
+    dGeomHeightfieldDataBuildSingle(heightfields.back(), heights.data(), 1, field.size_x,
+                                    field.size_y, static_cast<int>(field.columns),
                                     static_cast<int>(field.rows), 1, 0, kThickness, 0);
     const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
     dGeomHeightfieldDataSetBounds(heightfields.back(), *low, *high);
@@ -258,6 +213,7 @@ World::~World() = default;
 
 void World::step() {
   if (engine_->setup.contacts) dSpaceCollide(engine_->space, engine_.get(), Engine::on_near);
+  for (const OdeJoint& joint : engine_->joints) joint.prepare(engine_->setup.step);
   dWorldStep(engine_->world, engine_->setup.step);
   dJointGroupEmpty(engine_->contacts);
   engine_->time += engine_->setup.step;
@@ -304,37 +260,9 @@ Pose World::link_pose(const LinkPlan& link) const {
   return engine_->pose(link.body) * engine_->X_BL[index];
 }
 
-JointError World::joint_error(std::size_t joint) const {
-  const JointPlan& plan = engine_->plan.joints[joint];
-  const JointFrames& frames = engine_->frames[joint];
-  const Pose X_WP = engine_->pose(plan.parent);
-  const Pose X_WC = engine_->pose(plan.child);
-  const auto turned = [](const Pose& X_WB, const Vector& v) {
-    return to_eigen(rotate(X_WB.orientation, {v[0], v[1], v[2]}));
-  };
-  const auto angle = [](const Vector& a, const Vector& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-  };
-  const Vector axis_P = turned(X_WP, frames.axis_P);
-  const Vector apart = to_world(X_WC, frames.anchor_C) - to_world(X_WP, frames.anchor_P);
-  switch (plan.kind) {
-  case JointPlan::Kind::hinge: return {apart.norm(), angle(axis_P, turned(X_WC, frames.axis_C))};
-  case JointPlan::Kind::slider:
-    return {(apart - apart.dot(axis_P) * axis_P).norm(),
-            angle_between(X_WP.orientation, X_WC.orientation)};
-  case JointPlan::Kind::free: break;
-  }
-  return {};
-}
+JointError World::joint_error(std::size_t joint) const { return engine_->joints[joint].error(); }
 
-double World::joint_position(std::size_t joint) const {
-  const JointPlan& plan = engine_->plan.joints[joint];
-  switch (plan.kind) {
-  case JointPlan::Kind::hinge: return plan.start + dJointGetHingeAngle(engine_->joints[joint]);
-  case JointPlan::Kind::slider: return plan.start + dJointGetSliderPosition(engine_->joints[joint]);
-  default: return 0;
-  }
-}
+double World::joint_position(std::size_t joint) const { return engine_->joints[joint].position(); }
 
 double World::energy() const {
   const Vector& gravity = engine_->setup.gravity;

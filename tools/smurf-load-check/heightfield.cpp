@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-load-check/heightfield.hpp"
+
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+
+namespace smurf::load_check {
+namespace {
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// libpng leaves by a jump, which runs no destructor: everything with one lives in here.
+struct Reading {
+  File file{nullptr, std::fclose};
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::string fault;
+  std::vector<png_byte> bytes;
+  std::vector<png_bytep> rows;
+
+  explicit Reading(const std::string& path) : file(std::fopen(path.c_str(), "rb"), std::fclose) {
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
+    info = png_create_info_struct(png);
+  }
+  ~Reading() { png_destroy_read_struct(&png, &info, nullptr); }
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+
+  [[noreturn]] static void on_error(png_structp png, png_const_charp message) {
+    static_cast<Reading*>(png_get_error_ptr(png))->fault = message;
+    png_longjmp(png, 1);
+  }
+  static void on_warning(png_structp, png_const_charp) {}
+};
+
+/// One grey value of 16 bits a pixel, the more significant byte first.
+void decode(Reading& reading) {
+  png_init_io(reading.png, reading.file.get());
+  png_read_info(reading.png, reading.info);
+  png_set_expand_16(reading.png);
+  png_set_strip_alpha(reading.png);
+  if ((png_get_color_type(reading.png, reading.info) & PNG_COLOR_MASK_COLOR) != 0) {
+    png_set_rgb_to_gray(reading.png, PNG_ERROR_ACTION_NONE, PNG_RGB_TO_GRAY_DEFAULT,
+                        PNG_RGB_TO_GRAY_DEFAULT);
+  }
+  png_set_interlace_handling(reading.png);
+  png_read_update_info(reading.png, reading.info);
+  const std::size_t stride = png_get_rowbytes(reading.png, reading.info);
+  const std::size_t rows = png_get_image_height(reading.png, reading.info);
+  reading.bytes.resize(stride * rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    reading.rows.push_back(reading.bytes.data() + row * stride);
+  }
+  png_read_image(reading.png, reading.rows.data());
+}
+
+/// False after a fault.
+bool read_grey(Reading& reading) {
+  if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
+  decode(reading);
+  return true;
+}
+
+}  // namespace
+
+std::variant<HeightImage, std::string> read_height_image(const std::string& path) {
+  Reading reading(path);
+  if (reading.file == nullptr) return std::string("the file cannot be opened");
+  if (!read_grey(reading)) return reading.fault;
+  HeightImage image;
+  image.columns = png_get_image_width(reading.png, reading.info);
+  image.rows = png_get_image_height(reading.png, reading.info);
+  if (image.columns < 2 || image.rows < 2) return std::string("it has fewer than 2 x 2 pixels");
+  constexpr float kWhite = 65535;
+  for (std::size_t i = 0; i < image.columns * image.rows; ++i) {
+    const int grey = reading.bytes[2 * i] * 256 + reading.bytes[2 * i + 1];
+    image.heights.push_back(static_cast<float>(grey) / kWhite);
+  }
+  return image;
+}
+
+}  // namespace smurf::load_check
