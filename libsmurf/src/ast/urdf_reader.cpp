@@ -33,6 +33,7 @@ class Reader {
   void robot(View root, urdf::Robot& robot) {
     text(root, "name", robot.name);
     text(root, "version", robot.version);
+    has_quaternions_ = robot.version && *robot.version != "1.0";
     for (const View child : root) {
       if (is(child, "link")) {
         robot.links.push_back(link(child));
@@ -81,7 +82,18 @@ class Reader {
     out.element = element.id();
     vector(element, "xyz", out.xyz);
     vector(element, "rpy", out.rpy);
+    if (has_quaternions_) quaternion(element, out.rpy);
     return out;
+  }
+
+  /// Of URDF 1.1, in the place of rpy. Readers of what claims to be 1.0 ignore it.
+  void quaternion(View element, Field<Vector3>& rpy) {
+    Field<std::array<double, 4>> xyzw;
+    vector(element, "quat_xyzw", xyzw);
+    if (!xyzw) return;
+    const auto& [x, y, z, w] = *xyzw;
+    const Quaternion q{w, x, y, z};
+    if (norm(q) > 0) rpy = {to_rpy(normalized(q)), xyzw.span, true};
   }
 
   urdf::Inertial inertial(View element) {
@@ -254,6 +266,7 @@ class Reader {
   }
 
   DiagnosticSink& sink_;
+  bool has_quaternions_ = false;
 };
 
 /// Reports the first trace of xacro, whose cause is one: the file was not expanded. True when there
