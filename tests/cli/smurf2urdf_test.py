@@ -132,8 +132,8 @@ class Options(ExportTest):
         self.assertEqual(classes["/motors/0/p"], "not-expressible")
         self.assertEqual(classes["/motors/0/maxEffort"], "not-requested")
         self.assertNotIn("/motors/0/maxSpeed", classes)
-        self.assertEqual(classes["/sensors/0/name"], "not-expressible")
-        self.assertEqual(classes["/sensors/8/name"], "not-requested")
+        self.assertEqual(classes["/sensors/0"], "not-expressible")
+        self.assertEqual(classes["/sensors/8"], "not-requested")
         self.assertTrue(all(loss["file"].startswith("arm/smurf/arm_") for loss in losses))
         done = self.run_with_messages(1, "arm/smurf/arm.smurf", "-o", "o.urdf", "--fail-on-loss")
         self.assertIn("SML8002", done.stderr)
@@ -167,6 +167,19 @@ class Options(ExportTest):
 
     def test_dry_run(self):
         self.assertEqual(self.expect(0, "arm/smurf/arm.smurf", "--dry-run").stdout, "")
+
+
+class Dialects(cli.CliTest):
+    def test_models_of_old_and_new_phobos_are_the_same_robot(self):
+        """SMURF of Phobos 0.7 and 2 differs in sections, keys and notation, not in the URDF."""
+        texts = []
+        for model in ("arm", "arm_phobos2"):
+            shutil.copytree(cli.FIXTURES / "models" / model, self.folder / model / "robot")
+            done = self.run_tool("robot/smurf/arm.smurf", "--apply", "all", "--canonical",
+                                 "--actuation", "ros2_control", cwd=self.folder / model)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            texts.append(done.stdout)
+        self.assertEqual(*texts)
 
 
 class Refusal(ExportTest):

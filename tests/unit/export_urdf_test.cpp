@@ -103,6 +103,10 @@ struct Exported {
     CHECK(export_urdf(result.model, result.sources, options, sink) == text);
   }
 
+  bool loses(const std::string& loss) const {
+    return losses.find(loss + "\n") != std::string::npos;
+  }
+
   bool has(const std::string& part) const { return text.find(part) != std::string::npos; }
 };
 
@@ -122,7 +126,6 @@ TEST_CASE("without options nothing changes, and all that is lost is said") {
         "SML8002 `diffuseColor` of material `red` differs from the URDF, which is kept; see "
         "--apply materials\n"
         "SML8001 `shininess` of material `red` has no place in a URDF\n"
-        "SML8001 `type` of motor `hinge` has no place in a URDF\n"
         "SML8001 `p` of motor `hinge` has no place in a URDF\n"
         "SML8002 `maxValue` of motor `hinge` differs from the URDF, which is kept; see --apply "
         "limits\n"
@@ -133,13 +136,57 @@ TEST_CASE("without options nothing changes, and all that is lost is said") {
         "mimic\n"
         "SML8002 `mimic_multiplier` of motor `tilt` differs from the URDF, which is kept; see "
         "--apply mimic\n"
-        "SML8001 `type` of motor `again` has no place in a URDF\n"
         "SML8002 `maxEffort` of motor `again` differs from the URDF, which is kept; see --apply "
         "limits\n"
         "SML8002 `springDamping` of joint `hinge` differs from the URDF, which is kept; see "
         "--apply dynamics\n"
-        "SML8002 sensor `s` is not written; see --sensors gazebo\n"
         "SML8001 `battery` has no place in a URDF\n");
+}
+
+TEST_CASE("what stands in an extension already is lost with it only") {
+  UrdfExport options;
+  options.strips_extensions = true;
+  const Exported stripped(Read(kUrdf, kAnnotations), options);
+  CHECK(stripped.loses("SML8002 sensor `s` is not written; see --sensors gazebo"));
+  CHECK(stripped.loses("SML8001 `type` of motor `hinge` has no place in a URDF"));
+}
+
+TEST_CASE("keys that nothing takes over are lost, under every option") {
+  const std::string annotations = R"(motors:
+- {name: tilt, joint: tilt, type: PID, motorMaxForce: 7, minValue: -1, maxValue: 3.141592653589793}
+materials:
+- {name: red, diffuseFront: {r: 0.9, g: 0, b: 0, a: 1}}
+joint:
+- {name: hinge, springDamping: 0.5, damping_const_constraint_axis1: 0.25}
+sensors:
+- {name: view, type: CameraSensor, link: eye, width: 4, height: 3, hud_idx: 1}
+- {name: force, type: Joint6DOF, link: eye}
+- {name: nowhere, type: Joint6DOF, link: stand}
+- {name: where, type: NodePosition, link: eye, id: [eye]}
+)";
+  UrdfExport options;
+  options.apply = {true, true, true, true};
+  options.actuation = Actuation::ros2_control;
+  options.adds_gazebo_sensors = true;
+  const Exported exported(Read(kUrdf, annotations), options);
+  for (const char* loss :
+       {"SML8002 `motorMaxForce` of motor `tilt` is an old name, which is not applied; rename it "
+        "to `maxEffort`",
+        "SML8001 `minValue` of motor `tilt` has no place in a URDF: a continuous joint has no "
+        "bounds",
+        "SML8002 `diffuseFront` of material `red` is an old name, which is not applied; rename it "
+        "to `diffuseColor`",
+        "SML8003 `damping_const_constraint_axis1` of joint `hinge` differs from `springDamping`, "
+        "which is applied",
+        "SML8001 `hud_idx` of sensor `view` has no place in a sensor of Gazebo",
+        "SML8001 sensor `nowhere` is not written: it lacks a name, or a link or joint that "
+        "carries it",
+        "SML8001 sensor `where` has no place in a URDF"}) {
+    CHECK_MESSAGE(exported.loses(loss), loss);
+  }
+  CHECK(exported.has("<gazebo reference=\"eye_mount\">\n    <sensor name=\"force\""));
+  CHECK(exported.losses.find("maxValue") == std::string::npos);  // a whole turn
+  CHECK(exported.losses.find("`type`") == std::string::npos);
 }
 
 TEST_CASE("annotations are applied where they differ, and only there") {
@@ -187,11 +234,69 @@ TEST_CASE("a link on a fixed joint becomes part of the link that carries it") {
                       "      <origin xyz=\"0 0.1 0.2\" rpy=\"0 0 1."));
   // A sensor stands on `eye`, so it stays a link, on the arm now; the shade hangs on the arm too.
   CHECK(collapsed.has("<link name=\"eye\"/>"));
-  CHECK(collapsed.has("    <parent link=\"arm\"/>\n    <child link=\"shade\"/>\n"
-                      "    <axis xyz=\"1 0 0\"/>\n    <limit effort=\"1\" velocity=\"1\"/>\n"
-                      "    <origin xyz=\"0 0.1 0.2\" rpy=\"0 0 1."));
+  CHECK(collapsed.has("<parent link=\"arm\"/>\n    <child link=\"shade\"/>\n"
+                      "    <axis xyz=\"1 0 0\"/>\n    <limit effort=\"1\" velocity=\"1\"/>\n"));
+  CHECK(collapsed.has("    <origin xyz=\"0 0.1 0.2\" rpy=\"0 0 1."));
+  CHECK(collapsed.loses("SML8005 the link `bulb` becomes part of `arm`"));
   options.keep = {"mount"};
   CHECK(Exported(Read(kUrdf), options).text == kUrdf);
+}
+
+/// Two links on fixed joints above a base; the upper one stands at (0, 1, 2), turned about z.
+std::string tower(const std::string& extensions, const std::string& shape = {}) {
+  return R"(<robot name="tower">
+  <link name="base"/>
+  <link name="floor"/>
+  <link name="top">)" +
+         shape + R"(</link>
+  <joint name="a" type="fixed">
+    <origin xyz="0 1 1"/><parent link="base"/><child link="floor"/>
+  </joint>
+  <joint name="b" type="fixed">
+    <origin xyz="0 0 1" rpy="0 0 0.5"/><parent link="floor"/><child link="top"/>
+  </joint>
+)" + extensions +
+         "</robot>\n";
+}
+
+TEST_CASE("sensors on a collapsed link stand on the carrying one, where they stood") {
+  UrdfExport options;
+  options.collapses_fixed = true;
+  const Exported collapsed(
+      Read(tower("<gazebo reference=\"top\"><sensor name=\"top\" type=\"camera\">"
+                 "<pose>1 0 0 0 0 0</pose></sensor></gazebo>\n"
+                 "<gazebo reference=\"floor\"><sensor name=\"s\" type=\"imu\"/></gazebo>\n"
+                 "<sensor name=\"r\"><parent link=\"top\"/><origin rpy=\"0 0 1\"/></sensor>\n")),
+      options);
+  CHECK_FALSE(collapsed.has("<link name=\"top\">"));
+  CHECK(collapsed.has("<gazebo reference=\"base\"><sensor name=\"top\" type=\"camera\">"
+                      "<pose>0.877582561890372"));
+  CHECK(collapsed.has("<pose>0 1 1 0 0 0</pose>"));
+  CHECK(collapsed.has("<parent link=\"base\"/><origin xyz=\"0 1 2\" rpy=\"0 0 1."));
+}
+
+TEST_CASE("a link stays when the carrying one cannot answer for it") {
+  UrdfExport options;
+  options.collapses_fixed = true;
+  const auto stays = [&](const std::string& extensions, const std::string& shape = {}) {
+    return Exported(Read(tower(extensions, shape)), options).has("<link name=\"top\">");
+  };
+  const std::string red = "<gazebo reference=\"top\"><material>Red</material></gazebo>";
+  const std::string sphere = "<visual><geometry><sphere radius=\"1\"/></geometry></visual>";
+  CHECK_FALSE(stays(""));
+  CHECK(stays(red));
+  CHECK_FALSE(stays(red + "<gazebo reference=\"base\"><material> Red </material></gazebo>"));
+  CHECK(stays("<gazebo reference=\"base\"><mu1>2</mu1></gazebo>", sphere));
+  CHECK_FALSE(stays("<gazebo reference=\"base\"><mu1>2</mu1></gazebo>"));  // a mere frame
+  CHECK(stays("<gazebo reference=\"top\"><plugin name=\"p\"/></gazebo>"));
+  CHECK(stays("<gazebo><plugin name=\"p\"><frame>top</frame></plugin></gazebo>"));
+  CHECK(stays("<gazebo reference=\"b\"><preserveFixedJoint>1</preserveFixedJoint></gazebo>"));
+  CHECK(stays("<gazebo reference=\"top\"><sensor name=\"s\" type=\"contact\"><contact/></sensor>"
+              "</gazebo>"));
+  CHECK(stays("<gazebo reference=\"top\"><sensor name=\"s\" type=\"imu\">"
+              "<pose degrees=\"true\">0 0 0 0 0 90</pose></sensor></gazebo>"));
+  CHECK(stays("", "<contact><lateral_friction value=\"2\"/></contact>"));
+  CHECK(stays("<transmission name=\"t\"><joint name=\"b\"/></transmission>"));
 }
 
 TEST_CASE("the proof finds a mass that went missing on the way") {
@@ -234,6 +339,41 @@ TEST_CASE("bases and versions") {
   options = {};
   options.version = "1.1";
   CHECK(Exported(Read(kUrdf), options).has("<robot name=\"lamp\" version=\"1.1\">"));
+}
+
+TEST_CASE("an older version says what it can in its own words") {
+  const Read newer(R"(<robot name="r" version="1.2">
+  <link name="a">
+    <collision name="c">
+      <origin xyz="0 0 1" quat_xyzw="0 0 0.7071067811865476 0.7071067811865476"/>
+      <geometry><capsule radius="0.5" length="2"/></geometry>
+    </collision>
+  </link>
+  <link name="b"/>
+  <joint name="j" type="revolute">
+    <parent link="a"/><child link="b"/><axis xyz="1 0 0"/>
+    <limit lower="0" upper="1" effort="1" velocity="1" acceleration="2" jerk="3"/>
+  </joint>
+</robot>
+)");
+  UrdfExport options;
+  options.version = "1.0";
+  const Exported old(newer, options);
+  CHECK(old.has("<robot name=\"r\" version=\"1.0\">"));
+  CHECK(old.has("    <collision name=\"c\">\n      <origin xyz=\"0 0 1\" rpy=\"0 0 1.57"));
+  CHECK(old.has("<cylinder radius=\"0.5\" length=\"2\"/>"));
+  CHECK(old.has("    <collision name=\"c_top\">\n      <origin xyz=\"0 0 2\" rpy=\"0 0 1.57"));
+  CHECK(old.has("    <collision name=\"c_bottom\">\n      <origin xyz=\"0 0 0\" rpy=\"0 0 1.57"));
+  CHECK(old.has("<geometry><sphere radius=\"0.5\"/></geometry>"));
+  CHECK(old.has("velocity=\"1\"/>"));
+  CHECK(old.losses == "SML8001 `acceleration` has no place in a URDF of version 1.0\n"
+                      "SML8001 `jerk` has no place in a URDF of version 1.0\n");
+  CHECK(compare_models(newer.model, Read(old.text).model, proof_scope(options)).holds());
+  options.version = "1.1";
+  const Exported middle(newer, options);
+  CHECK(middle.has("capsule"));
+  CHECK(middle.has("quat_xyzw"));
+  CHECK_FALSE(middle.has("jerk"));
 }
 
 TEST_CASE("the canonical form does not depend on order and notation") {

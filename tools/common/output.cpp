@@ -39,6 +39,17 @@ int write_all(int descriptor, std::string_view text) {
 
 }  // namespace
 
+int open_beside(const std::string& path, std::string& temporary) {
+  const std::string folder = path.substr(0, path.size() - path::file_name(path).size());
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    temporary =
+        folder + ".smurf-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+  return -1;
+}
+
 int write_and_close(int descriptor, std::string_view text, bool sync) {
   int error = write_all(descriptor, text);
   if (error == 0 && sync && ::fsync(descriptor) != 0 && errno != EINVAL) error = errno;
@@ -51,18 +62,6 @@ namespace {
 int write_directly(const std::string& path, std::string_view text) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
   return descriptor < 0 ? errno : write_and_close(descriptor, text, false);
-}
-
-/// A new file in the folder of `path`, or -1 with errno set; its name goes to `temporary`.
-int open_beside(const std::string& path, std::string& temporary) {
-  const std::string folder = path.substr(0, path.size() - path::file_name(path).size());
-  for (int attempt = 0; attempt < 1000; ++attempt) {
-    temporary =
-        folder + ".smurf-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
-    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) return descriptor;
-  }
-  return -1;
 }
 
 int replace_file(const std::string& path, std::string_view text, std::optional<mode_t> mode) {

@@ -27,6 +27,10 @@ void write_error(std::string_view text);
 /// failed run leaves the old one; links are followed; devices and pipes are written directly.
 bool write_output(std::string_view tool, const std::string& path, std::string_view text);
 
+/// Makes a file in the folder of `path` under a name that is not taken, which goes to `temporary`.
+/// Returns -1 with errno set when it cannot. Whoever is killed before renaming it leaves it behind.
+int open_beside(const std::string& path, std::string& temporary);
+
 /// Writes to an open file and closes it; 0 or an errno. A full disk may be noticed as late as at
 /// the end.
 int write_and_close(int descriptor, std::string_view text, bool sync);

@@ -75,29 +75,34 @@ class FileSet {
   std::optional<Problem> prepare(const std::string& path, std::string_view text, bool overwrite) {
     if (auto problem = make_folder(path::parent(path))) return problem;
     std::error_code error;
-    const fs::file_status status = fs::symlink_status(path, error);
-    const bool exists = fs::exists(status);
     const fs::file_status target = fs::status(path, error);
+    const bool exists = fs::exists(fs::symlink_status(path, error));
     if (exists && !fs::is_regular_file(target)) {
       return Problem{path, fs::is_directory(target) ? EISDIR : ENOTSUP};
     }
     if (exists && !overwrite) return Problem{path, EEXIST};
-    const std::string beside =
-        path::join(path::parent(path),
-                   ".smurf-" + std::to_string(::getpid()) + "-" + std::to_string(written_.size()));
-    Written file{path, beside + ".tmp", exists ? beside + ".old" : std::string()};
-    const int descriptor =
-        ::open(file.temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    Written file;
+    // Links are followed.
+    file.path = exists ? fs::canonical(path, error).string() : path;
+    const int descriptor = open_beside(file.path, file.temporary);
     if (descriptor < 0) return Problem{path, errno};
     written_.push_back(file);
-    if (exists && ::link(path.c_str(), file.backup.c_str()) != 0) {
-      written_.back().backup.clear();
-      const int failed = errno;
-      ::close(descriptor);
-      return Problem{path, failed};
-    }
-    if (const int failed = write_and_close(descriptor, text, true)) return Problem{path, failed};
-    return std::nullopt;
+    int failed = exists ? keep_old(written_.back(), descriptor) : 0;
+    const int unwritten = write_and_close(descriptor, text, true);
+    if (failed == 0) failed = unwritten;
+    return failed == 0 ? std::nullopt : std::optional(Problem{path, failed});
+  }
+
+  /// The old file gets a second name, from which it can be brought back, and hands down its mode.
+  static int keep_old(Written& file, int descriptor) {
+    struct stat status {};
+    if (::stat(file.path.c_str(), &status) != 0) return errno;
+    if (::fchmod(descriptor, status.st_mode & 07777U) != 0) return errno;
+    const std::string backup = file.temporary + ".old";
+    ::unlink(backup.c_str());  // of a run that was killed: the other name is new
+    if (::link(file.path.c_str(), backup.c_str()) != 0) return errno;
+    file.backup = backup;
+    return 0;
   }
 
   std::optional<Problem> make_folder(std::string_view path) {

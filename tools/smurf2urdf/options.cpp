@@ -110,8 +110,9 @@ std::vector<Option> content_options(UrdfExport& wanted) {
            .values = {"none", "gazebo"},
            .set = choose<bool>(wanted.adds_gazebo_sensors, {{"none", false}, {"gazebo", true}})},
           {.name = "collapse-fixed",
-           .help = "Make links on fixed joints part of the link that carries them. What an "
-                   "extension or a mimic names stays a link.",
+           .help = "Make links on fixed joints part of the link that carries them, with their "
+                   "shapes, masses and sensors. A link stays when an extension means the link "
+                   "itself (its frame, a plugin, other friction than the carrying link's).",
            .set = set_flag(wanted.collapses_fixed)},
           {.name = "keep",
            .metavar = "NAMES",
@@ -166,7 +167,9 @@ std::vector<Option> form_options(UrdfExport& wanted) {
            .set = set_flag(wanted.is_canonical)},
           {.name = "urdf-version",
            .metavar = "VERSION",
-           .help = "Set the version that the URDF claims: 1.0, 1.1 or 1.2.",
+           .help = "Set the version that the URDF claims: 1.0, 1.1 or 1.2. In 1.0, capsules become "
+                   "cylinders with spheres, and quaternions become rpy; limits of acceleration and "
+                   "jerk need 1.2.",
            .values = {"1.0", "1.1", "1.2"},
            .set = set_text(wanted.version)}};
 }

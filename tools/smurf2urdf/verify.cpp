@@ -50,7 +50,9 @@ Verification verify(const LinkedModel& model, const SourceMap& sources, const st
   if (!verification.proof.holds()) {
     verification.problem = "the result is another robot: " + verification.proof.difference;
   }
-  if (!is_sound) return verification;
+  // urdfdom before 5.1 refuses every version but 1.0.
+  const bool is_known = options.version.empty() || options.version == "1.0";
+  if (!is_sound || !is_known) return verification;
   verification.urdfdom = ask_urdfdom(urdf);
   if (verification.urdfdom.was_asked && !verification.urdfdom.accepts) {
     const std::string& words = verification.urdfdom.messages;

@@ -40,6 +40,7 @@ class Reader {
     };
     robot.links.reserve(count("link"));
     robot.joints.reserve(count("joint"));
+    has_quaternions_ = robot.version && *robot.version != "1.0";
     for (const View child : root) {
       if (is(child, "link")) {
         robot.links.push_back(link(child));
@@ -88,7 +89,18 @@ class Reader {
     out.element = element.id();
     vector(element, "xyz", out.xyz);
     vector(element, "rpy", out.rpy);
+    if (has_quaternions_) quaternion(element, out.rpy);
     return out;
+  }
+
+  /// Of URDF 1.1, in the place of rpy. Readers of what claims to be 1.0 ignore it.
+  void quaternion(View element, Field<Vector3>& rpy) {
+    Field<std::array<double, 4>> xyzw;
+    vector(element, "quat_xyzw", xyzw);
+    if (!xyzw) return;
+    const auto& [x, y, z, w] = *xyzw;
+    const Quaternion q{w, x, y, z};
+    if (norm(q) > 0) rpy = {to_rpy(normalized(q)), xyzw.span, true};
   }
 
   urdf::Inertial inertial(View element) {
@@ -261,6 +273,7 @@ class Reader {
   }
 
   DiagnosticSink& sink_;
+  bool has_quaternions_ = false;
 };
 
 /// Reports the first trace of xacro, whose cause is one: the file was not expanded. True when there

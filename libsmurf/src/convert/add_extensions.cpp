@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Motors as ros2_control or transmissions, sensors as those of Gazebo: the way back of
 // import_motors.cpp and import_sensors.cpp. What the URDF has already is not written twice.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -12,20 +13,6 @@
 
 namespace smurf::passes {
 namespace {
-
-/// Names of <element name="..."> below the robot's extensions.
-std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::string_view element) {
-  std::set<std::string_view> names;
-  const auto visit = [&](const auto& self, xml::View view) -> void {
-    const xml::Attribute* name = view.attribute("name");
-    if (view.name() == element && name != nullptr) names.insert(name->value);
-    for (const xml::View child : view) self(self, child);
-  };
-  for (const xml::ElementId id : model.robot->extensions) {
-    visit(visit, xml::View(model.robot->document, id));
-  }
-  return names;
-}
 
 std::string leaf(std::string_view name, std::string_view text) {
   return "<" + std::string(name) + ">" + escape_xml(text) + "</" + std::string(name) + ">";
@@ -176,6 +163,19 @@ class GazeboSensor {
 
 }  // namespace
 
+std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::string_view element) {
+  std::set<std::string_view> names;
+  const auto visit = [&](const auto& self, xml::View view) -> void {
+    const xml::Attribute* name = view.attribute("name");
+    if (view.name() == element && name != nullptr) names.insert(name->value);
+    for (const xml::View child : view) self(self, child);
+  };
+  for (const xml::ElementId id : model.robot->extensions) {
+    visit(visit, xml::View(model.robot->document, id));
+  }
+  return names;
+}
+
 std::string_view gazebo_type(const Sensor& sensor) {
   constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
       {"CameraSensor", "camera"},
@@ -187,6 +187,39 @@ std::string_view gazebo_type(const Sensor& sensor) {
     if (sensor.type && *sensor.type == type) return of_gazebo;
   }
   return {};
+}
+
+std::string gazebo_carrier(const LinkedModel& model, const Sensor& sensor) {
+  if (gazebo_type(sensor) != "force_torque") {
+    if (sensor.link) return *sensor.link;
+    const bool is_imu = gazebo_type(sensor) == "imu";
+    return is_imu && sensor.id && !sensor.id->empty() ? sensor.id->front().value : std::string();
+  }
+  if (sensor.joint) return *sensor.joint;
+  // Phobos names the link, and means the joint that carries it.
+  const auto link = sensor.link ? model.link_names.find(*sensor.link) : std::nullopt;
+  if (!link || !model.tree.parent_joint[*link]) return {};
+  return model.joint(*model.tree.parent_joint[*link]).name.value_or("");
+}
+
+bool gazebo_says(const Sensor& sensor, std::string_view key) {
+  using Keys = std::initializer_list<std::string_view>;
+  const auto says = [key](Keys keys) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  const std::string_view type = sensor.type.value_or("");
+  if (says({"name", "type", "link", "rate"})) return true;
+  if (type == "CameraSensor") {
+    return says({"width", "height", "opening_width", "opening_angle", "position_offset",
+                 "orientation_offset"});
+  }
+  if (type == "RotatingRaySensor") {
+    return says({"lasers", "opening_width", "opening_height", "horizontal_offset",
+                 "vertical_offset", "horizontal_resolution", "min_distance", "max_distance",
+                 "rotation_offset"});
+  }
+  if (type == "NodeContact") return says({"id", "collisions"});
+  return type == "Joint6DOF" ? says({"joint"}) : says({"id"});
 }
 
 void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edits) {
@@ -218,11 +251,7 @@ void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits) {
     if (type.empty() || document == nullptr || !sensor.name || !known.insert(*sensor.name).second) {
       continue;
     }
-    std::string carrier = sensor.link.value_or("");
-    if (type == "force_torque") carrier = sensor.joint.value_or("");
-    if (type == "imu" && carrier.empty() && sensor.id && !sensor.id->empty()) {
-      carrier = sensor.id->front().value;
-    }
+    const std::string carrier = gazebo_carrier(model, sensor);
     if (carrier.empty()) continue;
     const GazeboSensor content(sensor, yaml::View(*document, sensor.node));
     edits.add_child(model.robot->document.view(),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert/annotation_values.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace smurf {
 
 AnnotationValues::AnnotationValues(const LinkedModel& model) : model_(model) {
@@ -61,9 +64,12 @@ bool AnnotationValues::says_limit(const Motor& motor, std::string_view key) cons
   const auto value = limit_value(key);
   if (joint == nullptr || !value) return true;
   const bool is_bound = *value == LimitValue::lower || *value == LimitValue::upper;
-  if (is_bound && joint->type == urdf::JointType::continuous) return true;  // it has no bounds
   const auto wanted = limit_of(motor, *value);
   if (!wanted) return true;
+  // A joint without bounds turns all around, as a motor that is commanded within one turn does.
+  if (is_bound && joint->type == urdf::JointType::continuous) {
+    return std::fabs(*wanted) == std::numbers::pi;
+  }
   // Bounds that are not written are 0 to the readers of URDF.
   const urdf::Limit limit = joint->limit.value_or(urdf::Limit{});
   const Field<double>& written = limit_field(limit, *value);

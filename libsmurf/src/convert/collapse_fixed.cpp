@@ -6,32 +6,19 @@
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
+#include "convert/link_references.hpp"
 #include "convert/mass_properties.hpp"
 #include "convert/passes.hpp"
 
 namespace smurf::passes {
 namespace {
 
-/// Every text and attribute value of an extension that is the name of a link or joint.
-void names_in(const LinkedModel& model, xml::View element, std::set<std::string_view>& names) {
-  const auto add = [&](std::string_view text) {
-    if (model.link_names.contains(text) || model.joint_names.contains(text)) names.insert(text);
-  };
-  for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
-       ++one) {
-    add(one->value);
-  }
-  add(element.element().text);
-  for (const xml::View child : element) names_in(model, child, names);
-}
-
 class Collapse {
  public:
-  Collapse(const LinkedModel& model, std::string_view text, const std::vector<bool>& kept,
-           XmlEdits& edits)
-      : model_(model), text_(text), kept_(kept), edits_(edits) {}
+  Collapse(const LinkedModel& model, const std::vector<std::string>& keep, XmlEdits& edits)
+      : model_(model), keep_(keep.begin(), keep.end()), references_(model), edits_(edits) {}
 
-  void run() {
+  std::vector<CollapsedLink> run() {
     const std::size_t count = model_.robot->links.size();
     carrier_.resize(count);
     X_CL_.resize(count);
@@ -41,18 +28,41 @@ class Collapse {
       bodies_[i] = mass_properties(model_.robot->links[i]);
     }
     for (const LinkIndex index : model_.tree.order) place(to_size(index));
+    std::vector<CollapsedLink> collapsed;
     for (const LinkIndex index : model_.tree.order) {
       const std::size_t link = to_size(index);
-      if (carrier_[link] != link) move(link);
+      if (carrier_[link] == link) continue;
+      move(link);
+      collapsed.push_back({name_of(link), name_of(carrier_[link])});
     }
     for (const std::size_t carrier : heavier_) write_inertial(carrier);
+    return collapsed;
   }
 
  private:
+  std::string name_of(std::size_t link) const {
+    return model_.robot->links[link].name.value_or("");
+  }
+
+  bool is_kept(const Field<std::string>& name) const {
+    return name && (keep_.contains(*name) || references_.needs(*name));
+  }
+
+  /// The links that the parent is part of are known by now.
+  bool may_collapse(const urdf::Link& link, const urdf::Joint& joint, std::size_t parent) const {
+    if (joint.type != urdf::JointType::fixed || is_kept(link.name) || is_kept(joint.name)) {
+      return false;
+    }
+    // `world` stands for the world in Gazebo and MuJoCo; nothing becomes part of it.
+    if (name_of(parent) == "world") return false;
+    return references_.may_join(link, model_.robot->links[carrier_[parent]]);
+  }
+
   void place(std::size_t link) {
     const auto parent_joint = model_.tree.parent_joint[link];
-    if (kept_[link] || !parent_joint) return;
+    if (!parent_joint) return;
     const std::size_t parent = to_size(*model_.tree.joint_parent[to_size(*parent_joint)]);
+    if (!may_collapse(model_.robot->links[link], model_.joint(*parent_joint), parent)) return;
     carrier_[link] = carrier_[parent];
     X_CL_[link] = X_CL_[parent] * urdf::to_pose(model_.joint(*parent_joint).origin);
     if (bodies_[link].mass == 0 && bodies_[link].inertia.isZero(0)) return;
@@ -76,6 +86,7 @@ class Collapse {
         rehang(model_.joint(child), index);
       }
     }
+    references_.move(name_of(index), name_of(carrier_[index]), X_CL_[index], edits_);
     edits_.remove(edits_.view(link.element));
     edits_.remove(edits_.view(model_.joint(*model_.tree.parent_joint[index]).element));
   }
@@ -84,53 +95,16 @@ class Collapse {
     const xml::View element = edits_.view(joint.element);
     edits_.set_attribute(element.child("parent"), "link",
                          *model_.robot->links[carrier_[old_parent]].name);
-    const Pose X_CJ = X_CL_[old_parent] * urdf::to_pose(joint.origin);
-    const std::string origin = new_element("origin", origin_attributes(X_CJ));
-    if (joint.origin.element == xml::kNoElement) {
-      edits_.add_child(element, origin);
-    } else {
-      edits_.replace(edits_.view(joint.origin.element).span(), origin);
-    }
+    const Edit edit =
+        edits_.origin_edit(element, joint.origin, X_CL_[old_parent] * urdf::to_pose(joint.origin));
+    edits_.replace(edit.span, edit.text);
   }
 
-  /// The element's text with its pose in the carrier's frame, without its own indentation.
+  /// The element's text with its pose in the carrier's frame.
   std::string moved(xml::ElementId id, const urdf::Origin& origin, const Pose& X_CL) const {
     const xml::View element = edits_.view(id);
-    const std::string new_origin =
-        new_element("origin", origin_attributes(X_CL * urdf::to_pose(origin)));
-    const std::string_view text =
-        text_.substr(element.span().begin, element.span().end - element.span().begin);
-    Edit edit{element.tag_span(), new_origin};
-    edit.span.begin = edit.span.end;
-    if (origin.element != xml::kNoElement) {
-      edit.span = edits_.view(origin.element).span();
-    } else if (element.begin() != element.end()) {  // a line of its own, if the others have one
-      const std::uint32_t first_child = (*element.begin()).span().begin;
-      const std::string_view blanks = text_.substr(edit.span.end, first_child - edit.span.end);
-      const bool is_blank = blanks.find_first_not_of(" \t\r\n") == std::string_view::npos;
-      if (is_blank) edit.text = std::string(blanks) + edit.text;
-    }
-    edit.span.begin -= element.span().begin;
-    edit.span.end -= element.span().begin;
-    std::size_t line = element.span().begin;
-    while (line > 0 && text_[line - 1] != '\n') --line;
-    std::string indentation = "\n";
-    while (text_[line] == ' ' || text_[line] == '\t') indentation += text_[line++];
-    const std::string result = apply_edits(text, {&edit, 1});
-    return without(result, indentation);
-  }
-
-  /// Line ends with blanks become line ends.
-  static std::string without(std::string_view text, std::string_view line_start) {
-    std::string result;
-    for (std::size_t at = text.find(line_start); at != std::string_view::npos;
-         at = text.find(line_start)) {
-      result.append(text.substr(0, at)).append("\n");
-      text.remove_prefix(at + line_start.size());
-    }
-    result.append(text);
-    std::erase(result, '\r');
-    return result;
+    return edits_.copy(element,
+                       {edits_.origin_edit(element, origin, X_CL * urdf::to_pose(origin))});
   }
 
   void write_inertial(std::size_t index) {
@@ -159,8 +133,8 @@ class Collapse {
   }
 
   const LinkedModel& model_;
-  std::string_view text_;
-  const std::vector<bool>& kept_;
+  std::set<std::string_view> keep_;
+  LinkReferences references_;
   XmlEdits& edits_;
   std::vector<std::size_t> carrier_;    ///< by link
   std::vector<Pose> X_CL_;              ///< by link, in its carrier's frame
@@ -170,32 +144,9 @@ class Collapse {
 
 }  // namespace
 
-std::vector<bool> kept_links(const LinkedModel& model, const std::vector<std::string>& keep) {
-  std::set<std::string_view> named(keep.begin(), keep.end());
-  for (const xml::View element : extension_elements(*model.robot)) names_in(model, element, named);
-  for (const urdf::Joint& joint : model.robot->joints) {
-    if (joint.mimic && joint.mimic->joint) named.insert(*joint.mimic->joint);
-  }
-  std::vector<bool> kept(model.robot->links.size(), true);
-  for (const LinkIndex index : model.tree.order) {
-    const auto joint_index = model.tree.parent_joint[to_size(index)];
-    if (!joint_index) continue;
-    const urdf::Joint& joint = model.joint(*joint_index);
-    const urdf::Link& link = model.link(index);
-    const urdf::Link& parent = model.link(*model.tree.joint_parent[to_size(*joint_index)]);
-    const bool is_named =
-        (link.name && named.contains(*link.name)) || (joint.name && named.contains(*joint.name));
-    // `world` stands for the world in Gazebo and MuJoCo; nothing becomes part of it.
-    const bool is_on_world = parent.name && *parent.name == "world";
-    kept[to_size(index)] = joint.type != urdf::JointType::fixed || is_named || is_on_world;
-  }
-  return kept;
-}
-
-void collapse_fixed(const LinkedModel& model, std::string_view text, const UrdfExport& options,
-                    XmlEdits& edits) {
-  const std::vector<bool> kept = kept_links(model, options.keep);
-  Collapse(model, text, kept, edits).run();
+std::vector<CollapsedLink> collapse_fixed(const LinkedModel& model,
+                                          const std::vector<std::string>& keep, XmlEdits& edits) {
+  return Collapse(model, keep, edits).run();
 }
 
 }  // namespace smurf::passes

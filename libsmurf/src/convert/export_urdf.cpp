@@ -7,6 +7,7 @@
 
 #include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/rules.hpp"
 #include "convert/passes.hpp"
 #include "convert/rebase.hpp"
 #include "smurf/load.hpp"
@@ -52,6 +53,16 @@ class Stepper {
   std::unique_ptr<Read> read_;
 };
 
+void report(const std::vector<passes::CollapsedLink>& collapsed, const LinkedModel& model,
+            DiagnosticSink& sink) {
+  for (const auto& [name, carrier] : collapsed) {
+    if (const auto index = model.link_names.find(name)) {
+      sink.report(rules::sml8005_collapsed_link, model.robot->links[*index].name.span,
+                  "the link `" + name + "` becomes part of `" + carrier + "`");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& folder,
@@ -87,9 +98,11 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
     steps.edit([&](XmlEdits& edits) { passes::strip_comments(steps.model(), edits); });
   }
   if (options.collapses_fixed) {
+    std::vector<passes::CollapsedLink> collapsed;
     steps.edit([&](XmlEdits& edits) {
-      passes::collapse_fixed(steps.model(), steps.text(), options, edits);
+      collapsed = passes::collapse_fixed(steps.model(), options.keep, edits);
     });
+    report(collapsed, model, sink);
   }
   if (!options.prefix.empty()) {
     steps.edit([&](XmlEdits& edits) { passes::add_prefix(steps.model(), options.prefix, edits); });
@@ -98,9 +111,8 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
     steps.edit([&](XmlEdits& edits) { passes::add_base(steps.model(), options.base, edits); });
   }
   if (!options.version.empty()) {
-    steps.edit([&](XmlEdits& edits) {
-      edits.set_attribute(steps.model().robot->document.view(), "version", options.version);
-    });
+    steps.edit(
+        [&](XmlEdits& edits) { passes::set_version(steps.model(), options.version, edits); });
   }
   if (options.is_canonical && steps.is_sound()) {
     steps.take(canonical_urdf(steps.model(), steps.text()));

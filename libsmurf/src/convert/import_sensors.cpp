@@ -10,36 +10,12 @@
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "convert/import.hpp"
+#include "convert/sensor_pose.hpp"
 
 namespace smurf::import {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-
-/// The numbers of "x y z r p y"; absent ones are 0.
-std::array<double, 6> six_numbers(std::string_view text) {
-  std::array<double, 6> numbers{};
-  std::size_t count = 0;
-  while (!text.empty() && count < numbers.size()) {
-    const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) break;
-    const std::size_t end = std::min(text.find_first_of(" \t\r\n", begin), text.size());
-    numbers[count++] = parse_number(text.substr(begin, end - begin)).value_or(0);
-    text.remove_prefix(end);
-  }
-  return numbers;
-}
-
-/// Where a sensor stands on its link.
-Pose pose_of(xml::View sensor) {
-  std::array<double, 6> p = six_numbers(child_text(sensor, "pose"));
-  if (const xml::View origin = sensor.child("origin")) {
-    const auto xyz = six_numbers(attribute_of(origin, "xyz"));
-    const auto rpy = six_numbers(attribute_of(origin, "rpy"));
-    p = {xyz[0], xyz[1], xyz[2], rpy[0], rpy[1], rpy[2]};
-  }
-  return {{p[0], p[1], p[2]}, from_rpy({p[3], p[4], p[5]})};
-}
 
 NewValue orientation_value(const std::string& key, const Quaternion& q) {
   return numbers_value(key, {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}});
@@ -242,7 +218,7 @@ class SensorMaker {
       return {};
     }
     const double vertical = 2 * std::atan(std::tan(*fov / 2) * *height / *width);
-    const Pose pose = pose_of(element);
+    const Pose pose = sensor_pose(element);
     std::vector<NewValue> members = {
         text_value("type", "CameraSensor"),
         text_value("link", link),
@@ -285,7 +261,7 @@ class SensorMaker {
       problem = "it does not give its angles";
       return {};
     }
-    const Pose pose = pose_of(element);
+    const Pose pose = sensor_pose(element);
     if (pose.position != Vector3{0, 0, 0}) {
       context_.keep_as_text(element.name_span(), "the position of the sensor on `" + link + "`",
                             "a RotatingRaySensor stands in the origin of its link");

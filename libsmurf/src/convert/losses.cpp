@@ -2,6 +2,8 @@
 // What a URDF cannot say of a model. What it says already is no loss, and neither are the names by
 // which annotations refer to it.
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "base/rules.hpp"
 #include "convert/annotation_values.hpp"
@@ -12,6 +14,13 @@ namespace {
 
 using Names = std::initializer_list<std::string_view>;
 
+/// Names of MARS's first format that are not applied, and what replaced them.
+constexpr std::pair<std::string_view, std::string_view> kOldNames[] = {
+    {"diffuseFront", "diffuseColor"},
+    {"texturename", "diffuseTexture"},
+    {"motorMaxForce", "maxEffort"},
+    {"maximumVelocity", "maxSpeed"}};
+
 bool is_one_of(std::string_view name, Names names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -19,7 +28,12 @@ bool is_one_of(std::string_view name, Names names) {
 class LossReport {
  public:
   LossReport(const LinkedModel& model, const UrdfExport& options, DiagnosticSink& sink)
-      : model_(model), options_(options), sink_(sink), values_(model) {}
+      : model_(model),
+        options_(options),
+        sink_(sink),
+        values_(model),
+        sensors_(passes::names_in_extensions(model, "sensor")),
+        driven_joints_(passes::names_in_extensions(model, "joint")) {}
 
   void run() {
     const Annotations& all = model_.annotations;
@@ -41,6 +55,10 @@ class LossReport {
     for (const LinkAnnotation& entry : all.links) of_keys(entry, "link");
     for (const CustomSection& section : all.custom) of_custom(section);
     for (const CustomSection& key : model_.main.extra) of_custom(key);
+    for (const xml::Attribute* limit : passes::newer_limits(model_, options_.version)) {
+      lose(rules::sml8001_not_expressible, limit->name_span, "`" + std::string(limit->name) + "`",
+           "has no place in a URDF of version " + options_.version);
+    }
     if (options_.strips_extensions) {
       for (const xml::View element : passes::extension_elements(*model_.robot)) {
         lose(rules::sml8004_vendor_extension, element.name_span(),
@@ -50,8 +68,8 @@ class LossReport {
   }
 
  private:
-  void lose(const Rule& rule, Span span, const std::string& what, const std::string& why) {
-    sink_.report(rule, span, what + " " + why);
+  Diagnostic& lose(const Rule& rule, Span span, const std::string& what, const std::string& why) {
+    return sink_.report(rule, span, what + " " + why);
   }
 
   static std::string title(const Annotation& entry, std::string_view kind) {
@@ -66,8 +84,17 @@ class LossReport {
   template <class Entries>
   void whole_entries(const Entries& entries, std::string_view kind) {
     for (const Annotation& entry : entries) {
-      const Span place = entry.name ? entry.name.span : entry.span;
-      lose(rules::sml8001_not_expressible, place, title(entry, kind), "has no place in a URDF");
+      lose_entry(rules::sml8001_not_expressible, entry, kind, "has no place in a URDF");
+    }
+  }
+
+  void lose_entry(const Rule& rule, const Annotation& entry, std::string_view kind,
+                  const std::string& why) {
+    Diagnostic& loss =
+        lose(rule, entry.name ? entry.name.span : entry.span, title(entry, kind), why);
+    // All of the entry, not the key that it happens to begin with.
+    if (const yaml::Document* document = model_.document(entry.span.source)) {
+      loss.pointer = yaml::pointer(*document, entry.node);
     }
   }
 
@@ -92,6 +119,18 @@ class LossReport {
          "`" + std::string(key.key()) + "` of " + title(entry, kind), "has no place in a URDF");
   }
 
+  /// True when the key is an old name, which has been said then.
+  bool lose_old_name(const Annotation& entry, std::string_view kind, yaml::View key) {
+    for (const auto& [old_name, name] : kOldNames) {
+      if (key.key() != old_name) continue;
+      lose(rules::sml8002_not_requested, key.key_span(),
+           "`" + std::string(key.key()) + "` of " + title(entry, kind),
+           "is an old name, which is not applied; rename it to `" + std::string(name) + "`");
+      return true;
+    }
+    return false;
+  }
+
   void not_requested(const Annotation& entry, std::string_view kind, yaml::View key,
                      std::string_view option) {
     lose(rules::sml8002_not_requested, key.key_span(),
@@ -101,9 +140,9 @@ class LossReport {
 
   void of_material(const MaterialAnnotation& entry) {
     for (const yaml::View key : view(entry)) {
-      if (key.key() == "name" || key.is_null()) continue;
-      const bool is_color = is_one_of(key.key(), {"diffuseColor", "diffuseFront"});
-      const bool is_texture = is_one_of(key.key(), {"diffuseTexture", "texturename"});
+      if (key.key() == "name" || key.is_null() || lose_old_name(entry, "material", key)) continue;
+      const bool is_color = key.key() == "diffuseColor";
+      const bool is_texture = key.key() == "diffuseTexture";
       if ((!is_color && !is_texture) || !values_.defines(entry)) {
         lose_key(entry, "material", key);
       } else if (!options_.apply.materials &&
@@ -117,28 +156,60 @@ class LossReport {
     const urdf::Joint* joint = values_.joint_of(motor);
     for (const yaml::View key : view(motor)) {
       if (is_one_of(key.key(), {"name", "joint"}) || key.is_null()) continue;
-      const bool is_limit =
-          is_one_of(key.key(), {"maxEffort", "motorMaxForce", "maxSpeed", "maximumVelocity",
-                                "minValue", "maxValue", "minPosition", "maxPosition"});
+      if (lose_old_name(motor, "motor", key)) continue;
+      const bool is_limit = limit_value(key.key()).has_value();
       const bool is_mimic = key.key().starts_with("mimic_");
-      if (key.key() == "type" && joint != nullptr && options_.actuation != Actuation::none)
-        continue;
+      if (key.key() == "type" && joint != nullptr && says_type(motor, *joint)) continue;
       if (joint == nullptr || (!is_limit && !is_mimic)) {
         lose_key(motor, "motor", key);
-      } else if (is_limit && !options_.apply.limits && !values_.says_limit(motor, key.key())) {
-        not_requested(motor, "motor", key, "limits");
+      } else if (is_limit && !values_.says_limit(motor, key.key())) {
+        of_limit(motor, *joint, key);
       } else if (is_mimic && !options_.apply.mimic && !values_.says_mimic(motor)) {
         not_requested(motor, "motor", key, "mimic");
       }
     }
   }
 
+  /// `key` says something else than the URDF.
+  void of_limit(const Motor& motor, const urdf::Joint& joint, yaml::View key) {
+    const auto value = limit_value(key.key());
+    const bool is_bound = value == LimitValue::lower || value == LimitValue::upper;
+    if (is_bound && joint.type == urdf::JointType::continuous) {
+      lose(rules::sml8001_not_expressible, key.key_span(),
+           "`" + std::string(key.key()) + "` of " + title(motor, "motor"),
+           "has no place in a URDF: a continuous joint has no bounds");
+    } else if (!options_.apply.limits) {
+      not_requested(motor, "motor", key, "limits");
+    }
+  }
+
+  bool says_type(const Motor& motor, const urdf::Joint& joint) const {
+    if (!options_.strips_extensions && driven_joints_.contains(*joint.name)) return true;
+    const bool follows = motor.mimic_motor.value.has_value();
+    return options_.actuation == Actuation::transmission ||
+           (options_.actuation == Actuation::ros2_control && !follows);
+  }
+
   void of_sensor(const Sensor& sensor) {
-    const bool can_say = !passes::gazebo_type(sensor).empty();
-    if (can_say && options_.adds_gazebo_sensors) return;
-    const Rule& rule = can_say ? rules::sml8002_not_requested : rules::sml8001_not_expressible;
-    lose(rule, sensor.name ? sensor.name.span : sensor.span, title(sensor, "sensor"),
-         can_say ? "is not written; see --sensors gazebo" : "has no place in a URDF");
+    // A sensor that the URDF has already, as an extension, is not written twice.
+    if (!options_.strips_extensions && sensor.name && sensors_.contains(*sensor.name)) return;
+    const std::string_view type = passes::gazebo_type(sensor);
+    if (type.empty()) {
+      lose_entry(rules::sml8001_not_expressible, sensor, "sensor", "has no place in a URDF");
+    } else if (!options_.adds_gazebo_sensors) {
+      lose_entry(rules::sml8002_not_requested, sensor, "sensor",
+                 "is not written; see --sensors gazebo");
+    } else if (!sensor.name || passes::gazebo_carrier(model_, sensor).empty()) {
+      lose_entry(rules::sml8001_not_expressible, sensor, "sensor",
+                 "is not written: it lacks a name, or a link or joint that carries it");
+    } else {
+      for (const yaml::View key : view(sensor)) {
+        if (key.is_null() || passes::gazebo_says(sensor, key.key())) continue;
+        lose(rules::sml8001_not_expressible, key.key_span(),
+             "`" + std::string(key.key()) + "` of " + title(sensor, "sensor"),
+             "has no place in a sensor of Gazebo");
+      }
+    }
   }
 
   void of_joint(const JointAnnotation& entry) {
@@ -150,16 +221,31 @@ class LossReport {
       const auto said = values_.says_dynamics(entry, key);
       if (!said) {
         lose_key(entry, "joint", key);
-      } else if (!*said && !options_.apply.dynamics) {
+      } else if (options_.apply.dynamics) {
+        only_first(entry, key);
+      } else if (!*said) {
         not_requested(entry, "joint", key, "dynamics");
       }
     }
+  }
+
+  /// MARS has two keys for damping and takes the last; a URDF has one, which gets the first.
+  void only_first(const Annotation& entry, yaml::View key) {
+    const auto place = std::pair(*entry.name, *dynamics_value(key.key()));
+    const auto [first, is_new] = dynamics_.emplace(place, key);
+    if (is_new || first->second.number() == key.number()) return;
+    lose(rules::sml8003_ambiguous, key.key_span(),
+         "`" + std::string(key.key()) + "` of " + title(entry, "joint"),
+         "differs from `" + std::string(first->second.key()) + "`, which is applied")
+        .labels.push_back({first->second.key_span(), "this one"});
   }
 
   const LinkedModel& model_;
   const UrdfExport& options_;
   DiagnosticSink& sink_;
   AnnotationValues values_;
+  std::set<std::string_view> sensors_, driven_joints_;  ///< of the URDF's extensions
+  std::map<std::pair<std::string, DynamicsValue>, yaml::View> dynamics_;  ///< by joint; applied
 };
 
 }  // namespace
@@ -209,6 +295,17 @@ constinit const Rule sml8004_vendor_extension{
     .why = "Programs that read the extension, Gazebo or ros2_control for example, miss it.",
     .remedy = "Export with `--vendor keep`.",
     .sources = "sdformat 12.3 parser_urdf.cc; ros2_control hardware_interface."};
+
+constinit const Rule sml8005_collapsed_link{
+    .id = "SML8005",
+    .name = "collapsed-link",
+    .severity = Severity::info,
+    .summary = "A link on a fixed joint becomes part of the link that carries it.",
+    .why = "Masses, shapes and sensors stay where they are, but the frame is gone: programs that "
+           "ask for it by name, as tf2 does, find none.",
+    .remedy = "Export with `--keep`, which takes names of links and joints.",
+    .sources = "sdformat 12.3 and MuJoCo do the same on their own: ReduceFixedJoints, "
+               "fusestatic."};
 
 }  // namespace rules
 }  // namespace smurf

@@ -90,22 +90,6 @@ class Prefixer {
 
 }  // namespace
 
-std::string new_element(std::string_view name, const Attributes& attributes) {
-  std::string text = "<" + std::string(name);
-  for (const auto& [key, value] : attributes) {
-    text += " " + std::string(key) + "=\"" + escape_xml(value) + "\"";
-  }
-  return text + "/>";
-}
-
-std::string numbers_text(const Vector3& vector) {
-  return format_number(vector[0]) + " " + format_number(vector[1]) + " " + format_number(vector[2]);
-}
-
-Attributes origin_attributes(const Pose& pose) {
-  return {{"xyz", numbers_text(pose.position)}, {"rpy", numbers_text(to_rpy(pose.orientation))}};
-}
-
 std::vector<xml::View> extension_elements(const urdf::Robot& robot) {
   std::vector<xml::View> found;
   for (const xml::View child : robot.document.view()) {

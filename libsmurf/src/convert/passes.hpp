@@ -3,6 +3,7 @@
 // step is about stays as it was.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,32 +23,36 @@ void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edit
 void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits);
 /// Gazebo's type of a sensor; "" when it has none.
 std::string_view gazebo_type(const Sensor& sensor);
+/// The link or joint that Gazebo's sensor stands on; "" when the annotation names none.
+std::string gazebo_carrier(const LinkedModel& model, const Sensor& sensor);
+/// add_gazebo_sensors() takes over what the key of such a sensor says.
+bool gazebo_says(const Sensor& sensor, std::string_view key);
+/// Names of <element name="..."> below the robot's extensions.
+std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::string_view element);
 /// Mesh and texture paths, as options.mesh_uri wants them.
 void rewrite_paths(const LinkedModel& model, const UrdfExport& options, XmlEdits& edits);
 
 void strip_comments(const LinkedModel& model, XmlEdits& edits);
 void strip_extensions(const LinkedModel& model, XmlEdits& edits);
-/// Links on fixed joints become part of the link that carries them.
-void collapse_fixed(const LinkedModel& model, std::string_view text, const UrdfExport& options,
-                    XmlEdits& edits);
+struct CollapsedLink {
+  std::string name;
+  std::string carrier;  ///< that it is part of now
+};
+/// Links on fixed joints become part of the link that carries them, unless they or their joints are
+/// to be kept, or an extension means the link itself (link_references.hpp).
+std::vector<CollapsedLink> collapse_fixed(const LinkedModel& model,
+                                          const std::vector<std::string>& keep, XmlEdits& edits);
 /// Names of links, joints, materials and transmissions, and all references to them.
 void add_prefix(const LinkedModel& model, const std::string& prefix, XmlEdits& edits);
+/// What only later versions of URDF can say, said in the words of `version` where it has any.
+void set_version(const LinkedModel& model, const std::string& version, XmlEdits& edits);
+/// The attributes of limits that are new in URDF 1.2; nothing before says the same.
+std::vector<const xml::Attribute*> newer_limits(const LinkedModel& model, std::string_view version);
 /// A joint from a link `world` to the root.
 void add_base(const LinkedModel& model, BaseJoint base, XmlEdits& edits);
 
 /// Elements that URDF does not define, of the robot, its links and joints.
 std::vector<xml::View> extension_elements(const urdf::Robot& robot);
-
-/// Links that stay when fixed joints are collapsed: those that move, those that extensions, mimics
-/// or the keep list name.
-std::vector<bool> kept_links(const LinkedModel& model, const std::vector<std::string>& keep);
-
-using Attributes = std::vector<std::pair<std::string_view, std::string>>;
-/// <name a="..."/>, values escaped.
-std::string new_element(std::string_view name, const Attributes& attributes);
-/// "1 0 0.5".
-std::string numbers_text(const Vector3& vector);
-Attributes origin_attributes(const Pose& pose);
 
 }  // namespace smurf::passes
 

@@ -9,7 +9,37 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
+/// Line ends with the indentation become line ends.
+std::string outdented(std::string_view text, std::string_view indentation) {
+  const std::string line_start = "\n" + std::string(indentation);
+  std::string result;
+  for (std::size_t at = text.find(line_start); at != std::string_view::npos;
+       at = text.find(line_start)) {
+    result.append(text.substr(0, at)).append("\n");
+    text.remove_prefix(at + line_start.size());
+  }
+  result.append(text);
+  std::erase(result, '\r');
+  return result;
+}
+
 }  // namespace
+
+std::string new_element(std::string_view name, const Attributes& attributes) {
+  std::string text = "<" + std::string(name);
+  for (const auto& [key, value] : attributes) {
+    text += " " + std::string(key) + "=\"" + escape_xml(value) + "\"";
+  }
+  return text + "/>";
+}
+
+std::string numbers_text(const Vector3& vector) {
+  return format_number(vector[0]) + " " + format_number(vector[1]) + " " + format_number(vector[2]);
+}
+
+Attributes origin_attributes(const Pose& pose) {
+  return {{"xyz", numbers_text(pose.position)}, {"rpy", numbers_text(to_rpy(pose.orientation))}};
+}
 
 void XmlEdits::set_attribute(xml::View element, std::string_view name, std::string_view value) {
   if (const xml::Attribute* attribute = element.attribute(name)) {
@@ -49,6 +79,39 @@ void XmlEdits::remove(Span span) {
   if (end < text_.size() && text_[end] == '\r') ++end;
   if (end < text_.size() && text_[end] == '\n') ++end;
   replace({span.source, begin, end}, "");
+}
+
+void XmlEdits::remove(const xml::Attribute& attribute) {
+  Span span = attribute.span;
+  while (std::string_view(" \t\r\n").find(text_[span.begin - 1]) != std::string_view::npos) {
+    --span.begin;
+  }
+  replace(span, "");
+}
+
+Edit XmlEdits::origin_edit(xml::View element, const urdf::Origin& origin, const Pose& pose) const {
+  const std::string text = new_element("origin", origin_attributes(pose));
+  if (origin.element != xml::kNoElement) return {view(origin.element).span(), text};
+  Edit edit{element.tag_span(), text};
+  edit.span.begin = edit.span.end;
+  if (element.begin() == element.end()) return edit;
+  // A line of its own, if the other children have one.
+  const std::uint32_t first_child = (*element.begin()).span().begin;
+  const std::string_view blanks = text_.substr(edit.span.end, first_child - edit.span.end);
+  if (blanks.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    edit.text = std::string(blanks) + text;
+  }
+  return edit;
+}
+
+std::string XmlEdits::copy(xml::View element, std::vector<Edit> changes) const {
+  const Span span = element.span();
+  for (Edit& change : changes) {
+    change.span.begin -= span.begin;
+    change.span.end -= span.begin;
+  }
+  return outdented(apply_edits(text_.substr(span.begin, span.end - span.begin), changes),
+                   indentation(span));
 }
 
 std::string_view XmlEdits::indentation(Span span) const {

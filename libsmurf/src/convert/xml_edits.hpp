@@ -5,12 +5,23 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
+#include "smurf/pose.hpp"
+#include "smurf/urdf.hpp"
 #include "smurf/xml.hpp"
 
 namespace smurf {
+
+using Attributes = std::vector<std::pair<std::string_view, std::string>>;
+/// <name a="..."/>, values escaped.
+std::string new_element(std::string_view name, const Attributes& attributes);
+/// "1 0 0.5".
+std::string numbers_text(const Vector3& vector);
+/// Of an <origin>.
+Attributes origin_attributes(const Pose& pose);
 
 /// Collects the edits of one document. An attribute or element is edited at most once.
 class XmlEdits {
@@ -28,9 +39,16 @@ class XmlEdits {
   /// Takes an element away, with its line when it stands there alone.
   void remove(xml::View element) { remove(element.span()); }
   void remove(Span span);
+  /// Takes an attribute away, with the blanks before it.
+  void remove(const xml::Attribute& attribute);
   /// Puts other elements, as text, in the place of one.
   void replace_element(xml::View element, std::string_view text);
   void replace(Span span, std::string text) { edits_.push_back({span, std::move(text)}); }
+
+  /// Sets the pose of an element that has an <origin>, or none yet.
+  Edit origin_edit(xml::View element, const urdf::Origin& origin, const Pose& pose) const;
+  /// The element's text with `changes` made inside of it, for add_child().
+  std::string copy(xml::View element, std::vector<Edit> changes) const;
 
   xml::View view(xml::ElementId id) const { return {document_, id}; }
   bool empty() const { return edits_.empty() && children_.empty(); }

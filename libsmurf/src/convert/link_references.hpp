@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the extensions of a URDF say of its links, as far as it matters when links become one.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "convert/xml_edits.hpp"
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+class LinkReferences {
+ public:
+  explicit LinkReferences(const LinkedModel& model);
+
+  /// Something means the link or joint itself: its frame, a plugin, a transmission, a mimic, or an
+  /// extension inside of it.
+  bool needs(std::string_view name) const { return needed_.contains(name); }
+
+  /// What Gazebo is told of the link (friction, colour, ...) is right for both as one.
+  bool may_join(const urdf::Link& link, const urdf::Link& carrier) const;
+
+  /// Sensors of the link stand on the carrier from now on; what is said of the carrier as well
+  /// goes.
+  void move(const std::string& link, const std::string& carrier, const Pose& X_CL,
+            XmlEdits& edits) const;
+
+ private:
+  void read_gazebo(xml::View gazebo, std::string_view link);
+  void read_sensor(xml::View sensor);
+  void read_names(xml::View element);
+  std::vector<std::string> properties(std::string_view link) const;
+
+  const LinkedModel& model_;
+  std::set<std::string_view> needed_;
+  std::map<std::string_view, std::vector<xml::View>> gazebo_, sensors_;  ///< by link
+};
+
+}  // namespace smurf

@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What can go wrong while a tool writes, and what is left then: all of the old files or all of the
+new ones, and a line that says why.
+
+Usage: robust_writing_test.py FOLDER_OF_TOOLS [unittest option]...
+"""
+import functools
+import os
+import pathlib
+import resource
+import shutil
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import unittest
+
+FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
+TOOLS = None
+NOBODY = 65534
+PADDING = "<!-- " + 40000 * "x" + " -->"
+FIXABLE = f"""<robot name="r">
+  {PADDING}
+  <link name="a"/>
+  <link name="b"/>
+  <joint name="j" type="fixed">
+    <parent link="a"/><child link="b"/><dynamics/>
+  </joint>
+</robot>
+"""
+# What each tool is asked to write into the folder `target`, and what is there before.
+JOBS = {
+    "smurf2urdf": (["in/smurf/arm.smurf", "-o", "target/arm.urdf"], {"arm.urdf": "old"}),
+    "smurf2urdf with an SRDF": (
+        ["in/smurf/arm.smurf", "-o", "target/arm.urdf", "--srdf", "target/arm.srdf"],
+        {"arm.urdf": "old", "arm.srdf": "old"}),
+    "smurf2urdf with a report": (
+        ["in/smurf/arm.smurf", "--loss-report", "target/lost.json", "-o", "copy.urdf"],
+        {"lost.json": "old"}),
+    "urdf2smurf": (["in/urdf/arm.urdf", "-o", "target", "--overwrite"],
+                   {"smurf/arm.smurf": "old", "smurf/arm_joint.yml": "old", "urdf/arm.urdf": "old"}),
+    "smurfs-flatten": (["scene/example.smurfs", "--format", "urdf", "-o", "target/scene.urdf"],
+                       {"scene.urdf": "old"}),
+    "smurf-lint": (["--fix", "target/fixable.urdf"], {"fixable.urdf": FIXABLE}),
+}
+
+
+def can_mount():
+    done = subprocess.run(["unshare", "-rm", "mount", "-t", "tmpfs", "none", "/mnt"],
+                          capture_output=True, check=False) if shutil.which("unshare") else None
+    return done is not None and done.returncode == 0
+
+
+def for_each_job(test):
+    """Calls test(self, job, files) with the files in `target`, as one subtest each."""
+    @functools.wraps(test)
+    def run(self):
+        for job, (_, files) in JOBS.items():
+            with self.subTest(job):
+                self.prepare(files)
+                test(self, job, files)
+    return run
+
+
+class WritingTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="smurf-write-"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        self.folder.chmod(0o755)
+        shutil.copytree(FIXTURES / "models/arm", self.folder / "in")
+        shutil.copytree(FIXTURES / "scenes/example", self.folder / "scene")
+        self.target = self.folder / "target"
+
+    def prepare(self, files):
+        shutil.rmtree(self.target, ignore_errors=True)
+        for path, text in files.items():
+            (self.target / path).parent.mkdir(parents=True, exist_ok=True)
+            (self.target / path).write_text(text)
+
+    def command(self, job):
+        return [str(TOOLS / job.split()[0]), *JOBS[job][0]]
+
+    def run_job(self, job, *wrapper, **keywords):
+        return subprocess.run([*wrapper, *self.command(job)], cwd=self.folder, timeout=60,
+                              encoding="utf-8", capture_output=True, check=False, **keywords)
+
+    @staticmethod
+    def texts(folder):
+        return {str(path.relative_to(folder)): path.read_text()
+                for path in folder.rglob("*") if path.is_file()}
+
+    def assert_refused(self, done, reason):
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertRegex(done.stderr, f"cannot write '[^']+': {reason}")
+        self.assertNotIn("Traceback", done.stderr)
+
+    @unittest.skipUnless(can_mount(), "no file system can be mounted here")
+    @for_each_job
+    def test_full_disk(self, job, files):
+        script = ("mount -t tmpfs -o size=64k none target && cp -r old/. target && "
+                  "head -c $((60 * 1024 - $(du -sk target | cut -f1) * 1024)) /dev/zero "
+                  "> target/filler; rm -rf after; \"$@\"; code=$?; rm target/filler; "
+                  "cp -r target after; exit $code")
+        shutil.rmtree(self.folder / "old", ignore_errors=True)
+        shutil.move(self.target, self.folder / "old")
+        self.target.mkdir()
+        done = self.run_job(job, "unshare", "-rm", "sh", "-c", script, "sh")
+        self.assert_refused(done, "No space left on device")
+        self.assertEqual(self.texts(self.folder / "after"), files)
+
+    @for_each_job
+    def test_file_too_large(self, job, files):
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))
+
+        self.assert_refused(self.run_job(job, preexec_fn=limit), "File too large")
+        self.assertEqual(self.texts(self.target), files)
+
+    @for_each_job
+    def test_read_only_folder(self, job, files):
+        user = {"user": NOBODY} if os.geteuid() == 0 else {}
+        folders = [self.target, *[p for p in self.target.rglob("*") if p.is_dir()]]
+        for folder in folders:
+            folder.chmod(0o555)
+        done = self.run_job(job, **user)
+        for folder in folders:
+            folder.chmod(0o755)
+        self.assert_refused(done, "Permission denied")
+        self.assertEqual(self.texts(self.target), files)
+
+    @for_each_job
+    def test_killed_in_the_middle_of_a_write(self, job, files):
+        """A limit on the file's size kills at a byte; kill -9 leaves no more chance to clean up."""
+        for size in (0, 1, 600):
+            done = self.run_job(job, preexec_fn=lambda size=size: resource.setrlimit(
+                resource.RLIMIT_FSIZE, (size, size)))
+            self.assertEqual(done.returncode, -signal.SIGXFSZ)
+            left = self.texts(self.target)
+            self.assertEqual({path: text for path, text in left.items()
+                              if not pathlib.Path(path).name.startswith(".smurf-")}, files)
+        self.assertEqual(self.run_job(job).returncode, 0)
+
+    @for_each_job
+    def test_killed_at_any_time(self, job, files):
+        self.assertEqual(self.run_job(job).returncode, 0)
+        new = self.texts(self.target)
+        for step in range(8):
+            self.prepare(files)
+            with subprocess.Popen(self.command(job), cwd=self.folder,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as run:
+                try:
+                    run.wait(timeout=0.002 + 0.003 * step)
+                except subprocess.TimeoutExpired:
+                    run.kill()
+            for path, text in self.texts(self.target).items():
+                if not pathlib.Path(path).name.startswith(".smurf-"):
+                    self.assertIn(text, (files.get(path), new.get(path)), path)
+
+    @for_each_job
+    def test_existing_files_keep_their_mode_and_links_stay_links(self, job, files):
+        real = self.folder / "real"
+        first, *others = files
+        shutil.rmtree(real, ignore_errors=True)
+        real.mkdir()
+        shutil.move(self.target / first, real / "file")
+        (self.target / first).symlink_to(real / "file")
+        (real / "file").chmod(0o640)
+        for other in others:
+            (self.target / other).chmod(0o600)
+        self.assertEqual(self.run_job(job).returncode, 0)
+        self.assertTrue((self.target / first).is_symlink())
+        self.assertNotEqual((real / "file").read_text(), files[first])
+        self.assertEqual(stat.S_IMODE((real / "file").stat().st_mode), 0o640)
+        for other in others:
+            self.assertEqual(stat.S_IMODE((self.target / other).stat().st_mode), 0o600)
+            self.assertNotEqual((self.target / other).read_text(), files[other])
+
+    @for_each_job
+    def test_left_overs_of_another_run_are_no_hindrance(self, job, files):
+        """A process that was killed may have had any number, this one's too."""
+        for folder in {(self.target / path).parent for path in files}:
+            for number in range(2):
+                (folder / f".smurf-$$-{number}.tmp").write_text("left over")
+        rename = ("for f in $(find target -name '.smurf-*'); do mv \"$f\" "
+                  "\"$(echo \"$f\" | sed \"s/[$][$]/$$/\")\"; done; exec \"$@\"")
+        done = self.run_job(job, "sh", "-c", rename, "sh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotEqual(self.texts(self.target)[next(iter(files))],
+                            next(iter(files.values())))
+
+    @for_each_job
+    def test_missing_mesh(self, job, files):
+        if job.split()[0] not in ("smurf2urdf", "urdf2smurf"):
+            return
+        (self.folder / "in/meshes/forearm.obj").unlink(missing_ok=True)
+        done = self.run_job(job)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("SML1604", done.stderr)
+        self.assertIn("nothing was written", done.stderr)
+        self.assertEqual(self.texts(self.target), files)
+
+    def test_closed_pipe(self):
+        commands = {"smurf2urdf": ["in/smurf/arm.smurf"],
+                    "urdf2smurf": ["in/urdf/arm.urdf", "-o", "target", "--dry-run"],
+                    "smurfs-flatten": ["scene/example.smurfs"],
+                    "smurf-lint": ["--list-rules"]}
+        for tool, arguments in commands.items():
+            with self.subTest(tool):
+                reading, writing = os.pipe()
+                os.close(reading)
+                done = subprocess.run([TOOLS / tool, *arguments], cwd=self.folder, timeout=60,
+                                      stdout=writing, stderr=subprocess.PIPE, encoding="utf-8",
+                                      check=False)
+                os.close(writing)
+                self.assertEqual(done.returncode, 2)
+                self.assertNotIn("cannot write", done.stderr)  # the reader has seen enough
+
+    def test_full_device(self):
+        for tool, arguments in {"smurf2urdf": ["in/smurf/arm.smurf"],
+                                "smurfs-flatten": ["scene/example.smurfs"]}.items():
+            for output in ([], ["-o", "/dev/full"]):
+                with self.subTest(tool, output=output), open("/dev/full", "w") as full:
+                    done = subprocess.run([TOOLS / tool, *arguments, *output], cwd=self.folder,
+                                          timeout=60, stdout=full, stderr=subprocess.PIPE,
+                                          encoding="utf-8", check=False)
+                    self.assertEqual(done.returncode, 2)
+                    self.assertIn("No space left on device", done.stderr)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(f"usage: {sys.argv[0]} FOLDER_OF_TOOLS [unittest option]...")
+    TOOLS = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()

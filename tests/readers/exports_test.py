@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""URDFs that smurf2urdf wrote, given to the programs they are meant for, against their sources.
+
+A reader that loads the source must load every export of it, and have each link where it has it for
+the source, at zero and at other joint positions, to 1e-9 m and rad. What a reader makes of a robot
+is its own affair, so that each one is compared with itself. Prints a table; readers that are not
+installed are named.
+
+Usage: exports_test.py URDF2SMURF SMURF2URDF BUILD FOLDER...
+"""
+import collections
+import math
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+NODE_MODULES = HERE.parent.parent / "build/readers/node_modules"
+TOLERANCE = 1e-9  # m and rad
+FILES_A_RUN = 50
+PREFIX = "i_"  # its bytes add up to a multiple of 8: joints move as without it (robot_poses.hpp)
+EXPORTS = {
+    "plain": [],
+    "canonical": ["--canonical"],
+    "collapsed": ["--collapse-fixed"],
+    "prefixed": ["--prefix", PREFIX],
+    "enriched": ["--apply", "all", "--sensors", "gazebo", "--actuation", "ros2_control"],
+}
+
+
+def readers(build):
+    """Command of each reader, None where it is not installed."""
+    found = {name: [build / program] if (build / program).exists() else None
+             for name, program in {"urdfdom": "urdfdom_poses", "libsdformat": "sdformat_urdf_poses",
+                                   "DART": "dart_poses", "MuJoCo": "mujoco_urdf_poses"}.items()}
+    has_node = shutil.which("node") and (NODE_MODULES / "urdf-loader").is_dir()
+    found["urdf-loader"] = (["node", HERE / "urdf_poses.mjs", NODE_MODULES] if has_node else None)
+    return found
+
+
+class Robot:
+    """A source and its exports."""
+
+    def __init__(self, source, model, exports):
+        self.source, self.model, self.exports = source, model, exports
+
+
+class Exporter:
+    def __init__(self, urdf2smurf, smurf2urdf, folder):
+        self.urdf2smurf, self.smurf2urdf, self.folder = urdf2smurf, smurf2urdf, folder
+        self.failures = []
+
+    @staticmethod
+    def run(*command):
+        return subprocess.run([str(part) for part in command], capture_output=True, text=True,
+                              timeout=120, check=False)
+
+    def robot(self, source):
+        """None when the source cannot be read; it is a .urdf, or a .smurf that lists one."""
+        folder = self.folder / str(len(list(self.folder.iterdir())))
+        (folder / "out").mkdir(parents=True)
+        if source.suffix == ".smurf":
+            model = source
+            source = listed_urdf(source)
+        else:
+            model = folder / "new/smurf/robot.smurf"
+            done = self.run(self.urdf2smurf, source, "-o", folder / "new", "--name", "robot",
+                            "--force", "--quiet")
+            if done.returncode != 0:
+                return None
+        exports = {}
+        for name, options in EXPORTS.items():
+            exports[name] = folder / "out" / f"{name}.urdf"
+            done = self.run(self.smurf2urdf, model, "-o", exports[name], "--force", "--quiet",
+                            *options)
+            if done.returncode != 0:
+                self.failures.append(f"{model} {options} is not exported: {done.stderr[-300:]}")
+                del exports[name]
+        return Robot(source, model, exports)
+
+
+def listed_urdf(smurf):
+    paths = re.findall(r"[\w./-]+\.urdf", smurf.read_text(errors="replace"))
+    return pathlib.Path(os.path.normpath(smurf.parent / paths[0])) if paths else smurf
+
+
+def equals(files):
+    """{file: the first one of the same text}; where meshes are named, the place counts as well."""
+    first = {}
+    texts = {file: pathlib.Path(file).read_bytes() for file in files}
+    return {file: file if b"filename" in text else first.setdefault(text, file)
+            for file, text in texts.items()}
+
+
+def read_all(command, files):
+    """{file: {(what, name): numbers}}; None for what is refused or crashes the reader."""
+    twins = equals([str(file) for file in files])
+    found, rest = {}, sorted(set(twins.values()))
+    while rest:
+        try:
+            done = subprocess.run([*map(str, command), *rest[:FILES_A_RUN]], capture_output=True,
+                                  timeout=600, check=False)
+            output = done.stdout
+        except subprocess.TimeoutExpired as late:
+            output = late.stdout or b""
+        found.update(parse(output.decode(errors="replace")))
+        before = len(rest)
+        rest = [file for file in rest if file not in found]
+        if len(rest) == before:
+            sys.exit(f"{command[0]} does not run")
+    return {file: found[twin] for file, twin in twins.items()}
+
+
+def parse(output):
+    found, file = {}, None
+    for line in output.splitlines():
+        words = line.split("\t")
+        if words[0] == "file":
+            file, poses = words[1], {}
+            found[file] = None
+        elif words[0] == "end" and file is not None:
+            found[file] = poses
+        elif words[0] in ("pose", "moved") and len(words) == 9:
+            poses[words[0], words[1]] = [float(number) for number in words[2:]]
+    return found
+
+
+def difference(one, other):
+    """Metres or radians, the larger of the two; metres relative to distances above 1 m."""
+    if not all(map(math.isfinite, one + other)):
+        return 0 if str(one) == str(other) else math.inf
+    size = max([1, *map(abs, one[:3])])
+    same = sum(a * b for a, b in zip(one[3:], other[3:]))
+    gap = math.dist(one[3:], [math.copysign(1, same) * part for part in other[3:]])
+    return max(math.dist(one[:3], other[:3]) / size, 2 * gap)
+
+
+def compare(export, source, name):
+    """The largest difference, or a text that says what is wrong."""
+    if source is None:
+        return 0
+    if export is None:
+        return "is refused"
+    if name == "prefixed":
+        bare = {(what, link.removeprefix(PREFIX)): pose for (what, link), pose in export.items()}
+        export = bare
+    lost, new = set(source) - set(export), set(export) - set(source)
+    if (lost and name != "collapsed") or not export:
+        return f"has lost {sorted(lost)[:3]}"
+    if new:
+        return f"has the new {sorted(new)[:3]}"
+    worst = max(export, key=lambda key: difference(export[key], source[key]))
+    largest = difference(export[worst], source[worst])
+    if largest > TOLERANCE:
+        return f"has {worst} moved by {largest:.2g}: {export[worst]} was {source[worst]}"
+    return largest
+
+
+def check(reader, command, robots, failures):
+    """A row of the table."""
+    files = [file for robot in robots for file in [robot.source, *robot.exports.values()]]
+    poses = read_all(command, files)
+    loaded = [robot for robot in robots if poses[str(robot.source)]]
+    cells = []
+    for name in EXPORTS:
+        good, largest = 0, 0.0
+        for robot in loaded:
+            if name not in robot.exports:
+                continue
+            result = compare(poses[str(robot.exports[name])], poses[str(robot.source)], name)
+            if isinstance(result, str):
+                failures.append(f"{reader}: {name} export of {robot.model} "
+                                f"({robot.source}) {result}")
+            else:
+                good, largest = good + 1, max(largest, result)
+        cells.append(f"{good:4d} {largest:7.1e}")
+    if not loaded:
+        failures.append(f"{reader} loads no source at all")
+    return f"{reader:12s} {len(loaded):7d} " + " ".join(f"{cell:>13s}" for cell in cells)
+
+
+def sources(folders):
+    for folder in folders:
+        for path in sorted(folder.rglob("*")):
+            if path.suffix == ".urdf" or (path.suffix == ".smurf" and listed_urdf(path).is_file()
+                                          and listed_urdf(path) != path):
+                yield path
+
+
+def main():
+    urdf2smurf, smurf2urdf, build = [pathlib.Path(word).resolve() for word in sys.argv[1:4]]
+    folders = [pathlib.Path(word).resolve() for word in sys.argv[4:]]
+    for folder in [folder for folder in folders if not folder.is_dir()]:
+        print(f"skipped: there is no {folder}")
+    commands = readers(build)
+    with tempfile.TemporaryDirectory() as scratch:
+        exporter = Exporter(urdf2smurf, smurf2urdf, pathlib.Path(scratch).resolve())
+        found = [exporter.robot(path) for path in sources([f for f in folders if f.is_dir()])]
+        robots = [robot for robot in found if robot is not None]
+        failures = exporter.failures
+        counts = collections.Counter(robot is None for robot in found)
+        print(f"{counts[False]} robots, {counts[True]} that are not read; a cell: exports with all "
+              "links where the reader has them in the source, largest difference")
+        print(f"{'reader':12s} {'sources':>7s} " + " ".join(f"{name:>13s}" for name in EXPORTS))
+        for reader, command in commands.items():
+            if command is None:
+                print(f"{reader:12s} skipped: it is not installed; see scripts/setup --readers")
+            elif robots:
+                print(check(reader, command, robots, failures), flush=True)
+    if failures:
+        sys.exit("\n".join(failures))
+    sys.exit(77 if None in commands.values() or not robots else 0)
+
+
+if __name__ == "__main__":
+    main()
