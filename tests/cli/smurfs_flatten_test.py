@@ -143,6 +143,64 @@ class Explain(FlattenTest):
                               "scene.smurfs", "--explain", "BB")
 
 
+class Dialects(FlattenTest):
+    SCENE = """entities:
+- {name: A, file: models/box.urdf, position: [1, 2, 3], rotation: [0, 0, 0.7]}
+- {name: B, file: models/box.urdf}
+- {name: C, type: light, position: [0, 0, 4]}
+"""
+
+    def setUp(self):
+        super().setUp()
+        self.write("models/box.smurf", "modelname: box\nfiles: [box.urdf]\n")
+        self.write("differ.smurfs", self.SCENE.replace(".urdf", ".smurf"))
+
+    def compare(self, *arguments):
+        done = self.run_tool(*arguments, "--compare-dialects", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def test_table(self):
+        table = self.compare("differ.smurfs")
+        self.assertLessEqual(max(map(len, table.splitlines())), 80)
+        self.assertIn("2 of 3 entities are not the same to all readers (m, deg, in the world)", table)
+        self.assertRegex(table, r"A\n  spec, mars, mars2 +1 +2 +3 +0 +0 +0\.7\n"
+                                r"  phobos +1 +2 +3 +0 +0 +40\.107\n"
+                                r"      39\.4 deg away: takes the angles for radians\n")
+        self.assertNotIn("\nB\n", table)
+
+    def test_the_same_to_all(self):
+        self.write("same.smurfs", "entities:\n- {name: A, file: models/box.smurf}\n")
+        self.assertEqual(self.compare("same.smurfs"),
+                         "0 of 1 entity is not the same to all readers\n")
+
+    def test_json(self):
+        report = json.loads(self.compare("differ.smurfs", "--format", "json"))
+        self.assertEqual(report["entities"], 3)
+        a, c = report["different"]
+        self.assertEqual((a["path"], a["source"]), ("A", {"file": "differ.smurfs", "line": 2}))
+        self.assertEqual(a["readings"]["spec"]["position"], [1, 2, 3])
+        self.assertAlmostEqual(a["readings"]["phobos"]["orientation"]["w"], math.cos(0.35))
+        self.assertEqual([name for name, r in c["readings"].items() if r["is_loaded"]], ["spec"])
+
+    def test_flatten_as_another_reader(self):
+        done = self.run_tool("differ.smurfs", "--dialect", "mars2")
+        self.assertEqual([i["name"] for i in json.loads(done.stdout)["instances"]], ["A", "B"])
+        self.assertIn("warning[SML8208]", done.stderr)
+        done = self.run_tool("differ.smurfs", "--dialect", "mars2", "--strict")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+
+    def test_findings_do_not_depend_on_the_dialect(self):
+        spec, mars = (self.run_tool("outer.smurfs", "--dialect", name) for name in ("spec", "mars"))
+        self.assertEqual(spec.stderr, mars.stderr)
+        self.assertEqual(json.loads(spec.stdout)["instances"][0]["anchor"], "world")
+        self.assertEqual(json.loads(mars.stdout)["instances"][0]["anchor"], "none")
+
+    def test_explanations_are_of_the_documented_scene(self):
+        self.expect_complaint("--explain does not go with --dialect mars",
+                              "scene.smurfs", "--explain", "B", "--dialect", "mars")
+
+
 class Mistakes(FlattenTest):
     def test_unreadable(self):
         self.expect_complaint("cannot read 'none.smurfs': No such file or directory",

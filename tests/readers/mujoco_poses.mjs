@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What mujoco_poses.cpp does, with the WebAssembly build of a later MuJoCo.
+// What mujoco_poses.cpp does, with the WebAssembly build of a later MuJoCo. Files that the model
+// names, relative to it, follow; it sees no others.
+import { dirname, join } from "node:path";
 import { readFileSync } from "node:fs";
 
-const { default: load } = await import(`${process.argv[2]}/@mujoco/mujoco/mujoco.js`);
+const [modules, file, ...named] = process.argv.slice(2);
+const { default: load } = await import(`${modules}/@mujoco/mujoco/mujoco.js`);
 const mujoco = await load();
-const model = mujoco.MjModel.from_xml_string(readFileSync(process.argv[3], "utf8"));
+mujoco.FS.mkdirTree("/work/scene");
+for (const path of named) {
+  const target = join("/work/scene", path);
+  mujoco.FS.mkdirTree(dirname(target));
+  mujoco.FS.writeFile(target, readFileSync(join(dirname(file), path)));
+}
+mujoco.FS.writeFile("/work/scene/scene.xml", readFileSync(file));
+const model = mujoco.MjModel.from_xml_path("/work/scene/scene.xml");
 const data = new mujoco.MjData(model);
 if (model.nkey > 0) mujoco.mj_resetDataKeyframe(model, data, 0);
 mujoco.mj_forward(model, data);

@@ -5,8 +5,10 @@
 
 #include "base/path.hpp"
 #include "common/converter.hpp"
+#include "smurf/dialect.hpp"
 #include "smurf/write_scene.hpp"
 #include "smurfs-flatten/chain.hpp"
+#include "smurfs-flatten/compare.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -18,9 +20,11 @@ constexpr std::string_view kTool = "smurfs-flatten";
 struct Options {
   ConverterOptions common;
   std::string scene;
-  std::string format = "json";
+  std::string format;  ///< empty: json
   std::string format_help;
   std::string dialect = "spec";
+  std::string dialect_help;
+  bool compare_dialects = false;
   std::string form;
   std::string explained;
   bool links = false;
@@ -41,8 +45,24 @@ std::string format_help() {
   return help;
 }
 
+std::vector<std::string_view> dialect_names() {
+  std::vector<std::string_view> names;
+  for (const Dialect* dialect : dialects()) names.push_back(dialect->name);
+  return names;
+}
+
+std::string dialect_help() {
+  std::string help = "How the scene is read.";
+  for (const Dialect* dialect : dialects()) {
+    help += " " + std::string(dialect->name) + ": " + std::string(dialect->help) +
+            (dialect == dialects().front() ? " (default)." : ".");
+  }
+  return help;
+}
+
 void add_options(Command& command, Options& options) {
   options.format_help = format_help();
+  options.dialect_help = dialect_help();
   const auto add = [&](Option option) {
     option.group = "Conversion";
     command.options.push_back(std::move(option));
@@ -63,10 +83,13 @@ void add_options(Command& command, Options& options) {
        .set = set_flag(options.links)});
   add({.name = "dialect",
        .metavar = "NAME",
-       .help = "How the scene is read. spec, the default, takes it as documented; where MARS "
-               "differs, a warning says so.",
-       .values = {"spec"},
+       .help = options.dialect_help,
+       .values = dialect_names(),
        .set = set_text(options.dialect)});
+  add({.name = "compare-dialects",
+       .help = "Write nothing but a table of the entities that stand elsewhere, depending on the "
+               "dialect; with --format json, as JSON.",
+       .set = set_flag(options.compare_dialects)});
   add({.name = "explain",
        .metavar = "NAME",
        .help = "Write nothing but the chain of transforms that leads to an instance.",
@@ -94,7 +117,8 @@ Command make_command(Options& options) {
   command.examples = {
       {"smurfs-flatten scene.smurfs -o scene.json", "expand a scene"},
       {"smurfs-flatten scene.smurfs --links | jq '.instances[0].links'", "poses of all links"},
-      {"smurfs-flatten scene.smurfs --explain cell/Table", "see where a pose comes from"}};
+      {"smurfs-flatten scene.smurfs --explain cell/Table", "see where a pose comes from"},
+      {"smurfs-flatten scene.smurfs --compare-dialects", "see what other readers make of it"}};
   return command;
 }
 
@@ -118,6 +142,16 @@ int explain_instance(const LinkedScene& scene, const SourceMap& sources, const O
   }
   const std::string text = describe_chain(scene, sources, *instance);
   return write_output(kTool, options.common.output, text) ? kDone : kFailed;
+}
+
+/// Whether the options fit together; a misfit has been said.
+bool check_options(const Options& options) {
+  if (options.dialect == "spec") return true;
+  const bool explains = !options.explained.empty();
+  if (!explains && !options.compare_dialects) return true;
+  complain(kTool, std::string(explains ? "--explain" : "--compare-dialects") +
+                      " does not go with --dialect " + options.dialect);
+  return false;
 }
 
 bool has_losses(const DiagnosticSink& sink) {
@@ -144,15 +178,22 @@ int main(int argc, char** argv) {
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
 
-  const SceneFormat& format = *find_scene_format(options.format);
+  if (!check_options(options)) return kFailed;
+  const SceneFormat& format = *find_scene_format(options.format.empty() ? "json" : options.format);
   const std::optional<SceneForm> form = choose_form(format, options.form);
   if (!form) return kFailed;
   Conversion conversion(kTool, options.common);
-  const auto scene = conversion.load_scene(options.scene);
+  auto scene = conversion.load_scene(options.scene);
   if (!scene) return conversion.fail();
   std::string text;
   bool is_complete = true;
-  if (options.explained.empty() && !conversion.sink().has_errors()) {
+  const bool is_sound = !conversion.sink().has_errors();
+  if (is_sound && options.compare_dialects) {
+    text = compare_dialects(*scene, conversion.sources(), options.format == "json");
+  } else if (is_sound && options.explained.empty()) {
+    // The rules, which run later, judge the scene as documented.
+    const std::vector<Instance> documented = scene->instances;
+    apply_dialect(*find_dialect(options.dialect), *scene, conversion.sink());
     const FlatScene flat = flatten(*scene, conversion.sources(), flatten_options(options));
     text = format.write({.flat = flat,
                          .scene = *scene,
@@ -161,6 +202,7 @@ int main(int argc, char** argv) {
                          .links = options.links,
                          .form = *form});
     is_complete = !has_losses(conversion.sink());
+    scene->instances = documented;
   }
   if (const ExitCode verdict = conversion.report(*scene); verdict == kFailed)
     return kFailed;

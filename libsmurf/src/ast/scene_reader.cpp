@@ -110,6 +110,8 @@ CustomSection keep(yaml::View value) {
   return {{std::string(value.key()), value.key_span()}, value.id(), value.span()};
 }
 
+}  // namespace
+
 Entity read_entity(yaml::View mapping, EntityList list, DiagnosticSink& sink) {
   Entity entity;
   entity.list = list;
@@ -135,6 +137,8 @@ Entity read_entity(yaml::View mapping, EntityList list, DiagnosticSink& sink) {
   }
   return entity;
 }
+
+namespace {
 
 void read_entities(yaml::View value, EntityList list, Scene& scene, DiagnosticSink& sink) {
   if (value.is_null()) return;

@@ -12,4 +12,7 @@ namespace smurf {
 /// Reads a scene or assembly. None when the root is not a mapping.
 std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& sink);
 
+/// The keys of an entity, wherever they are written.
+Entity read_entity(yaml::View mapping, EntityList list, DiagnosticSink& sink);
+
 }  // namespace smurf

@@ -36,6 +36,7 @@ void load_single_model(const std::string& path, LoadContext& context, LinkedScen
   instance.file = model.path;
   instance.model = ModelIndex{0};
   instance.X_WE = Pose{};
+  instance.placement.anchor = anchor_of_root(model);
   scene.instances.push_back(std::move(instance));
   scene.models.push_back(std::move(model));
 }

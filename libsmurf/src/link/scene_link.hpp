@@ -37,6 +37,10 @@ void check_world_files(const SceneFile& scene, LoadContext& context);
 /// 2. Fills the placements of uses and instances: parents, anchors, poses relative to the parent.
 void resolve_references(LoadContext& context, SceneNames& names, LinkedScene& scene);
 
+/// What a model is fixed to where its scene says nothing: the world when the annotation of its root
+/// link has the Phobos property `anchor: world`.
+Attachment anchor_of_root(const LinkedModel& model);
+
 /// 3. Fills the joint positions of instances from their named joint pose sets.
 void resolve_joint_poses(LoadContext& context, LinkedScene& scene);
 
@@ -51,6 +55,9 @@ class LinkFrames {
  public:
   /// Poses X_EL by LinkIndex; empty when the instance has no model.
   const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, const Instance& instance);
+  /// The same of a model in any joint positions.
+  const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, ModelIndex model,
+                                             const JointPositions& positions);
 
  private:
   std::map<std::pair<ModelIndex, JointPositions>, std::vector<std::optional<Pose>>> frames_;

@@ -130,12 +130,14 @@ class WorldPoses {
 
 const std::vector<std::optional<Pose>>& LinkFrames::of(const LinkedScene& scene,
                                                        const Instance& instance) {
-  const LinkedModel* model = scene.model(instance);
-  if (model == nullptr) return none_;
-  const std::pair key(*instance.model, instance.joint_positions);
-  const auto known = frames_.find(key);
+  return instance.model ? of(scene, *instance.model, instance.joint_positions) : none_;
+}
+
+const std::vector<std::optional<Pose>>& LinkFrames::of(const LinkedScene& scene, ModelIndex model,
+                                                       const JointPositions& positions) {
+  const auto known = frames_.find(std::pair(model, positions));
   if (known != frames_.end()) return known->second;
-  return frames_[key] = forward_kinematics(*model, instance.joint_positions);
+  return frames_[{model, positions}] = forward_kinematics(scene.models[to_size(model)], positions);
 }
 
 void resolve_joint_poses(LoadContext& context, LinkedScene& scene) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parents and anchors: from words to frames. Whether they can be composed is another step.
+#include <unordered_map>
+
 #include "base/edits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
@@ -43,6 +45,9 @@ class ReferenceResolver {
       Instance& instance = scene_.instances[i];
       const InstanceIndex index{static_cast<std::uint32_t>(i)};
       instance.placement = place(scene_.entity(instance), instance.use, index);
+      const bool is_silent = !scene_.entity(instance).anchor.written &&
+                             instance.placement.anchor.kind == Attachment::Kind::none;
+      if (is_silent && instance.model) instance.placement.anchor = root_anchor(*instance.model);
     }
   }
 
@@ -68,6 +73,12 @@ class ReferenceResolver {
       placement.anchor = anchor(entity, use, self, placement, false);
     }
     return placement;
+  }
+
+  Attachment root_anchor(ModelIndex model) {
+    const auto [known, is_new] = root_anchors_.try_emplace(to_size(model));
+    if (is_new) known->second = anchor_of_root(scene_.models[to_size(model)]);
+    return known->second;
   }
 
   bool is_loaded_scene(UseIndex use) const { return !scene_.uses[to_size(use)].outer; }
@@ -265,9 +276,25 @@ class ReferenceResolver {
   const SourceMap& sources_;
   SceneNames& names_;
   LinkedScene& scene_;
+  std::unordered_map<std::size_t, Attachment> root_anchors_;  ///< by model
 };
 
 }  // namespace
+
+Attachment anchor_of_root(const LinkedModel& model) {
+  if (!model.robot || model.tree.roots.empty()) return {};
+  const Field<std::string>& root = model.link(model.tree.roots.front()).name;
+  for (const LinkAnnotation& annotation : model.annotations.links) {
+    const Field<std::string>& link = annotation.name ? annotation.name : annotation.link;
+    const yaml::Document* document = model.document(annotation.span.source);
+    if (!root || !link || *link != *root || document == nullptr) continue;
+    const yaml::View anchor = yaml::View(*document, annotation.node).find("anchor");
+    if (anchor && anchor.is_scalar() && path::to_lower(anchor.text()) == "world") {
+      return {Attachment::Kind::world, {}, {}};
+    }
+  }
+  return {};
+}
 
 void resolve_references(LoadContext& context, SceneNames& names, LinkedScene& scene) {
   ReferenceResolver(context, names, scene).run();

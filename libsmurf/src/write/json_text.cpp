@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/json_text.hpp"
 
+#include <algorithm>
+
 #include "base/numbers.hpp"
 
 namespace smurf {
@@ -41,6 +43,18 @@ void append_json(std::string& out, const Vector3& vector) {
     out += format_number(vector[i]);
   }
   out += ']';
+}
+
+void append_json(std::string& out, const Quaternion& unit) {
+  out += '{';
+  bool is_first = true;
+  for (const auto& [name, component] : {std::pair("w", unit.w), std::pair("x", unit.x),
+                                        std::pair("y", unit.y), std::pair("z", unit.z)}) {
+    append_key(out, name, is_first);
+    out += format_number(std::clamp(component, -1.0, 1.0));
+    is_first = false;
+  }
+  out += '}';
 }
 
 void append_json(std::string& out, const Value& value) {

@@ -12,6 +12,8 @@ namespace smurf {
 /// Each appends to `out`.
 void append_json(std::string& out, std::string_view text);
 void append_json(std::string& out, const Vector3& vector);
+/// By components, each within [-1, 1].
+void append_json(std::string& out, const Quaternion& unit);
 void append_json(std::string& out, const Value& value);
 void append_json(std::string& out, const Value::Object& object);
 /// `"name": `, after a comma unless it is the first of its object.

@@ -54,31 +54,52 @@ std::optional<Rgba> color_of(const urdf::Visual& visual, const urdf::Robot& robo
   return std::nullopt;
 }
 
-std::vector<PlacedShape> placed_shapes(const SceneExport& scene, std::size_t index,
-                                       LinkFrames& frames) {
+std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index,
+                                   LinkFrames& frames) {
   const FlatInstance& instance = scene.flat.instances[index];
-  if (!instance.X_WE) return {};
-  std::vector<PlacedShape> shapes;
-  for (const FlatShape& shape : instance.shapes) {
-    shapes.push_back({*instance.X_WE * shape.X_ES, shape.geometry, shape.color});
-  }
   const Instance& source = scene.scene.instances[index];
   const LinkedModel* model = scene.scene.model(source);
-  if (model == nullptr || !model->robot) return shapes;
+  if (model == nullptr || !model->robot) {
+    ShownLink link;
+    const Span place = place_of(scene.scene.entity(source));
+    for (const FlatShape& shape : instance.shapes) {
+      link.shapes.push_back({shape.X_ES, shape.geometry, shape.color, place});
+    }
+    return {std::move(link)};
+  }
   const FlatModel& flat = scene.flat.models[*instance.model];
   const std::vector<std::optional<Pose>>& X_EL = frames.of(scene.scene, source);
+  std::vector<ShownLink> links;
   for (std::size_t i = 0; i < X_EL.size(); ++i) {
     if (!X_EL[i]) continue;
-    const urdf::Link& link = model->robot->links[i];
-    const Pose X_WL = *instance.X_WE * *X_EL[i];
+    const urdf::Link& written = model->robot->links[i];
+    ShownLink link{written.name.value_or({}), *X_EL[i], {}};
     const auto add = [&](const auto& part, const std::optional<Rgba>& color) {
       if (auto geometry = to_flat(part.geometry, flat)) {
-        shapes.push_back({X_WL * urdf::to_pose(part.origin), std::move(*geometry), color});
+        link.shapes.push_back({urdf::to_pose(part.origin), std::move(*geometry), color, part.span});
       }
     };
-    for (const urdf::Visual& visual : link.visuals) add(visual, color_of(visual, *model->robot));
-    if (!link.visuals.empty()) continue;
-    for (const urdf::Collision& collision : link.collisions) add(collision, std::nullopt);
+    for (const urdf::Visual& visual : written.visuals) {
+      add(visual, color_of(visual, *model->robot));
+    }
+    if (written.visuals.empty()) {
+      for (const urdf::Collision& collision : written.collisions) add(collision, std::nullopt);
+    }
+    links.push_back(std::move(link));
+  }
+  return links;
+}
+
+std::vector<PlacedShape> placed_shapes(const SceneExport& scene, std::size_t index,
+                                       LinkFrames& frames) {
+  const std::optional<Pose>& X_WE = scene.flat.instances[index].X_WE;
+  if (!X_WE) return {};
+  std::vector<PlacedShape> shapes;
+  for (const ShownLink& link : shown_links(scene, index, frames)) {
+    const Pose X_WL = *X_WE * link.X_EL;
+    for (const LinkShape& shape : link.shapes) {
+      shapes.push_back({X_WL * shape.X_LS, shape.geometry, shape.color});
+    }
   }
   return shapes;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every solid of an instance where it stands, for writers of pictures.
+// Every solid of an instance, for writers that show and do not simulate.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "link/scene_link.hpp"
@@ -16,14 +17,28 @@ std::optional<FlatGeometry> to_flat(const urdf::Geometry& geometry, const FlatMo
 /// Colour of a visual: its own, or that of the robot's material of the same name.
 std::optional<Rgba> color_of(const urdf::Visual& visual, const urdf::Robot& robot);
 
+struct LinkShape {
+  Pose X_LS;
+  FlatGeometry geometry;
+  std::optional<Rgba> color;
+  Span span;  ///< where it is written
+};
+struct ShownLink {
+  std::string name;  ///< empty for an entity that is no model
+  Pose X_EL;
+  std::vector<LinkShape> shapes;  ///< the visuals, or the collisions when there are none
+};
+/// The links that the root of an instance's model reaches. An entity that is no model counts as one
+/// link. `frames` keeps what was computed from call to call.
+std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t instance,
+                                   LinkFrames& frames);
+
 struct PlacedShape {
   Pose X_WS;
   FlatGeometry geometry;
   std::optional<Rgba> color;
 };
-
-/// Of a link the visuals, or the collisions when it has none. `frames` keeps what was computed from
-/// call to call.
+/// The shapes of all links in the world.
 std::vector<PlacedShape> placed_shapes(const SceneExport& scene, std::size_t instance,
                                        LinkFrames& frames);
 

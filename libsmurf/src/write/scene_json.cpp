@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flat JSON, one line per instance: large scenes stay readable and diff well.
-#include <algorithm>
+#include <vector>
 
 #include "base/numbers.hpp"
 #include "smurf/write.hpp"
@@ -27,7 +27,11 @@ class JsonWriter {
     out_ += ",\n  \"models\": ";
     rows(scene.models, [&](const FlatModel& flat) { model(flat); });
     out_ += ",\n  \"instances\": ";
-    rows(scene.instances, [&](const FlatInstance& flat) { instance(flat, scene); });
+    std::vector<const FlatInstance*> placed;
+    for (const FlatInstance& flat : scene.instances) {
+      if (flat.X_WE) placed.push_back(&flat);
+    }
+    rows(placed, [&](const FlatInstance* flat) { instance(*flat, scene); });
     out_ += "\n}\n";
     return std::move(out_);
   }
@@ -56,15 +60,7 @@ class JsonWriter {
     key("position", is_first);
     append_json(out_, pose.position);
     key("orientation");
-    const Quaternion& q = pose.orientation;
-    out_ += "{\"w\": ";
-    number(std::clamp(q.w, -1.0, 1.0));
-    for (const auto& [name, component] :
-         {std::pair("x", q.x), std::pair("y", q.y), std::pair("z", q.z)}) {
-      key(name);
-      number(std::clamp(component, -1.0, 1.0));
-    }
-    out_ += '}';
+    append_json(out_, pose.orientation);
   }
 
   void physics(const FlatPhysics& physics) {
@@ -132,11 +128,7 @@ class JsonWriter {
     out_ += ", \"source\": {\"file\": ";
     text(instance.source_file);
     out_ += ", \"line\": " + std::to_string(instance.source_line) + "}";
-    if (instance.X_WE) {
-      pose(*instance.X_WE, false);
-    } else {
-      out_ += ", \"position\": null, \"orientation\": null";
-    }
+    pose(*instance.X_WE, false);
     key("anchor");
     attachment(instance.anchor, "none");
     key("parent");

@@ -14,19 +14,6 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-std::string safe_name(std::string_view path) {
-  std::string name;
-  for (const char c : path) {
-    if (c == '/') {
-      name += "__";
-    } else {
-      name += is_letter(c) || is_digit(c) ? c : '_';
-    }
-  }
-  if (name.empty() || is_digit(name.front())) name.insert(name.begin(), '_');
-  return name;
-}
-
 LinkInertial diagonal(double mass, double ixx, double iyy, double izz) {
   return {.mass = mass, .X_LC = {}, .ixx = ixx, .iyy = iyy, .izz = izz};
 }
@@ -68,6 +55,19 @@ class SolidMass {
 };
 
 }  // namespace
+
+std::string safe_name(std::string_view text) {
+  std::string name;
+  for (const char c : text) {
+    if (c == '/') {
+      name += "__";
+    } else {
+      name += is_letter(c) || is_digit(c) ? c : '_';
+    }
+  }
+  if (name.empty() || is_digit(name.front())) name.insert(name.begin(), '_');
+  return name;
+}
 
 std::vector<std::string> safe_names(const FlatScene& scene) {
   std::vector<std::string> names;

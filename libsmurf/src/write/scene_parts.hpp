@@ -10,6 +10,9 @@
 
 namespace smurf {
 
+/// [A-Za-z_][A-Za-z0-9_]*: what a name becomes where names are restricted; `/` becomes two
+/// underscores.
+std::string safe_name(std::string_view name);
 /// By instance: [A-Za-z_][A-Za-z0-9_]*, unique; what its path becomes where names are restricted.
 std::vector<std::string> safe_names(const FlatScene& scene);
 

@@ -26,6 +26,10 @@ constexpr KeySpec kMoreKeys[] = {
      .type = boolean,
      .doc = "The link is part of a human (Phobos 2).",
      .fallback = "false"},
+    {.name = "anchor",
+     .type = text,
+     .doc = "On the root link, `world` fixes the model there unless its scene says otherwise "
+            "(Phobos)."},
     {.name = "kccd_hull", .type = any, .doc = "Hull for collision detection by KCCD (Phobos 2)."},
     {.name = "origin", .type = any, .doc = "Pose of the link (Phobos 2)."},
 };

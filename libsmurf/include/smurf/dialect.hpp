@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the programs that read scenes make of one: the same file, different worlds.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// What a reader makes of one entity.
+struct EntityReading {
+  std::optional<Pose> X_WE;  ///< absent: the reader does not load it
+  Attachment parent, anchor;
+  JointPositions joint_positions;
+  /// What it does otherwise than the author is taken to mean, or why it does not load it: "takes
+  /// the angles for radians". May be empty.
+  std::string note;
+};
+
+/// A way to read scenes.
+struct Dialect {
+  std::string_view name;  ///< of --dialect
+  std::string_view help;
+  /// By instance. Precondition: the scene was loaded without errors.
+  std::vector<EntityReading> (*read)(const LinkedScene& scene) = nullptr;
+};
+
+/// `spec`, which takes scenes as documented and as `load_scene` does, comes first.
+std::span<const Dialect* const> dialects();
+/// Null when there is none of that name.
+const Dialect* find_dialect(std::string_view name);
+
+/// Gives the instances of a scene the poses, anchors and joint positions that a reader gives them.
+/// Those that it does not load have no pose then, and are reported.
+void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& sink);
+
+/// Whether two poses are the same to a person with a ruler: within 1e-9 m and 1e-9 rad.
+bool is_same_pose(const std::optional<Pose>& a, const std::optional<Pose>& b);
+
+}  // namespace smurf

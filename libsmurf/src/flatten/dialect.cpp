@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf/dialect.hpp"
+
+#include <cmath>
+
+#include "base/rules.hpp"
+#include "flatten/dialect_parts.hpp"
+
+namespace smurf {
+
+namespace readings {
+#define SMURF_DIALECT(variable) extern const Dialect variable;
+#include "flatten/dialects.def"
+#undef SMURF_DIALECT
+}  // namespace readings
+
+namespace {
+
+constexpr const Dialect* kDialects[] = {
+#define SMURF_DIALECT(variable) &readings::variable,
+#include "flatten/dialects.def"
+#undef SMURF_DIALECT
+};
+
+}  // namespace
+
+std::span<const Dialect* const> dialects() { return kDialects; }
+
+const Dialect* find_dialect(std::string_view name) {
+  for (const Dialect* dialect : kDialects) {
+    if (dialect->name == name) return dialect;
+  }
+  return nullptr;
+}
+
+void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& sink) {
+  std::vector<EntityReading> readings = dialect.read(scene);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    Instance& instance = scene.instances[i];
+    EntityReading& reading = readings[i];
+    if (instance.X_WE && !reading.X_WE) {
+      sink.report(rules::sml8208_not_in_dialect, place_of(scene.entity(instance)),
+                  quote_name(instance.path) + " is not in the scene of the dialect " +
+                      std::string(dialect.name) + ", which " + reading.note);
+    }
+    instance.X_WE = reading.X_WE;
+    instance.placement.parent = std::move(reading.parent);
+    instance.placement.anchor = std::move(reading.anchor);
+    instance.joint_positions = std::move(reading.joint_positions);
+  }
+}
+
+bool is_same_pose(const std::optional<Pose>& a, const std::optional<Pose>& b) {
+  if (!a || !b) return !a && !b;
+  constexpr double kSame = 1e-9;  // m and rad: what the tests promise
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(std::fabs(a->position[i] - b->position[i]) <= kSame)) return false;
+  }
+  return angle_between(a->orientation, b->orientation) <= kSame;
+}
+
+JointOfEntry joint_of_motor(const LinkedModel& model) {
+  return [&model](const std::string& entry) -> std::optional<std::string> {
+    const auto motor = model.motor_names.find(entry);
+    if (!motor) return std::nullopt;
+    return model.annotations.motors[*motor].joint.value;
+  };
+}
+
+JointPositions positions_of_pose(const Entity& entity, const LinkedModel& model,
+                                 std::string_view pose, const JointOfEntry& joint_of_entry) {
+  JointPositions positions;
+  for (const auto* sets : {&entity.poses, &model.annotations.poses}) {
+    for (const JointPoseSet& set : *sets) {
+      if (set.name.value_or({}) != pose) continue;
+      for (const JointPoseSet::Entry& entry : set.joints) {
+        if (!entry.position) continue;
+        if (auto joint = joint_of_entry(entry.name.value)) {
+          positions[std::move(*joint)] = *entry.position;
+        }
+      }
+    }
+  }
+  return positions;
+}
+
+std::optional<Pose> link_frame(const LinkedScene& scene, InstanceIndex instance,
+                               std::string_view link, const JointPositions& positions,
+                               LinkFrames& frames) {
+  const Instance& target = scene.instance(instance);
+  const LinkedModel* model = scene.model(target);
+  if (model == nullptr || !model->robot) return std::nullopt;
+  const auto index = model->link_names.find(link);
+  if (!index) return std::nullopt;
+  return frames.of(scene, *target.model, positions)[*index];
+}
+
+void add_note(std::string& note, std::string_view text) {
+  note += (note.empty() ? "" : ", ") + std::string(text);
+}
+
+std::string quote_name(std::string_view name) { return "`" + std::string(name) + "`"; }
+
+namespace rules {
+
+constinit const Rule sml8208_not_in_dialect{
+    .id = "SML8208",
+    .name = "not-in-dialect",
+    .severity = Severity::warning,
+    .summary = "The reader whose dialect was asked for does not load an entity.",
+    .why = "The result holds what that reader shows, and it does not show this.",
+    .remedy = "Use --dialect spec, or change the entity so that the reader takes it; "
+              "--compare-dialects shows what the readers make of it.",
+    .sources = "smurfs-flatten; MARS SMURFLoader.cpp, MarsSceneLoader.cpp, Phobos multiple.py."};
+
+}  // namespace rules
+}  // namespace smurf

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the dialects have in common.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "link/scene_link.hpp"
+#include "smurf/dialect.hpp"
+
+namespace smurf {
+
+/// Which joint an entry of a joint pose set means to a reader; none when it finds none.
+using JointOfEntry = std::function<std::optional<std::string>(const std::string& entry)>;
+/// The joint of the motor of that name (MARS SimEntity.cpp:505-511).
+JointOfEntry joint_of_motor(const LinkedModel& model);
+
+/// Joint positions of the sets that an entity selects: its own and those of its model whose name,
+/// "" when they have none, is that of `pose`. Later entries win.
+JointPositions positions_of_pose(const Entity& entity, const LinkedModel& model,
+                                 std::string_view pose, const JointOfEntry& joint_of_entry);
+
+/// X_EL of a link; none when the model has no such link, or the root does not reach it.
+std::optional<Pose> link_frame(const LinkedScene& scene, InstanceIndex instance,
+                               std::string_view link, const JointPositions& positions,
+                               LinkFrames& frames);
+
+/// Adds to a note: "one thing, another".
+void add_note(std::string& note, std::string_view text);
+
+std::string quote_name(std::string_view name);
+
+}  // namespace smurf

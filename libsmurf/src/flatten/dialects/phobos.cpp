@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Phobos 2 takes angles for radians and quaternions for x, y, z, w (representation.py:141-160,
+// utils/transform.py:9-48); it composes scenes as documented, from one of the three lists
+// (multiple.py:20-30, 83-88, 126, 188).
+#include <algorithm>
+
+#include "base/path.hpp"
+#include "flatten/dialect_parts.hpp"
+
+namespace smurf::readings {
+namespace {
+
+/// What the numbers of a rotation are to scipy; none when it raises.
+std::optional<Quaternion> quaternion_of(const Rotation& rotation, bool is_list) {
+  const auto& [a, b, c, d] = rotation.values;
+  switch (rotation.form) {
+  case RotationForm::yaw:
+    if (is_list) return std::nullopt;
+    return from_rpy({0, 0, a});
+  case RotationForm::euler: return from_rpy({a, b, c});
+  case RotationForm::quaternion:
+    if (rotation.is_mapping) return normalized({a, b, c, d});
+    return normalized({d, a, b, c});
+  case RotationForm::absent:
+  case RotationForm::invalid: break;
+  }
+  return Quaternion{};
+}
+
+class Reader {
+ public:
+  explicit Reader(const LinkedScene& scene) : scene_(scene) {}
+
+  std::vector<EntityReading> run() {
+    // Outer uses come first.
+    for (const SceneUse& use : scene_.uses) uses_.push_back(read(use));
+    for (const Instance& instance : scene_.instances) placed_.push_back(read(instance));
+    readings_.resize(placed_.size());
+    for (std::size_t i = 0; i < placed_.size(); ++i) compose(i);
+    return std::move(readings_);
+  }
+
+ private:
+  /// Pose relative to the frame of the documented parent, or why there is none.
+  struct Placed {
+    Pose X_PE;
+    std::string refusal;
+    std::string note;
+    bool is_composed = false;
+  };
+
+  EntityList list_of(const SceneUse& use) const {
+    const std::vector<Entity>& entities = scene_.file(use).scene.entities;
+    for (const EntityList list : {EntityList::entities, EntityList::smurfa}) {
+      const auto is_in = [&](const Entity& entity) { return entity.list == list; };
+      if (std::any_of(entities.begin(), entities.end(), is_in)) return list;
+    }
+    return EntityList::smurfs;
+  }
+
+  /// Whether the rotation is written as a list.
+  bool is_list(const SceneUse& use, const Entity& entity) const {
+    if (entity.rotation.form == RotationForm::absent) return false;
+    return yaml::View(*scene_.file(use).document, entity.node).find("rotation").is_sequence();
+  }
+
+  Placed place(const Entity& entity, const SceneUse& around, const Placed* frame) const {
+    Placed placed;
+    if (frame != nullptr && !frame->refusal.empty()) return *frame;
+    if (entity.list != list_of(around)) {
+      placed.refusal = "reads one of the lists `entities`, `smurfa`, `smurfs` only";
+      return placed;
+    }
+    const auto turned = quaternion_of(entity.rotation, is_list(around, entity));
+    if (!turned) {
+      placed.refusal = "stops at a `rotation` that is a list of one number";
+      return placed;
+    }
+    const Pose own{entity.position.value_or({0, 0, 0}), *turned};
+    if (angle_between(*turned, to_quaternion(entity.rotation)) > 1e-9) {
+      add_note(placed.note, entity.rotation.form == RotationForm::quaternion
+                                ? "takes the quaternion for x, y, z, w"
+                                : "takes the angles for radians");
+    }
+    const bool inherits = frame != nullptr && !has_own_parent(entity);
+    placed.X_PE = inherits ? frame->X_PE * own : own;
+    if (inherits && placed.note.empty()) placed.note = frame->note;
+    return placed;
+  }
+
+  static bool has_own_parent(const Entity& entity) {
+    return entity.parent && entity.parent->find("::") != std::string::npos;
+  }
+
+  Placed read(const SceneUse& use) const {
+    if (!use.outer) return {};
+    const SceneUse& around = scene_.uses[to_size(*use.outer)];
+    const Placed* frame = around.outer ? &uses_[to_size(*use.outer)] : nullptr;
+    return place(*scene_.entity(use), around, frame);
+  }
+
+  Placed read(const Instance& instance) const {
+    const SceneUse& around = scene_.use(instance);
+    const Placed* frame = around.outer ? &uses_[to_size(instance.use)] : nullptr;
+    const Entity& entity = scene_.entity(instance);
+    Placed placed = place(entity, around, frame);
+    const std::string extension = path::to_lower(path::extension(instance.file));
+    if (placed.refusal.empty() && extension != ".smurf" && extension != ".urdf") {
+      placed.refusal = "reads models and scenes only, and tells them by the name of their `file`";
+    }
+    return placed;
+  }
+
+  /// Parents first; the documented reading has shown that they form no circle.
+  void compose(std::size_t index) {
+    std::vector<std::size_t> chain;
+    for (std::size_t at = index; !placed_[at].is_composed;) {
+      chain.push_back(at);
+      placed_[at].is_composed = true;
+      const Attachment& parent = scene_.instances[at].placement.parent;
+      if (parent.kind != Attachment::Kind::link) break;
+      at = to_size(parent.instance);
+    }
+    for (; !chain.empty(); chain.pop_back()) compose_one(chain.back());
+  }
+
+  void compose_one(std::size_t index) {
+    const Instance& instance = scene_.instances[index];
+    Placed& placed = placed_[index];
+    EntityReading& reading = readings_[index];
+    reading.note = placed.refusal.empty() ? placed.note : placed.refusal;
+    if (!placed.refusal.empty() || !instance.X_WE) return;
+    reading.parent = instance.placement.parent;
+    reading.anchor = instance.placement.anchor;
+    add_joints(instance, reading);
+    if (reading.parent.kind != Attachment::Kind::link) {
+      reading.X_WE = placed.X_PE;
+      return;
+    }
+    const EntityReading& parent = readings_[to_size(reading.parent.instance)];
+    const auto X_RL = link_frame(scene_, reading.parent.instance, reading.parent.link,
+                                 parent.joint_positions, frames_);
+    if (parent.X_WE && X_RL) {
+      reading.X_WE = *parent.X_WE * *X_RL * placed.X_PE;
+      if (reading.note.empty()) reading.note = parent.note;
+    } else {
+      reading.note = "does not load what it is placed on";
+    }
+  }
+
+  /// Names are those of joints, and positions stay within the limits.
+  void add_joints(const Instance& instance, EntityReading& reading) const {
+    const LinkedModel* model = scene_.model(instance);
+    const Entity& entity = scene_.entity(instance);
+    if (model == nullptr || !model->robot || !entity.pose) return;
+    reading.joint_positions =
+        positions_of_pose(entity, *model, *entity.pose, [model](const std::string& entry) {
+          return model->joint_names.contains(entry) ? std::optional(entry) : std::nullopt;
+        });
+    for (auto& [name, position] : reading.joint_positions) {
+      const urdf::Joint& joint = model->robot->joints[*model->joint_names.find(name)];
+      const double lower = joint.limit ? joint.limit->lower.value_or(0) : 0;
+      const double upper = joint.limit ? joint.limit->upper.value_or(0) : 0;
+      if (lower != 0 && upper != 0 && lower < upper) position = std::clamp(position, lower, upper);
+    }
+  }
+
+  const LinkedScene& scene_;
+  std::vector<Placed> uses_, placed_;
+  std::vector<EntityReading> readings_;
+  LinkFrames frames_;
+};
+
+std::vector<EntityReading> read(const LinkedScene& scene) { return Reader(scene).run(); }
+
+}  // namespace
+
+extern constinit const Dialect phobos{
+    .name = "phobos", .help = "as Phobos 2 reads it", .read = read};
+
+}  // namespace smurf::readings

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// glTF 2.0, a preview: a node an entity, in it a node a link, in it its shapes. The root node turns
+// the z axis of SMURF up, which is y in glTF; all poses below it are those of SMURF.
+#include <bit>
+#include <map>
+#include <set>
+
+#include "base/numbers.hpp"
+#include "write/json_text.hpp"
+#include "write/placed_shapes.hpp"
+#include "write/scene_losses.hpp"
+#include "write/unit_meshes.hpp"
+
+namespace smurf {
+namespace {
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t at = i + k;
+      const auto byte = at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0U;
+      group = group << 8U | byte;
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 0x3fU];
+    }
+  }
+  return text;
+}
+
+/// Least significant byte first, as glTF has it.
+template <class Unsigned>
+void append_bytes(std::string& bytes, Unsigned value) {
+  for (std::size_t i = 0; i < sizeof(Unsigned); ++i) {
+    bytes += static_cast<char>(value >> (8 * i) & 0xffU);
+  }
+}
+
+class GltfWriter {
+ public:
+  explicit GltfWriter(const SceneExport& scene) : scene_(scene), losses_(scene, "glTF") {}
+
+  std::string run() {
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
+      if (scene_.flat.instances[i].X_WE) roots.push_back(add_instance(i));
+    }
+    using enum SceneLosses::World;
+    losses_.world({gravity, step_size, solver, environment, lights});
+    losses_.annotations_and_properties();
+    return text(roots);
+  }
+
+ private:
+  enum class Solid : std::uint8_t { box, sphere, cylinder, square };
+
+  static void append_pose(std::string& node, const Pose& pose) {
+    if (pose.position != Vector3{0, 0, 0}) {
+      append_key(node, "translation");
+      append_json(node, pose.position);
+    }
+    const Quaternion& q = pose.orientation;
+    if (q == Quaternion{}) return;
+    append_key(node, "rotation");
+    node += '[' + format_number(q.x) + ", " + format_number(q.y) + ", " + format_number(q.z) +
+            ", " + format_number(q.w) + ']';
+  }
+
+  static void append_children(std::string& node, const std::vector<std::size_t>& children) {
+    if (children.empty()) return;
+    append_key(node, "children");
+    node += '[';
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      node += (i > 0 ? ", " : "") + std::to_string(children[i]);
+    }
+    node += ']';
+  }
+
+  std::size_t add_node(std::string node) {
+    nodes_.push_back(std::move(node) + "}");
+    return nodes_.size() - 1;
+  }
+
+  static std::string start_node(std::string_view name, const Pose& pose) {
+    std::string node = "{";
+    append_key(node, "name", true);
+    append_json(node, name);
+    append_pose(node, pose);
+    return node;
+  }
+
+  std::size_t add_instance(std::size_t index) {
+    const FlatInstance& instance = scene_.flat.instances[index];
+    std::vector<std::size_t> children;
+    for (const ShownLink& link : shown_links(scene_, index, frames_)) {
+      std::vector<std::size_t> shapes;
+      for (const LinkShape& shape : link.shapes) add_shape(shape, shapes);
+      if (!instance.model) {
+        children = std::move(shapes);
+        break;
+      }
+      std::string node = start_node(link.name, link.X_EL);
+      append_children(node, shapes);
+      children.push_back(add_node(std::move(node)));
+    }
+    std::string node = start_node(instance.path, *instance.X_WE);
+    append_children(node, children);
+    append_extras(node, instance);
+    return add_node(std::move(node));
+  }
+
+  /// What glTF has no words for and costs little.
+  static void append_extras(std::string& node, const FlatInstance& instance) {
+    append_key(node, "extras");
+    node += '{';
+    append_key(node, "type", true);
+    append_json(node, instance.type);
+    append_key(node, "anchor");
+    switch (instance.anchor.kind) {
+    case Attachment::Kind::none: append_json(node, "none"); break;
+    case Attachment::Kind::world: append_json(node, "world"); break;
+    case Attachment::Kind::link:
+      append_json(node, instance.anchor.instance + "::" + instance.anchor.link);
+    }
+    node += '}';
+  }
+
+  void add_shape(const LinkShape& shape, std::vector<std::size_t>& nodes) {
+    const auto add = [&](Solid solid, const Pose& X_LS, const Vector3& scale) {
+      std::string node = start_node("shape", X_LS);
+      append_key(node, "scale");
+      append_json(node, scale);
+      append_key(node, "mesh");
+      node += std::to_string(mesh_of(solid, shape.color));
+      nodes.push_back(add_node(std::move(node)));
+    };
+    if (const auto* box = std::get_if<FlatBox>(&shape.geometry)) {
+      add(Solid::box, shape.X_LS, box->size);
+    } else if (const auto* sphere = std::get_if<FlatSphere>(&shape.geometry)) {
+      add(Solid::sphere, shape.X_LS, {sphere->radius, sphere->radius, sphere->radius});
+    } else if (const auto* cylinder = std::get_if<FlatCylinder>(&shape.geometry)) {
+      add(Solid::cylinder, shape.X_LS, {cylinder->radius, cylinder->radius, cylinder->length});
+    } else if (const auto* capsule = std::get_if<FlatCapsule>(&shape.geometry)) {
+      const double r = capsule->radius;
+      add(Solid::cylinder, shape.X_LS, {r, r, capsule->length});
+      for (const double end : {-0.5, 0.5}) {
+        add(Solid::sphere, shape.X_LS * Pose{{0, 0, end * capsule->length}, {}}, {r, r, r});
+      }
+    } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
+      add(Solid::square, shape.X_LS, {plane->length, plane->width, 1});
+    } else if (reported_.insert({to_size(shape.span.source), shape.span.begin}).second) {
+      const bool is_mesh = std::holds_alternative<FlatMesh>(shape.geometry);
+      losses_.shape(shape.span,
+                    is_mesh ? "the mesh, which would have to be converted," : "the heightmap");
+    }
+  }
+
+  /// A mesh for every pair of solid and colour.
+  std::size_t mesh_of(Solid solid, const std::optional<Rgba>& color) {
+    const auto [known, is_new] = meshes_.try_emplace({solid, color}, meshes_.size());
+    if (!is_new) return known->second;
+    std::string mesh = "{\"primitives\": [{\"attributes\": {\"POSITION\": ";
+    const std::size_t accessor = accessor_of(solid);
+    mesh += std::to_string(accessor) + ", \"NORMAL\": " + std::to_string(accessor + 1) +
+            "}, \"indices\": " + std::to_string(accessor + 2) +
+            ", \"material\": " + std::to_string(material_of(color)) + "}]}";
+    mesh_texts_.push_back(std::move(mesh));
+    return known->second;
+  }
+
+  std::size_t material_of(const std::optional<Rgba>& color) {
+    const auto [known, is_new] = materials_.try_emplace(color, materials_.size());
+    if (!is_new) return known->second;
+    const Rgba rgba = color.value_or(Rgba{0.7, 0.7, 0.7, 1});
+    std::string material = "{\"pbrMetallicRoughness\": {\"baseColorFactor\": [";
+    for (std::size_t i = 0; i < rgba.size(); ++i) {
+      material += (i > 0 ? ", " : "") + format_number(std::min(1.0, std::max(0.0, rgba[i])));
+    }
+    material += "], \"metallicFactor\": 0}";
+    if (rgba[3] < 1) material += ", \"alphaMode\": \"BLEND\"";
+    material_texts_.push_back(material + "}");
+    return known->second;
+  }
+
+  /// Of the points; those of the normals and the indices follow.
+  std::size_t accessor_of(Solid solid) {
+    const auto [known, is_new] = solids_.try_emplace(solid, accessors_.size());
+    if (!is_new) return known->second;
+    const TriangleMesh mesh = solid == Solid::box        ? unit_box()
+                              : solid == Solid::sphere   ? unit_sphere()
+                              : solid == Solid::cylinder ? unit_cylinder()
+                                                         : unit_square();
+    add_vectors(mesh.points, true);
+    add_vectors(mesh.normals, false);
+    const std::size_t start = buffer_.size();
+    for (const std::uint16_t index : mesh.indices) append_bytes(buffer_, index);
+    constexpr std::string_view kElements = "34963";  // ELEMENT_ARRAY_BUFFER
+    add_view(start, kElements);
+    accessors_.push_back("{\"bufferView\": " + std::to_string(views_.size() - 1) +
+                         ", \"componentType\": 5123, \"type\": \"SCALAR\", \"count\": " +
+                         std::to_string(mesh.indices.size()) + "}");
+    return known->second;
+  }
+
+  void add_view(std::size_t start, std::string_view target) {
+    views_.push_back("{\"buffer\": 0, \"byteOffset\": " + std::to_string(start) +
+                     ", \"byteLength\": " + std::to_string(buffer_.size() - start) +
+                     ", \"target\": " + std::string(target) + "}");
+    buffer_.resize((buffer_.size() + 3) / 4 * 4);  // accessors are aligned
+  }
+
+  void add_vectors(const std::vector<std::array<float, 3>>& vectors, bool with_bounds) {
+    const std::size_t start = buffer_.size();
+    std::array<float, 3> least = vectors.front();
+    std::array<float, 3> most = vectors.front();
+    for (const std::array<float, 3>& vector : vectors) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        append_bytes(buffer_, std::bit_cast<std::uint32_t>(vector[i]));
+        least[i] = std::min(least[i], vector[i]);
+        most[i] = std::max(most[i], vector[i]);
+      }
+    }
+    add_view(start, "34962");  // ARRAY_BUFFER
+    std::string accessor = "{\"bufferView\": " + std::to_string(views_.size() - 1) +
+                           ", \"componentType\": 5126, \"type\": \"VEC3\", \"count\": " +
+                           std::to_string(vectors.size());
+    if (with_bounds) {
+      append_key(accessor, "min");
+      append_json(accessor, Vector3{least[0], least[1], least[2]});
+      append_key(accessor, "max");
+      append_json(accessor, Vector3{most[0], most[1], most[2]});
+    }
+    accessors_.push_back(accessor + "}");
+  }
+
+  static void append_list(std::string& out, std::string_view name,
+                          const std::vector<std::string>& items) {
+    if (items.empty()) return;
+    out += ",\n  \"" + std::string(name) + "\": [";
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      out += (i > 0 ? ",\n    " : "\n    ") + items[i];
+    }
+    out += "\n  ]";
+  }
+
+  std::string text(const std::vector<std::size_t>& roots) {
+    std::string world = R"({"name": "world")";
+    append_pose(world, {{}, from_rpy_degrees({-90, 0, 0})});
+    append_children(world, roots);
+    const std::size_t root = add_node(std::move(world));
+    std::string out =
+        "{\n  \"asset\": {\"version\": \"2.0\", \"generator\": \"smurfs-flatten\"},\n";
+    out += "  \"scene\": 0,\n  \"scenes\": [{\"nodes\": [" + std::to_string(root) + "]}]";
+    append_list(out, "nodes", nodes_);
+    append_list(out, "meshes", mesh_texts_);
+    append_list(out, "materials", material_texts_);
+    append_list(out, "accessors", accessors_);
+    append_list(out, "bufferViews", views_);
+    if (!buffer_.empty()) {
+      out += ",\n  \"buffers\": [{\"byteLength\": " + std::to_string(buffer_.size()) +
+             ", \"uri\": \"data:application/octet-stream;base64," + base64(buffer_) + "\"}]";
+    }
+    return out + "\n}\n";
+  }
+
+  const SceneExport& scene_;
+  SceneLosses losses_;
+  LinkFrames frames_;
+  std::vector<std::string> nodes_, mesh_texts_, material_texts_, accessors_, views_;
+  std::string buffer_;
+  std::map<std::pair<Solid, std::optional<Rgba>>, std::size_t> meshes_;
+  std::map<std::optional<Rgba>, std::size_t> materials_;
+  std::map<Solid, std::size_t> solids_;
+  std::set<std::pair<std::size_t, std::size_t>> reported_;  ///< shapes, by source and place
+};
+
+}  // namespace
+
+extern constinit const SceneFormat scene_gltf{
+    .name = "gltf",
+    .help = "a glTF 2.0 preview with the shapes of the models",
+    .write = [](const SceneExport& scene) { return GltfWriter(scene).run(); }};
+
+}  // namespace smurf
