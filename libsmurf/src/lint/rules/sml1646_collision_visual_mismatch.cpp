@@ -62,7 +62,7 @@ double gap(const Box& a, const Box& b) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kLarger = 20;
+  const double larger = findings.tolerance();
   for_each_link(model, [&](const urdf::Link& link) {
     LinkBox visual(model);
     LinkBox collision(model);
@@ -81,7 +81,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!(seen > 0 && felt > 0)) return;
     const double ratio = felt / seen;
     std::string message;
-    if (ratio > kLarger || ratio < 1 / kLarger) {
+    if (ratio > larger || ratio < 1 / larger) {
       message = "the collision of " + title(link) + " measures " + format_rounded(felt, 3) +
                 " m across, its visual " + format_rounded(seen, 3) + " m";
     } else if (gap(*visual.box(), *collision.box()) > std::max(seen, felt)) {
@@ -107,6 +107,7 @@ extern constinit const Rule sml1646_collision_visual_mismatch{
         "One of them has most likely the wrong scale or origin: what is seen is not what collides.",
     .remedy = "Compare `scale` and `origin` of both.",
     .sources = "Bounding boxes of shapes and meshes.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 20, .meaning = "how many times as large one of both may be"}};
 
 }  // namespace smurf::rules
