@@ -146,7 +146,7 @@ class Content(ConfigTest):
         done = self.expect(1, "--format", "concise", "--select", "SML9", "robots")
         self.assertEqual([line.split("] ")[1] for line in done.stdout.splitlines()], [
             "`SML3101` has no tolerance (`--list-rules=json` shows which have one)",
-            "`SML50` has no tolerance (name one rule)", "`SML5004` takes a number from 0, not the number `-1`",
+            "`SML50` has no tolerance (name one rule)", "`SML5004` takes a number from 0, not `-1`",
             "there is no rule `x`"])
         self.assertIn("Tolerance\n  0.001: how far", self.expect(0, "--explain", "SML5004").stdout)
 
@@ -162,7 +162,7 @@ class Content(ConfigTest):
     def test_format_and_verdict(self):
         self.write("robots/.smurf-lint.yaml", "format: [concise, json=report.json]\nfail-on: warning\n")
         done = self.expect(1, "robots")
-        self.assertTrue(done.stdout.startswith("robots/scene.smurfs:2:3: warning[SML5012] "), done.stdout)
+        self.assertTrue(done.stdout.startswith("robots/scene.smurfs:2:4: warning[SML5012] "), done.stdout)
         self.assertEqual(json.loads(self.read("robots/report.json"))["summary"]["warning"], 1)
         self.expect(0, "--fail-on", "error", "--format", "concise", "robots")
         self.write("robots/.smurf-lint.yaml", "max-warnings: 0\n")
@@ -237,7 +237,7 @@ class Content(ConfigTest):
                {"paths": {"*.urdf": {"select": "SML1"}}}, {"paths": ["a"]}, {"extends": {}},
                {"exclude": {"a": 1}}, {"force-exclude": "maybe"}, {"packages": ["a"]}, {"format": {}},
                {"fail-on": "fatal"}, {"max-warnings": -1}, {"max-warnings": 1.5}, {"baseline": []}]
-        self.write("rainbow.json", "")
+        self.write("rainbow.json", "{}")
         for verdict, configs in ((True, good), (False, bad)):
             for config in configs:
                 with self.subTest(config=config):

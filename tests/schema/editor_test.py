@@ -124,7 +124,8 @@ class EditorTest(unittest.TestCase):
         """(line, column, message) of what is squiggled; lines and columns from 1."""
         self.uri = (self.folder / name).as_uri()
         marks = self.server.open(self.uri, text)
-        return [(m["range"]["start"]["line"] + 1, m["range"]["start"]["character"] + 1, m["message"]) for m in marks]
+        return sorted((m["range"]["start"]["line"] + 1, m["range"]["start"]["character"] + 1, m["message"])
+                      for m in marks)
 
     def at(self, line, column):
         return {"textDocument": {"uri": self.uri}, "position": {"line": line - 1, "character": column - 1}}
