@@ -8,7 +8,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kFar = 10;  // m
+  const double far = findings.tolerance();
   if (!model.robot) return;
   for (const xml::Element& element : model.robot->document.elements) {
     if (element.name != "origin") continue;
@@ -20,7 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
       for (const double value : numbers_in(attribute.value)) {
         if (std::fabs(value) > std::fabs(farthest)) farthest = value;
       }
-      if (std::fabs(farthest) <= kFar) continue;
+      if (std::fabs(farthest) <= far) continue;
       findings
           .report(attribute.value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
                                             " m away; are millimetres meant?")
@@ -40,6 +40,9 @@ extern constinit const Rule sml1442_origin_large{
            "of sight in every viewer.",
     .remedy = "Divide by 1000, if it is in millimetres.",
     .sources = "URDF specification; urdfdom pose.h.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 10,
+                  .unit = "m",
+                  .meaning = "how far a part may lie from the frame it is placed in"}};
 
 }  // namespace smurf::rules

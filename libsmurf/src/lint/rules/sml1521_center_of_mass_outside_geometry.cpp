@@ -7,13 +7,13 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kMargin = 0.1;  // of the longest edge; shapes are simplified
+  const double margin = findings.tolerance();  // shapes are simplified
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
     const urdf::Inertial& inertial = *link.inertial;
     const Vector3 center = urdf::to_pose(inertial.origin).position;
-    if (extent->grown(kMargin * extent->longest_edge()).contains(center)) return;
+    if (extent->grown(margin * extent->longest_edge()).contains(center)) return;
     const bool has_origin = !inertial.origin.xyz.span.empty();
     if (has_origin && !inertial.origin.xyz) return;  // unreadable
     Diagnostic& diagnostic =
@@ -41,6 +41,9 @@ extern constinit const Rule sml1521_center_of_mass_outside_geometry{
            "if it were another.",
     .remedy = "Write the origin of the inertial in metres, in the frame of the link.",
     .sources = "24 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 0.1,
+                  .meaning =
+                      "how far outside, in parts of the longest edge, the centre of mass may lie"}};
 
 }  // namespace smurf::rules
