@@ -37,8 +37,8 @@ std::string tolerance_of(const Rule& rule) {
   std::string text = number;
   if (!tolerance.unit.empty()) text.append(" ").append(tolerance.unit);
   return text + ": " + std::string(tolerance.meaning) +
-         ". Another one stands in the configuration: " + "`tolerances: {" + std::string(rule.id) +
-         ": " + number + "}`.";
+         ". To set another, write it in the configuration: " + "`tolerances: {" +
+         std::string(rule.id) + ": " + number + "}`.";
 }
 
 }  // namespace
