@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/converter.hpp"
 
+#include "common/confine.hpp"
 #include "common/input.hpp"
 #include "common/shared_options.hpp"
 
@@ -12,6 +13,7 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
           fail_on_option(options.threshold),
           stdin_filename_option(options.stdin_filename),
           package_option(options.packages),
+          allow_outside_option(options.allow_outside),
           color_option(options.color),
           quiet_option(options.quiet, "Say nothing but errors.")};
 }
@@ -33,6 +35,8 @@ std::optional<std::string> Conversion::open(const std::string& path) {
     return std::nullopt;
   }
   path_ = path;
+  const std::string named = path == "-" ? options_.stdin_filename : path;
+  confine(disk_, std::span(&named, 1), options_.packages, options_.allow_outside);
   if (path == "-") return read_standard_input(tool_, options_.stdin_filename, files_);
   if (const auto reason = why_unreadable(path, files_)) {
     complain(tool_, "cannot read '" + path + "': " + *reason);
@@ -49,6 +53,7 @@ std::optional<LinkedModel> Conversion::load_model(const std::string& path) {
 }
 
 std::optional<xml::Document> Conversion::load_xml(const std::string& path) {
+  disk_.allow(path);
   if (const auto reason = why_unreadable(path, files_)) {
     complain(tool_, "cannot read '" + path + "': " + *reason);
     return std::nullopt;

@@ -22,6 +22,7 @@ struct ConverterOptions {
   ColorChoice color = ColorChoice::automatic;
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
+  bool allow_outside = false;  ///< read what models name wherever it lies
   bool quiet = false;
 };
 
@@ -69,7 +70,7 @@ class Conversion {
 
   std::string_view tool_;
   const ConverterOptions& options_;
-  DiskFiles disk_;
+  ConfinedFiles disk_;
   MemoryFiles files_{&disk_};
   SourceMap sources_;
   DiagnosticSink sink_;

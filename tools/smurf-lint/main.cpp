@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-lint: checks SMURF models and scenes.
 #include <algorithm>
+#include <array>
 
+#include "common/confine.hpp"
 #include "common/input.hpp"
 #include "common/repository.hpp"
 #include "smurf-lint/check.hpp"
@@ -125,8 +127,31 @@ ExitCode list_files(const LintOptions& options, const Plan& plan) {
   return plan.has_failed ? kFailed : code;
 }
 
+ExitCode merge_reports(const LintOptions& options) {
+  std::vector<NamedText> reports;
+  for (const std::string& path : options.paths) {
+    FileContent content = DiskFiles().read(path, Limits{}.file_bytes);
+    if (content.status != ReadStatus::ok) {
+      complain(kTool, "cannot read '" + path + "': " + content.reason);
+      return kFailed;
+    }
+    reports.push_back({path, std::move(content.text)});
+  }
+  const MergedReport merged = merge_json_reports(reports, {kTool, SMURF_VERSION});
+  if (!merged.problem.empty()) {
+    complain(kTool, merged.problem);
+    return kFailed;
+  }
+  const ExitCode code = write_text(options, merged.json);
+  return code == kDone ? judge(merged.summary, options.threshold) : code;
+}
+
 ExitCode run(const LintOptions& options) {
-  const DiskFiles disk;
+  ConfinedFiles disk;
+  confine(disk, options.paths, options.packages, options.allow_outside);
+  confine(disk, std::array{options.stdin_filename, options.config}, {}, options.allow_outside);
+  disk.allow(options.config);
+  disk.allow(options.baseline);
   MemoryFiles files(&disk);
   if (!options.baseline.empty() && !options.generate_baseline) {
     if (const auto reason = why_unreadable(options.baseline, files)) {
@@ -139,7 +164,8 @@ ExitCode run(const LintOptions& options) {
       find_config(first, options, files).empty()) {
     return no_baseline();
   }
-  const Plan plan = make_plan(options, files);
+  Plan plan = make_plan(options, files);
+  keep_shard(plan, options.shard, files);
   if (options.list_files) return list_files(options, plan);
   Checked checked = check(options, plan, files);
   if (options.generate_baseline) {
@@ -164,6 +190,7 @@ int main(int argc, char** argv) {
   if (!options.explain.empty()) return explain(options);
   if (!options.list_rules.empty()) return list_rules(options);
   if (!options.show_config.empty()) return show_config(options);
+  if (options.merge_reports) return merge_reports(options);
 
   return run(options);
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/numbers.hpp"
+#include "common/confine.hpp"
 #include "common/shared_options.hpp"
 
 namespace smurf::tools {
@@ -78,6 +80,20 @@ std::string_view target_help() {
     return "Judge for these readers, and say what becomes of the files in each: " + names + ".";
   }();
   return help;
+}
+
+Setter set_shard(Shard& shard) {
+  return [&shard](std::string_view value) -> std::optional<std::string> {
+    const std::size_t slash = value.find('/');
+    const auto number = parse_integer(value.substr(0, slash));
+    const auto count =
+        slash == std::string_view::npos ? std::nullopt : parse_integer(value.substr(slash + 1));
+    if (!number || !count || *number < 1 || *number > *count) {
+      return "'" + std::string(value) + "' is not K/N with K from 1 to N";
+    }
+    shard = {static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)};
+    return std::nullopt;
+  };
 }
 
 std::vector<Option> rule_options(LintOptions& options) {
@@ -190,6 +206,11 @@ std::vector<Option> output_options(LintOptions& options) {
       report,
       output_option(options.output, "Write the report to FILE instead of standard output."),
       {.group = "Output",
+       .name = "merge-reports",
+       .help = "Each PATH is a JSON report, of a part of the files: write them as one JSON report, "
+               "and check nothing.",
+       .set = set_flag(options.merge_reports)},
+      {.group = "Output",
        .name = "statistics",
        .help = "Count the findings of each rule instead of listing them (full, concise).",
        .set = set_flag(options.statistics)},
@@ -234,6 +255,11 @@ std::vector<Option> input_options(LintOptions& options) {
                "changed file.",
        .set = set_flag(options.only_listed)},
       {.group = "Input",
+       .name = "shard",
+       .metavar = "K/N",
+       .help = "Check the K-th of N parts of the files; the same parts on every machine.",
+       .set = set_shard(options.shard)},
+      {.group = "Input",
        .name = "list-files",
        .help = "Show the files that would be checked, and check nothing.",
        .set = set_flag(options.list_files)},
@@ -260,6 +286,7 @@ Command lint_command(LintOptions& options) {
   }
   command.options.push_back(stdin_filename_option(options.stdin_filename));
   command.options.push_back(package_option(options.packages));
+  command.options.push_back(allow_outside_option(options.allow_outside));
   command.options.push_back(color_option(options.color));
   command.options.push_back(quiet_option(options.quiet, "Show findings only, no summary."));
   command.options.push_back(jobs_option(options.jobs));
@@ -276,6 +303,8 @@ Command lint_command(LintOptions& options) {
       {"smurf-lint --diff robots/", "What could be fixed without a thought; then with --fix:"},
       {"smurf-lint --baseline old.yaml --generate-baseline robots/",
        "Only new findings from now on; then without --generate-baseline:"},
+      {"smurf-lint --shard 2/8 --format json=part-2.json datasets/",
+       "One machine of eight; then --merge-reports part-*.json:"},
       {"smurf-lint --explain unknown-joint", "The page of a rule:"},
       {"smurf-lint --show-config robots/", "What holds there, and where it is said:"},
   };

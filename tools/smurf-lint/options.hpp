@@ -14,11 +14,18 @@
 
 namespace smurf::tools {
 
+/// Part `number` (from 1) of `count` parts of the files.
+struct Shard {
+  std::size_t number = 1;
+  std::size_t count = 1;
+};
+
 struct LintOptions {
   std::vector<std::string> paths;
   bool only_listed = false;  ///< leave annotation files and meshes alone that no model uses
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
+  bool allow_outside = false;  ///< read what models name wherever it lies
 
   std::string config;       ///< "": the nearest one
   bool isolated = false;    ///< read no configuration
@@ -29,7 +36,9 @@ struct LintOptions {
 
   bool force_exclude = false;    ///< leave excluded files out even when they are named
   bool no_ignore_files = false;  ///< .gitignore and .smurf-lintignore leave nothing out
-  bool list_files = false;       ///< say what would be checked, and check nothing
+  Shard shard;
+  bool merge_reports = false;  ///< `paths` are JSON reports; nothing is checked
+  bool list_files = false;     ///< say what would be checked, and check nothing
 
   bool fix = false;           ///< write fixed files
   bool unsafe_fixes = false;  ///< fixes that may change what the model means are fixes too

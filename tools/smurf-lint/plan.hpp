@@ -28,6 +28,9 @@ struct Plan {
 /// Standard input, if it is read, goes to `files`.
 Plan make_plan(const LintOptions& options, MemoryFiles& files);
 
+/// Leaves one part of the files. A URDF that a planned model lists goes with the model.
+void keep_shard(Plan& plan, const Shard& shard, const FileReader& files);
+
 /// The configuration for a file or folder: the one that the options name, else the nearest upward.
 /// "" when there is none.
 std::string find_config(const std::string& path, const LintOptions& options,

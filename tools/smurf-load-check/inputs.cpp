@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/path.hpp"
+#include "common/confine.hpp"
 #include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
@@ -37,6 +38,8 @@ class Loader {
   Loader(const InputOptions& options, Inputs& inputs) : options_(options), inputs_(inputs) {}
 
   void run() {
+    confine(inputs_.disk, options_.paths, options_.packages, options_.allow_outside);
+    confine(inputs_.disk, std::span(&options_.stdin_filename, 1), {}, options_.allow_outside);
     std::vector<std::string> files;
     const std::vector<std::string> here{"."};
     for (const std::string& path : options_.paths.empty() ? here : options_.paths) {

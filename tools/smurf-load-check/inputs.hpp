@@ -24,7 +24,7 @@ struct Job {
 
 struct Inputs {
   SourceMap sources;
-  DiskFiles disk;
+  ConfinedFiles disk;
   MemoryFiles files{&disk};
   std::deque<LinkedScene> scenes;  ///< what the jobs point into
   std::vector<Job> jobs;
@@ -35,6 +35,7 @@ struct InputOptions {
   std::vector<std::string> paths;
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
+  bool allow_outside = false;  ///< read what models name wherever it lies
 };
 
 /// Fills `inputs`. Folders are searched as smurf-lint does; scenes come before models, and a model

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "common/confine.hpp"
 #include "common/shared_options.hpp"
 
 namespace smurf::load_check {
@@ -150,6 +151,7 @@ tools::Command command_of(Options& options) {
   command.options.push_back(tools::fail_on_option(options.threshold));
   command.options.push_back(tools::stdin_filename_option(options.input.stdin_filename));
   command.options.push_back(tools::package_option(options.input.packages));
+  command.options.push_back(tools::allow_outside_option(options.input.allow_outside));
   command.options.push_back(tools::jobs_option(options.jobs));
   command.options.push_back(tools::color_option(options.color));
   command.options.push_back(

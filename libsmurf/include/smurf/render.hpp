@@ -56,6 +56,19 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                         const Summary& summary, const ToolName& tool,
                         std::span<const TargetVerdict> targets = {});
 
+/// JSON reports of parts of a check as the report of the whole; findings that two of them have are
+/// kept once. Of the summary, the counts by severity are set.
+struct NamedText {
+  std::string name;
+  std::string text;
+};
+struct MergedReport {
+  std::string json;
+  Summary summary;
+  std::string problem;  ///< why there is none, in words; otherwise empty
+};
+MergedReport merge_json_reports(std::span<const NamedText> reports, const ToolName& tool);
+
 /// How the formats of code hosts name a file: by its path from the top of the repository, with '/'.
 /// Absolute where it lies outside.
 using RepositoryPath = std::function<std::string(const std::string& path)>;

@@ -22,7 +22,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   if (scene.schemas == nullptr) return;
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
     DiagnosticSink sink;
-    Findings found(rules::sml5401_entity_against_schema, sink);
+    Findings found(rules::sml5401_entity_against_schema, findings.tolerance(), sink);
     scene.schemas->check_entity(entity_type(entity), mapping_of(file, entity), found);
     for (Diagnostic& diagnostic : sink.take()) {
       if (is_reported(entity, diagnostic)) continue;

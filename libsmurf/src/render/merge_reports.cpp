@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reports of the parts of a check that several machines did, as the report of one.
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "render/json_text.hpp"
+#include "smurf/render.hpp"
+
+namespace smurf {
+namespace {
+
+using render::dump;
+using render::Json;
+using render::text;
+
+using Order = std::tuple<std::string, std::uint64_t, std::uint64_t, std::string, std::string>;
+
+Order order_of(const Json& diagnostic) {
+  return {diagnostic.at("file"), diagnostic.at("line"), diagnostic.at("column"),
+          diagnostic.at("id"), diagnostic.at("message")};
+}
+
+/// The worse of two verdicts on one reader; the first place is that of the worse.
+void merge_target(Json& target, const Json& other) {
+  static constexpr std::array<std::string_view, 3> kWorse = {"takes", "loses", "refuses"};
+  const auto rank = [](const Json& json) {
+    const auto found = std::ranges::find(kWorse, json.at("verdict").get<std::string>());
+    return found - kWorse.begin();
+  };
+  if (rank(other) > rank(target)) {
+    target["verdict"] = other.at("verdict");
+    if (other.contains("first")) target["first"] = other.at("first");
+  }
+  for (const char* count : {"refusals", "losses"}) {
+    target[count] = target.at(count).get<std::uint64_t>() + other.at(count).get<std::uint64_t>();
+  }
+}
+
+void add(Json& merged, const Json& report) {
+  for (const auto& [name, count] : report.at("summary").items()) {
+    Json& sum = merged["summary"][name];
+    sum = sum.get<std::uint64_t>() + count.get<std::uint64_t>();
+  }
+  for (const Json& diagnostic : report.at("diagnostics"))
+    merged["diagnostics"].push_back(diagnostic);
+  if (!report.contains("targets")) return;
+  for (const auto& [name, target] : report.at("targets").items()) {
+    if (!merged["targets"].contains(name)) {
+      merged["targets"][name] = target;
+    } else {
+      merge_target(merged["targets"][name], target);
+    }
+  }
+}
+
+/// A file that two parts read is reported by both.
+void drop_repeated(Json& merged) {
+  Json& list = merged["diagnostics"];
+  std::stable_sort(list.begin(), list.end(),
+                   [](const Json& a, const Json& b) { return order_of(a) < order_of(b); });
+  Json kept = Json::array();
+  for (Json& diagnostic : list) {
+    if (kept.empty() || kept.back() != diagnostic) {
+      kept.push_back(std::move(diagnostic));
+      continue;
+    }
+    Json& count = merged["summary"][diagnostic.at("severity").get<std::string>()];
+    count = count.get<std::uint64_t>() - 1;
+  }
+  list = std::move(kept);
+}
+
+}  // namespace
+
+MergedReport merge_json_reports(std::span<const NamedText> reports, const ToolName& tool) {
+  Json merged;
+  merged["schema_version"] = "1.0";
+  merged["tool"] = {{"name", text(tool.name)}, {"version", text(tool.version)}};
+  for (const char* count :
+       {"error", "warning", "info", "suppressed", "files", "models", "scenes"}) {
+    merged["summary"][count] = 0U;
+  }
+  merged["diagnostics"] = Json::array();
+  for (const NamedText& report : reports) {
+    try {
+      add(merged, Json::parse(report.text));
+    } catch (const nlohmann::json::exception&) {
+      return {.problem = "'" + report.name + "' is not a JSON report of these tools"};
+    }
+  }
+  MergedReport result;
+  try {
+    drop_repeated(merged);
+  } catch (const nlohmann::json::exception&) {
+    return {.problem = "a finding of the reports lacks what every finding has"};
+  }
+  result.json = dump(merged);
+  result.summary.errors = merged["summary"]["error"];
+  result.summary.warnings = merged["summary"]["warning"];
+  result.summary.infos = merged["summary"]["info"];
+  return result;
+}
+
+}  // namespace smurf
