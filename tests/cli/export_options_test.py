@@ -3,10 +3,12 @@
 
 smurf2urdf proves each result: link poses, total mass, centre of mass and inertia, and limits. So
 what is left to check is that it finds nothing to refuse, and that a second time changes nothing.
+Prints the largest differences that --prove found.
 
 Usage: export_options_test.py SMURF2URDF FOLDER
 """
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -20,10 +22,21 @@ OPTIONS = [
 ONCE = [["--prefix", "p_"]]  # add up when they are repeated
 
 
+TOLERANCE = 1e-12  # relative, or m and rad
+largest = {}  # difference by what was compared
+
+
+def note_proof(text):
+    for what, figure in re.findall(r"^  ([a-z ]+?) {2,}([-+.e0-9]+)", text, re.MULTILINE):
+        largest[what] = max(largest.get(what, 0), float(figure))
+
+
 def export(tool, source, target, options):
     """None, or what went wrong."""
-    done = subprocess.run([tool, str(source), "-o", str(target), "--force", "--quiet", *options],
-                          capture_output=True, text=True, timeout=60, check=False)
+    done = subprocess.run([tool, str(source), "-o", str(target), "--force", "--quiet", "--prove",
+                           *options], capture_output=True, text=True, timeout=60, check=False)
+    if done.returncode == 0:
+        note_proof(done.stderr)
     return None if done.returncode == 0 else f"{source} {options}: {done.stderr[-300:]}"
 
 
@@ -47,7 +60,12 @@ def main():
                         failure = f"{source} {options}: a second time changes the result"
                 if failure is not None:
                     failures.append(failure)
-    print(f"{count} URDFs, {len(OPTIONS) + len(ONCE)} exports of each")
+    print(f"{count} URDFs, {len(OPTIONS) + len(ONCE)} exports of each; largest differences:")
+    for what, figure in largest.items():
+        print(f"  {what:28s}{figure:.2g}")
+        # Places far from the origin are compared relative to their distance, by the tool.
+        if figure > TOLERANCE and "distance" not in what:
+            failures.append(f"{what}: {figure} is more than {TOLERANCE}")
     if count == 0:
         failures.append("no URDF was tried")
     sys.exit("\n".join(failures) or 0)

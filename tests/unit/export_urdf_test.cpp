@@ -327,6 +327,20 @@ TEST_CASE("a prefix reaches everything that refers to a name") {
   }
 }
 
+TEST_CASE("a prefix leaves the world alone") {
+  UrdfExport options;
+  options.prefix = "l_";
+  const Read fixed(replaced(tower("<gazebo reference=\"base\"><a/></gazebo>\n"), "</robot>",
+                            "  <link name=\"world\"/>\n"
+                            "  <joint name=\"world\" type=\"fixed\">"
+                            "<parent link=\"world\"/><child link=\"base\"/></joint>\n</robot>"));
+  const Exported prefixed(fixed, options);
+  CHECK(prefixed.has("<link name=\"world\"/>"));
+  CHECK(prefixed.has("<joint name=\"l_world\" type=\"fixed\"><parent link=\"world\"/>"
+                     "<child link=\"l_base\"/>"));
+  CHECK(compare_models(fixed.model, Read(prefixed.text).model, proof_scope(options)).holds());
+}
+
 TEST_CASE("bases and versions") {
   UrdfExport options;
   options.base = BaseJoint::floating;

@@ -272,3 +272,10 @@ TEST_CASE("what has no section is kept as it stands") {
   CHECK(texts.find("gazebo_l1").find("xml").text() ==
         extension + "\n<gazebo reference=\"l1\"><x/></gazebo>");
 }
+
+TEST_CASE("what is kept moves to the left as a whole") {
+  const Imported bot(robot(kFourJoints, "  <gazebo>\n    <x>\n      <y/>\n    </x>\n  </gazebo>"));
+  const CustomSection& section = bot.result.annotations.custom.front();
+  const yaml::View texts(*bot.result.document(section.span.source), section.node);
+  CHECK(texts.find("gazebo").find("xml").text() == "<gazebo>\n  <x>\n    <y/>\n  </x>\n</gazebo>");
+}

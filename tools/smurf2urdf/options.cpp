@@ -121,7 +121,7 @@ std::vector<Option> content_options(UrdfExport& wanted) {
           {.name = "prefix",
            .metavar = "TEXT",
            .help = "Put TEXT before the names of links, joints, materials and transmissions, and "
-                   "into all that refers to them.",
+                   "into all that refers to them; a link `world` keeps its name.",
            .set = set_text(wanted.prefix)},
           {.name = "base",
            .metavar = "HOW",

@@ -53,8 +53,7 @@ class Collapse {
     if (joint.type != urdf::JointType::fixed || is_kept(link.name) || is_kept(joint.name)) {
       return false;
     }
-    // `world` stands for the world in Gazebo and MuJoCo; nothing becomes part of it.
-    if (name_of(parent) == "world") return false;
+    if (is_world(name_of(parent))) return false;  // nothing becomes part of it
     return references_.may_join(link, model_.robot->links[carrier_[parent]]);
   }
 

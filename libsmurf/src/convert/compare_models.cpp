@@ -7,6 +7,7 @@
 
 #include "base/numbers.hpp"
 #include "convert/mass_properties.hpp"
+#include "convert/passes.hpp"
 #include "smurf/convert.hpp"
 
 namespace smurf {
@@ -48,7 +49,8 @@ class Comparison {
     const auto index = link.name ? source_.link_names.find(*link.name) : std::nullopt;
     if (!scope_.may_merge_links || !index || !source_.tree.parent_joint[*index]) return;
     const urdf::Joint& joint = source_.joint(*source_.tree.parent_joint[*index]);
-    if (joint.type != urdf::JointType::fixed || result_.link_names.contains(renamed(*link.name))) {
+    if (joint.type != urdf::JointType::fixed ||
+        result_.link_names.contains(renamed_link(*link.name))) {
       return;
     }
     merged_links_.insert(*link.name);
@@ -57,13 +59,18 @@ class Comparison {
 
   std::string renamed(std::string_view name) const { return scope_.prefix + std::string(name); }
 
+  std::string renamed_link(std::string_view name) const {
+    return passes::is_world(name) ? std::string(name) : renamed(name);
+  }
+
   void same_names(const std::string& kind, const NameTable& a, const NameTable& b,
                   const std::set<std::string_view>& merged) {
     std::set<std::string> expected;
     for (const std::string_view name : a.names()) {
       if (merged.contains(name)) continue;
-      expected.insert(renamed(name));
-      if (!b.contains(renamed(name))) note("the " + kind + " `" + std::string(name) + "` is lost");
+      const std::string new_name = kind == "link" ? renamed_link(name) : renamed(name);
+      expected.insert(new_name);
+      if (!b.contains(new_name)) note("the " + kind + " `" + std::string(name) + "` is lost");
     }
     for (const std::string_view name : b.names()) {
       const bool is_base = scope_.may_add_base && name.starts_with("world");
@@ -139,7 +146,7 @@ class Comparison {
       const urdf::Link& link = source_.robot->links[i];
       if (!link.name || source_.link_names.find(*link.name) != i) continue;
       if (merged_links_.contains(*link.name)) continue;
-      const std::optional<Pose>& other = b[*result_.link_names.find(renamed(*link.name))];
+      const std::optional<Pose>& other = b[*result_.link_names.find(renamed_link(*link.name))];
       if (a[i].has_value() != other.has_value()) {
         note("the link `" + *link.name + "` is connected in one model only");
         continue;

@@ -6,6 +6,7 @@
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
+#include "convert/passes.hpp"
 #include "smurf/convert.hpp"
 
 namespace smurf {
@@ -27,6 +28,10 @@ class SrdfWriter {
 
  private:
   std::string name(const std::string& name) const { return escape_xml(prefix_ + name); }
+
+  std::string link_name(const std::string& link) const {
+    return passes::is_world(link) ? link : name(link);
+  }
 
   /// A state belongs to a group, so there is one of all joints.
   void group_states() {
@@ -53,8 +58,8 @@ class SrdfWriter {
   static bool has_shapes(const urdf::Link& link) { return link.name && !link.collisions.empty(); }
 
   void disable(const urdf::Link& a, const urdf::Link& b, const char* reason) {
-    out_ += "  <disable_collisions link1=\"" + name(*a.name) + "\" link2=\"" + name(*b.name) +
-            "\" reason=\"" + reason + "\"/>\n";
+    out_ += "  <disable_collisions link1=\"" + link_name(*a.name) + "\" link2=\"" +
+            link_name(*b.name) + "\" reason=\"" + reason + "\"/>\n";
   }
 
   void neighbours() {

@@ -6,6 +6,7 @@
 
 #include "base/numbers.hpp"
 #include "convert/import.hpp"
+#include "convert/xml_edits.hpp"
 
 namespace smurf::import {
 namespace {
@@ -59,7 +60,7 @@ class MaterialMaker {
   std::vector<NewValue> entries_;
 };
 
-/// The elements' texts, by what they are about: "gazebo_base_link".
+/// The elements' texts, moved to the left as a whole, by what they are about: "gazebo_base_link".
 NewValue texts_by_subject(const Context& context, const std::string& section,
                           const std::vector<xml::View>& elements) {
   std::vector<NewValue> entries;
@@ -73,7 +74,9 @@ NewValue texts_by_subject(const Context& context, const std::string& section,
         break;
       }
     }
-    const std::string text(context.sources.text(element.span()));
+    const std::string text =
+        XmlEdits(element.document(), context.sources.text(element.document().source))
+            .copy(element, {});
     const auto [place, is_new] = places.emplace(key, entries.size());
     if (is_new) {
       entries.push_back(mapping_value(key, {text_value("xml", text)}));

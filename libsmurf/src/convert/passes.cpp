@@ -49,6 +49,8 @@ class Prefixer {
   void rename(xml::View element, std::string_view attribute) {
     const xml::Attribute* name = element.attribute(attribute);
     if (name == nullptr || name->value.empty()) return;
+    const bool is_joint = element.name() == "joint" || attribute == "joint";
+    if (is_world(name->value) && !is_joint && element.name() != "material") return;
     edits_.set_attribute(element, attribute, prefix_ + std::string(name->value));
   }
 
@@ -75,7 +77,7 @@ class Prefixer {
       if (refers && is_name(one->value)) rename(element, one->name);
     }
     const bool is_leaf = element.begin() == element.end();
-    if (is_leaf && is_name(element.element().text)) {
+    if (is_leaf && is_name(element.element().text) && !is_world(element.element().text)) {
       Span place = element.element().text_span;
       place.end = place.begin;
       edits_.replace(place, escape_xml(prefix_));

@@ -42,7 +42,9 @@ struct CollapsedLink {
 /// to be kept, or an extension means the link itself (link_references.hpp).
 std::vector<CollapsedLink> collapse_fixed(const LinkedModel& model,
                                           const std::vector<std::string>& keep, XmlEdits& edits);
-/// Names of links, joints, materials and transmissions, and all references to them.
+/// A link of this name stands for the world: DART, Gazebo and MuJoCo hold fast what hangs on it.
+inline bool is_world(std::string_view link) { return link == "world"; }
+/// Names of links, joints, materials and transmissions, and all references to them; not the world.
 void add_prefix(const LinkedModel& model, const std::string& prefix, XmlEdits& edits);
 /// What only later versions of URDF can say, said in the words of `version` where it has any.
 void set_version(const LinkedModel& model, const std::string& version, XmlEdits& edits);
