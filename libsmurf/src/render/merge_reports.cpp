@@ -86,14 +86,14 @@ MergedReport merge_json_reports(std::span<const NamedText> reports, const ToolNa
     try {
       add(merged, Json::parse(report.text));
     } catch (const nlohmann::json::exception&) {
-      return {.problem = "'" + report.name + "' is not a JSON report of these tools"};
+      return {{}, {}, "'" + report.name + "' is not a JSON report of these tools"};
     }
   }
   MergedReport result;
   try {
     drop_repeated(merged);
   } catch (const nlohmann::json::exception&) {
-    return {.problem = "a finding of the reports lacks what every finding has"};
+    return {{}, {}, "a finding of the reports lacks what every finding has"};
   }
   result.json = dump(merged);
   result.summary.errors = merged["summary"]["error"];
