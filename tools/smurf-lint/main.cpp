@@ -148,7 +148,9 @@ ExitCode merge_reports(const LintOptions& options) {
 
 ExitCode run(const LintOptions& options) {
   ConfinedFiles disk;
-  confine(disk, options.paths, options.packages, options.allow_outside);
+  const std::vector<std::string> here{"."};
+  confine(disk, options.paths.empty() ? here : options.paths, options.packages,
+          options.allow_outside);
   confine(disk, std::array{options.stdin_filename, options.config}, {}, options.allow_outside);
   disk.allow(options.config);
   disk.allow(options.baseline);

@@ -38,11 +38,12 @@ class Loader {
   Loader(const InputOptions& options, Inputs& inputs) : options_(options), inputs_(inputs) {}
 
   void run() {
-    confine(inputs_.disk, options_.paths, options_.packages, options_.allow_outside);
     confine(inputs_.disk, std::span(&options_.stdin_filename, 1), {}, options_.allow_outside);
     std::vector<std::string> files;
     const std::vector<std::string> here{"."};
-    for (const std::string& path : options_.paths.empty() ? here : options_.paths) {
+    const std::vector<std::string>& paths = options_.paths.empty() ? here : options_.paths;
+    confine(inputs_.disk, paths, options_.packages, options_.allow_outside);
+    for (const std::string& path : paths) {
       find(path, files);
     }
     // In the widest context first: scenes, models, then URDFs that no model has read.

@@ -57,7 +57,8 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                         std::span<const TargetVerdict> targets = {});
 
 /// JSON reports of parts of a check as the report of the whole; findings that two of them have are
-/// kept once. Of the summary, the counts by severity are set.
+/// kept once. Files, models and scenes are added up: what two parts read counts twice. Of the
+/// summary here, the counts by severity are set.
 struct NamedText {
   std::string name;
   std::string text;

@@ -205,17 +205,17 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
                                             SourceId id, const Limits& limits,
                                             DiagnosticSink& sink) {
   if (!check_text(sources, id, TextFormat::yaml, sink)) return std::nullopt;
-  if (engine == YamlEngine::scanner_first) {
-    if (auto document = parse_plain(sources, id, limits, sink)) return document;
-  }
-  if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
   const std::string_view text = sources.text(id);
-  const std::size_t known = sink.diagnostics().size();
   if (const auto mark = find_line(text, 0, id, is_merge_mark)) {
     sink.report(rules::sml0010_yaml_syntax, *mark, "a merge left its marks here").help =
         "keep one of the two versions, and none of the marks";
     return std::nullopt;
   }
+  if (engine == YamlEngine::scanner_first) {
+    if (auto document = parse_plain(sources, id, limits, sink)) return document;
+  }
+  if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
+  const std::size_t known = sink.diagnostics().size();
   TreeBuilder builder(sources, id, limits, sink);
   try {
     ViewBuffer buffer(text);
