@@ -17,15 +17,16 @@ import tempfile
 import threading
 
 import mutants
+import mutants_scenes
+import mutants_smurf
 import mutants_urdf
 
-try:
-    import mutants_smurf
-except ImportError:
-    mutants_smurf = None
-
-MODULES = [module for module in (mutants_urdf, mutants, mutants_smurf) if module]
+MODULES = [mutants_urdf, mutants, mutants_smurf, mutants_scenes]
 MUTANTS = [mutant for module in MODULES for mutant in module.MUTANTS]
+# What is checked when a file of the folder was changed; else the file itself.
+ENTRIES = {"models/": "models/arm/smurf/arm.smurf", "crane/": mutants_smurf.MAIN, **mutants_scenes.ENTRIES}
+# Files that are made; those of fixtures are copied.
+FILES = {**mutants_urdf.WALKER_FILES, **mutants_scenes.FILES}
 # To shrink to nothing: one that is found is a failure too.
 KNOWN_MISSES = {name for module in MODULES for name in getattr(module, "KNOWN_MISSES", ())}
 MOST_FINDINGS_EACH = 1.3
@@ -40,7 +41,7 @@ def findings(lint, path):
 
 def entry_of(file):
     """What is checked when this file was changed."""
-    return "models/arm/smurf/arm.smurf" if file.startswith("models/") else file
+    return next((entry for folder, entry in ENTRIES.items() if file.startswith(folder)), file)
 
 
 def line_of(before, after, where):
@@ -63,9 +64,9 @@ def places(found):
 def write_originals(root, fixtures):
     for part in ("models/arm", "scenes/example", "scenes/showcase"):
         shutil.copytree(pathlib.Path(fixtures) / part, root / part)
-    for name, text in mutants_urdf.WALKER_FILES.items():
+    for name, text in FILES.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(text, encoding="utf-8")
+        (root / name).write_bytes(text if isinstance(text, bytes) else text.encode("utf-8"))
 
 
 class Checker:

@@ -120,11 +120,12 @@ bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, Dia
   if (line_end == std::string_view::npos) return true;
   const auto rest = find_line(text, static_cast<std::uint32_t>(line_end), id, is_content);
   if (!rest) return true;
-  const std::string_view line = text.substr(rest->begin);
+  const auto at = static_cast<std::uint32_t>(text.find_first_not_of(" \t", rest->begin));
   for (const std::string_view mark : {"---", "...", "%", "]", "}"}) {
-    if (line.substr(line.find_first_not_of(" \t")).starts_with(mark)) return true;
+    if (text.substr(at).starts_with(mark)) return true;
   }
-  sink.report(rules::sml0010_yaml_syntax, *rest, "this line does not fit what stands above it");
+  sink.report(rules::sml0010_yaml_syntax, {id, at, at + 1},
+              "this line does not fit what stands above it");
   return false;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ast/keys.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -21,6 +22,8 @@ void check(const LinkedScene& scene, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(entity.parent.span, title(entity) + " is placed on " +
                                                 quoted(*entity.parent) + ", but not fixed to it");
+    const yaml::View mapping = mapping_of(use.scene.file(use.around), entity);
+    diagnostic.labels.push_back({place_to_add(mapping, "anchor"), "add `anchor` after this"});
     diagnostic.help = "add `anchor: parent`, or say `anchor: none` when it is to move freely";
   });
 }
