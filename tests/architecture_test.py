@@ -13,15 +13,16 @@ SOURCE = ROOT / "libsmurf" / "src"
 PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
 
 # Each stage and the stages it may include besides itself. An include points left only:
-# base < syntax < {ast, mesh} < link < {lint, flatten, convert} < write ; base < render ;
+# base < {archive, syntax}; syntax < {ast, mesh} < link < {lint, flatten, convert} < write ; base < render ;
 # ast < {schema, config}.
 STAGES = {
     "base": set(),
+    "archive": {"base"},
     "syntax": {"base"},
     "ast": {"base", "syntax"},
     "mesh": {"base", "syntax"},
     "schema": {"base", "syntax", "ast"},
-    "link": {"base", "syntax", "ast", "mesh"},
+    "link": {"base", "archive", "syntax", "ast", "mesh"},
     "lint": {"base", "ast", "link"},
     "config": {"base", "syntax", "ast"},
     "flatten": {"base", "syntax", "ast", "link"},
@@ -34,6 +35,7 @@ STAGES = {
 THIRD_PARTY = {
     "yaml-cpp": {"syntax"},
     "tinyxml2.h": {"syntax"},
+    "minizip": {"archive"},
     "nlohmann": {"render", "schema", "write"},
     "valijson": {"schema"},
     "Eigen": set(STAGES),

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line of smurfs-flatten: results, refusals, paths, explanations."""
+import io
 import json
 import math
 import pathlib
+import re
 import sys
+import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
@@ -199,6 +202,156 @@ class Dialects(FlattenTest):
     def test_explanations_are_of_the_documented_scene(self):
         self.expect_complaint("--explain does not go with --dialect mars",
                               "scene.smurfs", "--explain", "B", "--dialect", "mars")
+
+
+OLD_XML = """<?xml version="1.0"?>
+<SceneFile>
+  <materiallist><material><id>1</id><name>red</name>
+    <diffuseFront><r>1</r><g>0</g><b>0</b><a>1</a></diffuseFront></material></materiallist>
+  <nodelist>
+    <node name="a"><index>1</index><filename>PRIMITIVE</filename><origname>box</origname>
+      <extend><x>1</x><y>2</y><z>3</z></extend><position><x>5</x><y>0</y><z>0</z></position>
+      <material_id>1</material_id></node>
+    <node name="b"><index>2</index><relativeid>1</relativeid><filename>PRIMITIVE</filename>
+      <origname>sphere</origname><extend><x>0.5</x></extend>
+      <position><x>0</x><y>0</y><z>1</z></position></node>
+    <node name="c"><index>3</index><filename>rock.obj</filename></node>
+  </nodelist>
+  <lightlist><light><name>sun</name></light></lightlist>
+</SceneFile>
+"""
+OLD_YAML = """
+materiallist: [{id: 1, name: red, diffuseFront: {r: 1, g: 0, b: 0, a: 1}}]
+nodelist:
+- {name: a, index: 1, filename: PRIMITIVE, origname: box, extend: {x: 1, y: 2, z: 3},
+   position: {x: 5, y: 0, z: 0}, material_id: 1}
+- {name: b, index: 2, relativeid: 1, filename: PRIMITIVE, origname: sphere, extend: {x: 0.5},
+   position: {x: 0, y: 0, z: 1}}
+- {name: c, index: 3, filename: rock.obj}
+lightlist: [{name: sun}]
+"""
+
+
+def archive(files):
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as zipped:
+        for name, text in files.items():
+            zipped.writestr(name, text)
+    return data.getvalue()
+
+
+class OldScenes(FlattenTest):
+    def nodes(self, file, scene="entities:\n- {name: Old, file: FILE, position: [1, 0, 0]}\n"):
+        self.write("old.smurfs", scene.replace("FILE", file))
+        done = self.run_tool("old.smurfs", "--format", "gltf")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("the mesh", done.stderr)  # rock.obj, which glTF cannot name
+        document = json.loads(done.stdout)
+        entity = next(n for n in document["nodes"] if "extras" in n)
+        return document, entity, [document["nodes"][i] for i in entity["children"]]
+
+    def test_every_kind(self):
+        self.write("old.yml", OLD_YAML)
+        self.write("old.scene", OLD_XML)
+        self.write("old.scn", archive({"old.scene": OLD_XML}))
+        results = []
+        for file in ("old.yml", "old.scene", "old.scn"):
+            document, entity, (box, sphere) = self.nodes(file)
+            self.assertEqual(entity["translation"], [1, 0, 0])  # the node of index 1 is there
+            self.assertNotIn("translation", box)
+            self.assertEqual(box["scale"], [1, 2, 3])
+            self.assertEqual(sphere["translation"], [0, 0, 1])
+            self.assertEqual(document["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"],
+                             [1, 0, 0, 1])
+            results.append([box, sphere])
+        self.assertEqual(results[0], results[1])
+        self.assertEqual(results[0], results[2])
+
+    def test_lights(self):
+        self.write("old.yml", OLD_YAML)
+        self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
+        done = self.run_tool("old.smurfs", "--quiet")
+        self.assertEqual(json.loads(done.stdout)["lights"], [{"name": "sun"}])
+
+    def test_broken(self):
+        for data, reason in [(b"PK no", "is no zip archive"),
+                             (archive({"other.scene": OLD_XML}), "holds no `old.scene`"),
+                             (archive({"../old.scene": OLD_XML}), "is not inside it")]:
+            self.write("old.scn", data)
+            self.write("old.smurfs", "entities:\n- {name: Old, file: old.scn}\n")
+            done = self.run_tool("old.smurfs")
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn(reason, done.stderr)
+            self.assertIn("old.smurfs:2:21", done.stderr)
+
+
+class Archives(FlattenTest):
+    FILES = {"scenes/all.smurfs": SCENE.replace("models/", "../models/"), "models/box.urdf": BOX}
+
+    def test_a_scene_in_an_archive(self):
+        self.write("all.zsmurfs", archive(self.FILES))
+        flat = self.flat("all.zsmurfs")
+        self.assertEqual([i["position"] for i in flat["instances"]], [[1, 2, 3], [1, 2, 3.1]])
+        self.assertEqual(flat["scene"], "all.zsmurfs/scenes/all.smurfs")
+        self.assertEqual([p.name for p in self.folder.iterdir() if "all" in p.name],
+                         ["all.zsmurfs"])  # nothing was unpacked
+
+    def test_mistakes(self):
+        self.write("a.zsmurfs", b"no")
+        self.expect_complaint("cannot read 'a.zsmurfs': it is no zip archive", "a.zsmurfs")
+        self.write("a.zsmurfs", archive({"x.smurf": ""}))
+        self.expect_complaint("cannot read 'a.zsmurfs': it holds no .smurfs", "a.zsmurfs")
+        self.write("a.zsmurfs", archive({"x.smurfs": "", "y.smurfs": ""}))
+        self.expect_complaint("cannot read 'a.zsmurfs': it holds several .smurfs and none of its "
+                              "own name", "a.zsmurfs")
+
+
+class Assets(FlattenTest):
+    MESH = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n" \
+           "vertex 0 1 0\nendloop\nendfacet\nendsolid s\n"
+    URDF = """<?xml version="1.0"?>
+<robot name="r"><link name="l">
+  <visual><geometry><mesh filename="MESH.stl"/></geometry></visual>
+  <visual><geometry><mesh filename="more/MESH.stl"/></geometry></visual>
+</link></robot>
+"""
+
+    def setUp(self):
+        super().setUp()
+        for folder in ("models/", "models/more/"):
+            self.write(folder + "m.stl", self.MESH)
+        self.write("models/r.urdf", self.URDF.replace("MESH", "m"))
+
+    def meshes(self, output):
+        return re.findall(r"<uri>(.*?)</uri>", self.read(output))
+
+    def test_copies(self):
+        done = self.run_tool("models/r.urdf", "--format", "sdf", "-o", "out/world.sdf",
+                             "--copy-assets", "out/files", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.meshes("out/world.sdf"), ["files/r/m.stl", "files/r/2/m.stl"])
+        for file in self.meshes("out/world.sdf"):
+            self.assertEqual(self.read("out/" + file), self.MESH)
+
+    def test_from_an_archive(self):
+        self.write("r.zsmurf", archive({"r.smurf": "modelname: r\nfiles: [r.urdf]\n",
+                                        "r.urdf": self.URDF.replace("MESH", "m"),
+                                        "m.stl": self.MESH, "more/m.stl": self.MESH}))
+        done = self.run_tool("r.zsmurf", "--format", "sdf", "-o", "out/world.sdf",
+                             "--copy-assets", "out/files", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for file in self.meshes("out/world.sdf"):
+            self.assertEqual(self.read("out/" + file), self.MESH)
+
+    def test_a_refused_scene_copies_nothing(self):
+        done = self.run_tool("broken.smurfs", "--format", "sdf", "--copy-assets", "files")
+        self.assertEqual(done.returncode, 1)
+        self.assertFalse((self.folder / "files").exists())
+
+    def test_references_name_models_only(self):
+        self.expect_complaint("--copy-assets copies what models name, and needs --form expand",
+                              "scene.smurfs", "--form", "reference", "--copy-assets", "d",
+                              "--format", "sdf")
 
 
 class Mistakes(FlattenTest):

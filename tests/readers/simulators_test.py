@@ -183,6 +183,38 @@ class Mjcf(SimulatorTest):
             self.assert_links(self.poses(lines), self.flat(scene), lambda i, l: f"{i}/{l}")
 
 
+class AttachedMjcf(SimulatorTest):
+    def attached(self, scene):
+        file = self.write_scene(scene, "mjcf", "--form", "reference")
+        root = ElementTree.parse(file).getroot()
+        return file, root, [model.get("file") for model in root.findall("asset/model")]
+
+    @reader.needs_npm("@mujoco/mujoco")
+    def test_bodies_stand_where_the_links_do(self):
+        for scene in [reader.SCENES["example"], reader.SCENES["nested"],
+                      self.folder / "zoo.smurfs"]:
+            file, _, models = self.attached(scene)
+            lines = self.lines("node", HERE / "mujoco_poses.mjs", reader.NODE_MODULES, file,
+                               *models)
+            count = self.assert_links(self.poses(lines), self.flat(scene),
+                                      lambda i, l: f"{i}/{l}")
+            self.assertGreater(count, 3)
+
+    def test_what_hangs_on_links_is_welded(self):
+        _, root, models = self.attached(self.folder / "zoo.smurfs")
+        self.assertEqual(models, ["zoo.urdf", "zoo.urdf"])  # of the .smurf, and alone
+        welds = {(weld.get("body1"), weld.get("body2")) for weld in root.iter("weld")}
+        self.assertEqual(welds, {("One/tip", "Two to Go"), ("Two to Go/wheel", "Three")})
+
+    def test_meshes_are_a_loss(self):
+        done = self.run_tool(reader.SCENES["showcase"], "--format", "mjcf", "--form", "reference",
+                             "-o", "out", "--report", "json=r.json")
+        self.assertEqual(done.returncode, 0)
+        messages = [d["message"] for d in json.loads(self.read("r.json"))["diagnostics"]
+                    if d["id"] == "SML8205"]
+        self.assertTrue(any("which MuJoCo looks for beside the URDF" in m for m in messages))
+
+
 class Urdf(SimulatorTest):
     def without_joint_poses(self, scene):
         """A URDF has no joint positions, so that the scene is read with none."""

@@ -12,6 +12,7 @@
 #include "common/report.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
+#include "smurf/old_scene.hpp"
 
 namespace smurf::tools {
 
@@ -41,7 +42,9 @@ class Conversion {
   /// None when the file cannot be read; that has been said.
   std::optional<LinkedModel> load_model(const std::string& path);
   std::optional<xml::Document> load_xml(const std::string& path);
+  /// The path may be that of an archive (.zsmurf, .zsmurfs, .zsmurfa), which is read in memory.
   std::optional<LinkedScene> load_scene(const std::string& path);
+  OldScenes load_old_scenes(const LinkedScene& scene);
 
   /// Runs the rules and reports. kFindings when the result is to be refused: there is an error, or
   /// something else that reaches the threshold.
@@ -58,6 +61,7 @@ class Conversion {
   ExitCode fail() const { return kFailed; }
 
   const SourceMap& sources() const { return sources_; }
+  const FileReader& files() const { return files_; }
   DiagnosticSink& sink() { return sink_; }
 
  private:
@@ -65,6 +69,8 @@ class Conversion {
     return {sources_, files_, sink_, {}, options_.packages, package_folders_of_environment()};
   }
   std::optional<std::string> open(const std::string& path);
+  /// The path of what an archive is about, in it; none when there is none: that has been said.
+  std::optional<std::string> open_archive(const std::string& path);
   ExitCode write_reports(std::vector<Diagnostic> diagnostics, std::size_t models,
                          std::size_t scenes);
 

@@ -7,6 +7,7 @@
 #include "common/converter.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/write_scene.hpp"
+#include "smurfs-flatten/assets.hpp"
 #include "smurfs-flatten/chain.hpp"
 #include "smurfs-flatten/compare.hpp"
 
@@ -27,6 +28,7 @@ struct Options {
   bool compare_dialects = false;
   std::string form;
   std::string explained;
+  std::string assets;  ///< folder
   bool links = false;
   bool strict = false;
 };
@@ -90,6 +92,11 @@ void add_options(Command& command, Options& options) {
        .help = "Write nothing but a table of the entities that stand elsewhere, depending on the "
                "dialect; with --format json, as JSON.",
        .set = set_flag(options.compare_dialects)});
+  add({.name = "copy-assets",
+       .metavar = "DIR",
+       .help = "Copy the meshes, textures and heightmaps that the result names into DIR, and name "
+               "the copies.",
+       .set = set_text(options.assets)});
   add({.name = "explain",
        .metavar = "NAME",
        .help = "Write nothing but the chain of transforms that leads to an instance.",
@@ -107,7 +114,8 @@ Command make_command(Options& options) {
       "pose in the world.";
   command.operands = "SCENE";
   command.details =
-      "SCENE is a .smurfs or .smurfa file; a .smurf or .urdf counts as a scene of one model. Poses "
+      "SCENE is a .smurfs or .smurfa file, or a .zsmurfs archive of one; a .smurf or .urdf counts "
+      "as a scene of one model. Poses "
       "are those of the URDF root links, in metres and unit quaternions; a parent link is taken in "
       "the joint pose that its entity names. A scene with errors is refused.";
   command.options = converter_options(options.common, "Write the result to FILE; without it, or "
@@ -146,6 +154,11 @@ int explain_instance(const LinkedScene& scene, const SourceMap& sources, const O
 
 /// Whether the options fit together; a misfit has been said.
 bool check_options(const Options& options) {
+  const bool is_reference = options.form == "reference" || options.format == "smurfs";
+  if (!options.assets.empty() && is_reference) {
+    complain(kTool, "--copy-assets copies what models name, and needs --form expand");
+    return false;
+  }
   if (options.dialect == "spec") return true;
   const bool explains = !options.explained.empty();
   if (!explains && !options.compare_dialects) return true;
@@ -186,6 +199,7 @@ int main(int argc, char** argv) {
   auto scene = conversion.load_scene(options.scene);
   if (!scene) return conversion.fail();
   std::string text;
+  AssetCopies copies;
   bool is_complete = true;
   const bool is_sound = !conversion.sink().has_errors();
   if (is_sound && options.compare_dialects) {
@@ -194,7 +208,13 @@ int main(int argc, char** argv) {
     // The rules, which run later, judge the scene as documented.
     const std::vector<Instance> documented = scene->instances;
     apply_dialect(*find_dialect(options.dialect), *scene, conversion.sink());
-    const FlatScene flat = flatten(*scene, conversion.sources(), flatten_options(options));
+    const OldScenes old_scenes = conversion.load_old_scenes(*scene);
+    FlattenOptions flattening = flatten_options(options);
+    flattening.old_scenes = &old_scenes;
+    FlatScene flat = flatten(*scene, conversion.sources(), flattening);
+    if (!options.assets.empty()) {
+      copies = redirect_assets(flat, options.assets, flattening, conversion.files());
+    }
     text = format.write({.flat = flat,
                          .scene = *scene,
                          .sources = conversion.sources(),
@@ -212,5 +232,6 @@ int main(int argc, char** argv) {
     return explain_instance(*scene, conversion.sources(), options);
   }
   if (!is_complete && options.strict) return conversion.refuse("has losses");
+  if (!copy_files(kTool, copies, conversion.files())) return kFailed;
   return write_output(kTool, options.common.output, text) ? kDone : kFailed;
 }

@@ -11,6 +11,7 @@
 
 #include "smurf/flat_shape.hpp"
 #include "smurf/linked.hpp"
+#include "smurf/old_scene.hpp"
 #include "smurf/pose.hpp"
 #include "smurf/source.hpp"
 
@@ -86,6 +87,8 @@ struct FlattenOptions {
   std::string output_folder = ".";
   /// Absolute path that relative paths start from.
   std::string current_folder = "/";
+  /// What stands in the old scenes; null: their entities have no shapes.
+  const OldScenes* old_scenes = nullptr;
 };
 
 /// Total: what is in error has no pose. Nothing is read.

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "base/path.hpp"
+#include "flatten/old_shapes.hpp"
 #include "flatten/shapes.hpp"
 #include "flatten/value.hpp"
 #include "link/scene_link.hpp"
@@ -123,11 +124,26 @@ class Flattener {
       flat.properties.push_back({key.name.value, to_value({*file.document, key.node})});
     }
     if (!instance.model) flat.shapes = shapes_of(flat, entity.position.written);
+    if (is_old_scene(instance.type)) add_old_scene(instance, flat);
     if (const LinkedModel* model = scene_.model(instance)) {
       add_joints(instance, *model, flat);
       if (options_.links) add_links(instance, *model, flat);
     }
     return flat;
+  }
+
+  void add_old_scene(const Instance& instance, FlatInstance& flat) {
+    if (options_.old_scenes == nullptr) return;
+    const auto file = options_.old_scenes->find(instance.file);
+    if (file == options_.old_scenes->end()) return;
+    OldSceneContent content =
+        old_scene_content(file->second, instance.file, !instance.name.empty());
+    for (FlatShape& shape : content.shapes) {
+      if (auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) mesh->file = relative(mesh->file);
+    }
+    flat.shapes = std::move(content.shapes);
+    // Lights are in the world frame, wherever their scene is placed.
+    for (Value& light : content.lights) flat_.lights.push_back(std::move(light));
   }
 
   void add_joints(const Instance& instance, const LinkedModel& model, FlatInstance& flat) {

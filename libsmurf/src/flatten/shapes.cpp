@@ -10,15 +10,6 @@
 namespace smurf {
 namespace {
 
-const Value::Object* object_of(const Value* value) {
-  return value != nullptr ? std::get_if<Value::Object>(&value->data) : nullptr;
-}
-
-std::string text_of(const Value* value) {
-  const auto* text = value != nullptr ? std::get_if<std::string>(&value->data) : nullptr;
-  return text != nullptr ? *text : std::string();
-}
-
 /// A length from the first of the keys that holds one.
 double length_of(const Value::Object& object, std::initializer_list<std::string_view> keys,
                  double fallback) {
@@ -69,6 +60,15 @@ FlatGeometry heightmap(const FlatInstance& instance) {
 }
 
 }  // namespace
+
+const Value::Object* object_of(const Value* value) {
+  return value != nullptr ? std::get_if<Value::Object>(&value->data) : nullptr;
+}
+
+std::string text_of(const Value* value) {
+  const auto* text = value != nullptr ? std::get_if<std::string>(&value->data) : nullptr;
+  return text != nullptr ? *text : std::string();
+}
 
 const Value* find(const Value::Object& object, std::string_view key) {
   for (const ValueMember& member : object) {

@@ -6,36 +6,15 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
-#include "write/scene_losses.hpp"
-#include "write/scene_parts.hpp"
-#include "write/xml_text.hpp"
+#include "write/mjcf_attach.hpp"
+#include "write/mjcf_parts.hpp"
 
 namespace smurf {
 namespace {
 
-std::string quaternion_text(const Quaternion& q) { return join_numbers({q.w, q.x, q.y, q.z}); }
-
-/// R I R^T in MuJoCo's order: MuJoCo takes no orientation together with a full tensor.
-std::string full_inertia(const LinkInertial& mass) {
-  const std::array<double, 9> R = to_matrix(mass.X_LC.orientation);
-  const std::array<double, 9> I{mass.ixx, mass.ixy, mass.ixz, mass.ixy, mass.iyy,
-                                mass.iyz, mass.ixz, mass.iyz, mass.izz};
-  std::array<double, 9> rotated{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t l = 0; l < 3; ++l) {
-          rotated[3 * i + j] += R[3 * i + k] * I[3 * k + l] * R[3 * j + l];
-        }
-      }
-    }
-  }
-  return join_numbers({rotated[0], rotated[4], rotated[8], rotated[1], rotated[2], rotated[5]});
-}
-
-class MjcfWriter {
+class MjcfWriter : MjcfParts {
  public:
-  explicit MjcfWriter(const SceneExport& scene) : scene_(scene), losses_(scene, "MJCF") {}
+  using MjcfParts::MjcfParts;
 
   std::string run() {
     find_children();
@@ -49,27 +28,13 @@ class MjcfWriter {
     }
     xml_.close();
     add_equalities();
-    if (!start_.empty()) {
-      xml_.open("keyframe");
-      xml_.empty("key", {{"name", "initial"}, {"qpos", start_}});
-      xml_.close();
-    }
-    using enum SceneLosses::World;
-    losses_.world({solver, environment});
-    losses_.annotations_and_properties();
-    return xml_.finish();
+    add_keyframe();
+    return finish();
   }
 
  private:
   using PlaceOfLink = std::pair<std::size_t, std::size_t>;  ///< instance, link
 
-  std::size_t count() const { return scene_.flat.instances.size(); }
-  const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
-  const Instance& linked(std::size_t i) const { return scene_.scene.instances[i]; }
-  const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
-  std::string name(std::size_t i, std::string_view part) const {
-    return flat(i).path + "/" + std::string(part);
-  }
   /// What hangs on which link. A circle of anchors is cut at its end.
   void find_children() {
     const std::vector<std::size_t> ends = anchor_groups(scene_.scene);
@@ -89,26 +54,6 @@ class MjcfWriter {
     }
   }
 
-  void add_settings() {
-    // Bodies without mass stay so: the weight of a model is not to be guessed from its shapes.
-    xml_.empty("compiler", {{"angle", "radian"},
-                            {"boundmass", "0"},
-                            {"balanceinertia", "false"},
-                            {"inertiafromgeom", "false"}});
-    const FlatPhysics& physics = scene_.flat.physics;
-    const Vector3 gravity = physics.gravity.value_or(Vector3{0, 0, -9.81});
-    xml_.empty("option", {{"timestep", format_number(physics.step_size.value_or(0.01))},
-                          {"gravity", join_numbers(gravity)}});
-    xml_.open("default");
-    xml_.open("default", {{"class", "visual"}});
-    xml_.empty("geom", {{"contype", "0"}, {"conaffinity", "0"}, {"group", "2"}});
-    xml_.close();
-    xml_.open("default", {{"class", "collision"}});
-    xml_.empty("geom", {{"group", "3"}});
-    xml_.close();
-    xml_.close();
-  }
-
   /// Meshes and heightmaps are declared once, and only those that MuJoCo can read.
   void add_assets() {
     xml_.open("asset");
@@ -121,21 +66,7 @@ class MjcfWriter {
           add_mesh(m, shape.geometry, shape.span);
       }
     }
-    for (std::size_t i = 0; i < count(); ++i) {
-      for (const FlatShape& shape : flat(i).shapes) {
-        const auto* map = std::get_if<FlatHeightmap>(&shape.geometry);
-        if (map == nullptr || !flat(i).X_WE) continue;
-        if (path::to_lower(path::extension(map->file)) != ".png") {
-          losses_.entity(i, "MuJoCo reads heightmaps from PNG files only");
-          continue;
-        }
-        heightmaps_.insert(i);
-        xml_.empty("hfield", {{"name", flat(i).path},
-                              {"file", map->file},
-                              {"size", join_numbers({map->length / 2, map->width / 2, map->height,
-                                                     map->height / 10 + 0.01})}});
-      }
-    }
+    add_heightmaps();
     xml_.close();
   }
 
@@ -164,36 +95,12 @@ class MjcfWriter {
                {{"name", mesh_name}, {"file", mesh->file}, {"scale", join_numbers(mesh->scale)}});
   }
 
-  void add_lights() {
-    for (const Light* light : world_lights(scene_.scene)) {
-      const Rgba white{1, 1, 1, 1};
-      const auto rgb = [](const Rgba& color) {
-        return join_numbers({color[0], color[1], color[2]});
-      };
-      const bool is_spot = light->type.value_or(1) == 2;
-      xml_.empty("light",
-                 {{"pos", join_numbers(light->position.value_or({0, 0, 0}))},
-                  {"dir", join_numbers(direction_of(*light))},
-                  {"directional", light->directional.value_or(false) ? "true" : "false"},
-                  {"attenuation", join_numbers({light->constant_attenuation.value_or(1),
-                                                light->linear_attenuation.value_or(0),
-                                                light->quadratic_attenuation.value_or(0)})},
-                  {"cutoff", format_number(is_spot ? light->angle.value_or(90) : 180)},
-                  {"exponent", format_number(light->exponent.value_or(0))},
-                  {"ambient", rgb(color_or(light->ambient, {0, 0, 0, 1}))},
-                  {"diffuse", rgb(color_or(light->diffuse, white))},
-                  {"specular", rgb(color_or(light->specular, {0.3, 0.3, 0.3, 1}))}});
-    }
-  }
-
   void add_top_level(std::size_t i) {
     if (robot_of(i) != nullptr) {
       const bool is_free = flat(i).anchor.kind != Attachment::Kind::world;
       add_robot(i, is_free);
-    } else if (!flat(i).shapes.empty()) {
-      add_solid(i);
     } else {
-      losses_.entity(i, "MuJoCo knows no entities of type `" + flat(i).type + "`");
+      add_solid(i);
     }
   }
 
@@ -259,9 +166,7 @@ class MjcfWriter {
                        {"quat", quaternion_text(pose.orientation)}});
     bool moves = is_free;
     if (is_free) {
-      // Not <freejoint/>, which DART takes for a weld.
-      xml_.empty("joint", {{"name", name(i, "free")}, {"type", "free"}});
-      add_start(join_numbers(pose.position) + " " + quaternion_text(pose.orientation));
+      add_free_joint(i);
     }
     if (joint != nullptr) moves = add_joint(i, model, *joint);
     auto mass = inertial_of(model.robot->links[link]);
@@ -307,93 +212,33 @@ class MjcfWriter {
     const FlatModel& flat_model = scene_.flat.models[*flat(i).model];
     for (const urdf::Visual& visual : link.visuals) {
       if (const auto geometry = to_flat(visual.geometry, flat_model)) {
-        add_geom("visual", urdf::to_pose(visual.origin), *geometry, color_of(visual, *model.robot));
+        add_link_geom("visual", urdf::to_pose(visual.origin), *geometry,
+                      color_of(visual, *model.robot));
       }
     }
     for (const urdf::Collision& collision : link.collisions) {
       if (const auto geometry = to_flat(collision.geometry, flat_model)) {
-        add_geom("collision", urdf::to_pose(collision.origin), *geometry, std::nullopt);
+        add_link_geom("collision", urdf::to_pose(collision.origin), *geometry, std::nullopt);
       }
     }
   }
 
-  /// Type and size attributes of a geom; none for what is no geom of MuJoCo's or is reported.
-  std::optional<std::pair<std::string, std::string>> geom_of(const FlatGeometry& geometry) const {
-    using Geom = std::pair<std::string, std::string>;
-    if (const auto* box = std::get_if<FlatBox>(&geometry)) {
-      return Geom{"box", join_numbers({box->size[0] / 2, box->size[1] / 2, box->size[2] / 2})};
-    }
-    if (const auto* sphere = std::get_if<FlatSphere>(&geometry)) {
-      return Geom{"sphere", join_numbers({sphere->radius})};
-    }
-    if (const auto* cylinder = std::get_if<FlatCylinder>(&geometry)) {
-      return Geom{"cylinder", join_numbers({cylinder->radius, cylinder->length / 2})};
-    }
-    if (const auto* capsule = std::get_if<FlatCapsule>(&geometry)) {
-      return Geom{"capsule", join_numbers({capsule->radius, capsule->length / 2})};
-    }
-    if (const auto* plane = std::get_if<FlatPlane>(&geometry)) {
-      return Geom{"plane", join_numbers({plane->length / 2, plane->width / 2, 1})};
-    }
-    return std::nullopt;
-  }
-
-  void add_geom(const std::string& geom_class, const Pose& pose, const FlatGeometry& geometry,
-                const std::optional<Rgba>& color) {
-    const std::string position = join_numbers(pose.position);
-    const std::string rotation = quaternion_text(pose.orientation);
-    const Rgba c = color.value_or(Rgba{0.5, 0.5, 0.5, 1});
-    const std::string rgba = join_numbers({c[0], c[1], c[2], c[3]});
-    if (const auto* mesh = std::get_if<FlatMesh>(&geometry)) {
-      const auto known = meshes_.find(mesh_key(*mesh));
-      if (known == meshes_.end()) return;
-      xml_.empty("geom", {{"class", geom_class},
-                          {"type", "mesh"},
-                          {"mesh", known->second},
-                          {"pos", position},
-                          {"quat", rotation},
-                          {"rgba", rgba}});
-    } else if (const auto geom = geom_of(geometry)) {
-      xml_.empty("geom", {{"class", geom_class},
-                          {"type", geom->first},
-                          {"size", geom->second},
-                          {"pos", position},
-                          {"quat", rotation},
-                          {"rgba", rgba}});
-    }
-  }
-
-  void add_solid(std::size_t i) {
-    const FlatInstance& instance = flat(i);
-    const bool moves = is_movable(instance);
-    if (std::holds_alternative<FlatHeightmap>(instance.shapes.front().geometry)) {
-      if (!heightmaps_.contains(i)) return;
-      xml_.empty("geom", {{"class", "collision"},
-                          {"type", "hfield"},
-                          {"hfield", instance.path},
-                          {"pos", join_numbers(instance.X_WE->position)},
-                          {"quat", quaternion_text(instance.X_WE->orientation)}});
+  void add_link_geom(const std::string& geom_class, const Pose& pose, const FlatGeometry& geometry,
+                     const std::optional<Rgba>& color) {
+    const auto* mesh = std::get_if<FlatMesh>(&geometry);
+    if (mesh == nullptr) {
+      add_geom(geom_class, pose, geometry, color);
       return;
     }
-    if (moves) {
-      xml_.open("body", {{"name", name(i, "link")},
-                         {"pos", join_numbers(instance.X_WE->position)},
-                         {"quat", quaternion_text(instance.X_WE->orientation)}});
-      xml_.empty("joint", {{"name", name(i, "free")}, {"type", "free"}});
-      add_start(join_numbers(instance.X_WE->position) + " " +
-                quaternion_text(instance.X_WE->orientation));
-      LinkInertial mass = solid_mass(instance.shapes.front().geometry, mass_of(instance));
-      mass.X_LC = instance.shapes.front().X_ES;
-      xml_.empty("inertial", {{"pos", join_numbers(mass.X_LC.position)},
-                              {"mass", format_number(mass.mass)},
-                              {"fullinertia", full_inertia(mass)}});
-    }
-    // Planes stand in the world body only, so that what does not move has no body.
-    for (const FlatShape& shape : instance.shapes) {
-      add_geom("collision", moves ? shape.X_ES : *instance.X_WE * shape.X_ES, shape.geometry,
-               shape.color);
-    }
-    if (moves) xml_.close();
+    const auto known = meshes_.find(mesh_key(*mesh));
+    if (known == meshes_.end()) return;
+    const Rgba c = color.value_or(Rgba{0.5, 0.5, 0.5, 1});
+    xml_.empty("geom", {{"class", geom_class},
+                        {"type", "mesh"},
+                        {"mesh", known->second},
+                        {"pos", join_numbers(pose.position)},
+                        {"quat", quaternion_text(pose.orientation)},
+                        {"rgba", join_numbers({c[0], c[1], c[2], c[3]})}});
   }
 
   void add_equalities() {
@@ -409,24 +254,23 @@ class MjcfWriter {
     xml_.close();
   }
 
-  const SceneExport& scene_;
-  SceneLosses losses_;
   std::vector<bool> is_top_level_;
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
   std::map<std::string, std::string> meshes_;  ///< mesh_key -> name
-  std::set<std::size_t> heightmaps_;           ///< instances whose hfield is declared
   std::set<const urdf::Joint*> reported_;
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;
-  std::string start_;  ///< qpos
-  LinkFrames frames_;
-  XmlText xml_;
 };
 
 }  // namespace
 
 extern constinit const SceneFormat scene_mjcf{
     .name = "mjcf",
-    .help = "a MuJoCo world, for version 2.2 and later",
-    .write = [](const SceneExport& scene) { return MjcfWriter(scene).run(); }};
+    .help = "a MuJoCo world, for version 2.2 and later; with --form reference, which attaches the "
+            "URDFs, for 3.2 and later",
+    .write =
+        [](const SceneExport& scene) {
+          return scene.form == SceneForm::expand ? MjcfWriter(scene).run() : write_attached(scene);
+        },
+    .has_reference_form = true};
 
 }  // namespace smurf

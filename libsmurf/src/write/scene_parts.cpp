@@ -159,6 +159,7 @@ double start_position(const LinkedModel& model, const urdf::Joint& joint,
 }
 
 bool is_movable(const FlatInstance& instance) {
+  if (is_old_scene(instance.type)) return false;
   const Value* movable = find(instance.properties, "movable");
   if (const bool* given = movable != nullptr ? std::get_if<bool>(&movable->data) : nullptr) {
     return *given;

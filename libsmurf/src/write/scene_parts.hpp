@@ -50,7 +50,8 @@ LinkInertial solid_mass(const FlatGeometry& geometry, double mass);
 double start_position(const LinkedModel& model, const urdf::Joint& joint,
                       const JointPositions& positions);
 
-/// Whether an entity without model can move, and its mass in kg (MARS: `movable`, `mass`).
+/// Whether an entity without model can move, and its mass in kg (MARS: `movable`, `mass`). Old
+/// scenes stand still as a whole.
 bool is_movable(const FlatInstance& instance);
 double mass_of(const FlatInstance& instance);
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes of MARS before SMURF: entities of type scn (a zip with XML in it), scene (XML) and yml.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "smurf/linked.hpp"
+#include "smurf/load.hpp"
+#include "smurf/xml.hpp"
+#include "smurf/yaml.hpp"
+
+namespace smurf {
+
+/// One of the two is there.
+struct OldSceneFile {
+  std::optional<yaml::Document> yaml;
+  std::optional<xml::Document> xml;
+};
+
+/// By the path of the entity's file.
+using OldScenes = std::map<std::string, OldSceneFile, std::less<>>;
+
+/// Reads the old scenes that a scene names, each once. What cannot be read is reported and absent.
+OldScenes load_old_scenes(const LinkedScene& scene, LoadContext& context);
+
+}  // namespace smurf

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "archive/zip.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+
+#include <minizip/unzip.h>
+
+#include "base/path.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::size_t kMostFiles = 10'000;
+
+/// What minizip takes for a file.
+struct Memory {
+  std::string_view bytes;
+  std::size_t at = 0;
+};
+
+Memory& memory(voidpf stream) { return *static_cast<Memory*>(stream); }
+
+voidpf open_memory(voidpf opaque, const void* /*name*/, int /*mode*/) { return opaque; }
+
+uLong read_memory(voidpf /*opaque*/, voidpf stream, void* buffer, uLong size) {
+  Memory& file = memory(stream);
+  const std::size_t count = std::min<std::size_t>(size, file.bytes.size() - file.at);
+  if (count > 0) std::memcpy(buffer, file.bytes.data() + file.at, count);
+  file.at += count;
+  return static_cast<uLong>(count);
+}
+
+ZPOS64_T tell_memory(voidpf /*opaque*/, voidpf stream) { return memory(stream).at; }
+
+long seek_memory(voidpf /*opaque*/, voidpf stream, ZPOS64_T offset, int origin) {
+  Memory& file = memory(stream);
+  const std::size_t base = origin == ZLIB_FILEFUNC_SEEK_CUR   ? file.at
+                           : origin == ZLIB_FILEFUNC_SEEK_END ? file.bytes.size()
+                                                              : 0;
+  const std::size_t target = base + static_cast<std::size_t>(offset);
+  if (target > file.bytes.size()) return -1;
+  file.at = target;
+  return 0;
+}
+
+int close_memory(voidpf /*opaque*/, voidpf /*stream*/) { return 0; }
+int error_of_memory(voidpf /*opaque*/, voidpf /*stream*/) { return 0; }
+
+struct Close {
+  void operator()(unzFile file) const { unzClose(file); }
+};
+using Zip = std::unique_ptr<std::remove_pointer_t<unzFile>, Close>;
+
+bool is_inside(std::string_view path) {
+  if (path.empty() || path::is_absolute(path) || path.find('\\') != std::string_view::npos ||
+      path.find('\0') != std::string_view::npos) {
+    return false;
+  }
+  return !path::normalize(path).starts_with("..");
+}
+
+class Reader {
+ public:
+  Reader(std::string_view bytes, std::uint64_t max_bytes) : file_{bytes}, left_(max_bytes) {}
+
+  Archive run() {
+    zlib_filefunc64_def functions{};
+    functions.zopen64_file = open_memory;
+    functions.zread_file = read_memory;
+    functions.ztell64_file = tell_memory;
+    functions.zseek64_file = seek_memory;
+    functions.zclose_file = close_memory;
+    functions.zerror_file = error_of_memory;
+    functions.opaque = &file_;
+    const Zip zip(unzOpen2_64(nullptr, &functions));
+    if (!zip) return fail("is no zip archive");
+    int status = unzGoToFirstFile(zip.get());
+    for (; status == UNZ_OK; status = unzGoToNextFile(zip.get())) {
+      if (!add_file(zip.get())) return std::move(archive_);
+    }
+    if (status != UNZ_END_OF_LIST_OF_FILE) return fail("is a broken zip archive");
+    std::sort(archive_.files.begin(), archive_.files.end(),
+              [](const ArchivedFile& a, const ArchivedFile& b) { return a.path < b.path; });
+    return std::move(archive_);
+  }
+
+ private:
+  Archive fail(std::string reason) {
+    archive_ = {{}, std::move(reason)};
+    return std::move(archive_);
+  }
+
+  bool refuse(std::string reason) {
+    archive_ = {{}, std::move(reason)};
+    return false;
+  }
+
+  bool add_file(unzFile zip) {
+    unz_file_info64 info{};
+    std::string name(1024, '\0');
+    if (unzGetCurrentFileInfo64(zip, &info, name.data(), name.size(), nullptr, 0, nullptr, 0) !=
+        UNZ_OK) {
+      return refuse("is a broken zip archive");
+    }
+    if (info.size_filename >= name.size()) return refuse("holds a file with too long a name");
+    name.resize(info.size_filename);
+    if (name.ends_with('/')) return true;  // a folder
+    if (!is_inside(name)) return refuse("holds the file '" + name + "', which is not inside it");
+    if (archive_.files.size() >= kMostFiles) return refuse("holds too many files");
+    if ((info.flag & 1U) != 0) return refuse("is encrypted");
+    std::string text;
+    if (!read(zip, text)) return false;
+    archive_.files.push_back({path::normalize(name), std::move(text)});
+    return true;
+  }
+
+  /// The size that the archive states is not believed.
+  bool read(unzFile zip, std::string& text) {
+    if (unzOpenCurrentFile(zip) != UNZ_OK) return refuse("is a broken zip archive");
+    char buffer[1U << 16U];
+    int count = 0;
+    while ((count = unzReadCurrentFile(zip, buffer, sizeof buffer)) > 0) {
+      if (static_cast<std::uint64_t>(count) > left_) return refuse("unpacks to too much");
+      left_ -= static_cast<std::uint64_t>(count);
+      text.append(buffer, static_cast<std::size_t>(count));
+    }
+    // Closing compares the checksum.
+    if (count < 0 || unzCloseCurrentFile(zip) != UNZ_OK) return refuse("is a broken zip archive");
+    return true;
+  }
+
+  Memory file_;
+  std::uint64_t left_;
+  Archive archive_;
+};
+
+}  // namespace
+
+Archive read_zip(std::string_view bytes, std::uint64_t max_bytes) {
+  return Reader(bytes, max_bytes).run();
+}
+
+}  // namespace smurf

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keys as MARS reads them (NodeData.cpp:98-286, MaterialData.cpp, Load.cpp:228-268).
+#include "flatten/old_shapes.hpp"
+
+#include <unordered_map>
+
+#include "base/numbers.hpp"
+#include "base/path.hpp"
+#include "flatten/shapes.hpp"
+#include "flatten/value.hpp"
+
+namespace smurf {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+/// Elements by their names, attributes first; an element without elements is its text.
+Value to_value(xml::View element) {
+  Value::Object object;
+  for (const xml::Attribute* attribute = element.attributes_begin();
+       attribute != element.attributes_end(); ++attribute) {
+    object.push_back({std::string(attribute->name), {std::string(attribute->value)}});
+  }
+  for (const xml::View child : element) {
+    object.push_back({std::string(child.name()), to_value(child)});
+  }
+  if (!object.empty()) return {std::move(object)};
+  const std::string_view text = trimmed(element.element().text);
+  if (const auto number = parse_number(text)) return {*number};
+  return {std::string(text)};
+}
+
+/// The items of a list: a sequence in YAML, elements in an element in XML.
+std::vector<const Value::Object*> items(const Value::Object& root, std::string_view key) {
+  std::vector<const Value::Object*> objects;
+  const auto add = [&](const Value& value) {
+    if (const Value::Object* object = object_of(&value)) objects.push_back(object);
+  };
+  const Value* list = find(root, key);
+  if (list == nullptr) return objects;
+  if (const auto* sequence = std::get_if<Value::List>(&list->data)) {
+    for (const Value& value : *sequence) add(value);
+  } else if (const Value::Object* elements = object_of(list)) {
+    for (const ValueMember& member : *elements) add(member.value);
+  }
+  return objects;
+}
+
+double component(const Value::Object& object, std::string_view key, double fallback) {
+  return number_of(find(object, key)).value_or(fallback);
+}
+
+Vector3 vector_of(const Value::Object& object, std::string_view key) {
+  const Value::Object* vector = object_of(find(object, key));
+  if (vector == nullptr) return {};
+  return {component(*vector, "x", 0), component(*vector, "y", 0), component(*vector, "z", 0)};
+}
+
+/// A quaternion, or angles in degrees.
+Quaternion rotation_of(const Value::Object& node) {
+  const Value::Object* rotation = object_of(find(node, "rotation"));
+  if (rotation == nullptr) return {};
+  if (find(*rotation, "alpha") != nullptr) {
+    return from_rpy_degrees({component(*rotation, "alpha", 0), component(*rotation, "beta", 0),
+                             component(*rotation, "gamma", 0)});
+  }
+  const Quaternion q{component(*rotation, "w", 1), component(*rotation, "x", 0),
+                     component(*rotation, "y", 0), component(*rotation, "z", 0)};
+  return norm(q) > 1e-6 ? normalized(q) : Quaternion{};
+}
+
+class NodeReader {
+ public:
+  NodeReader(const Value::Object& root, const std::string& path) : folder_(path::parent(path)) {
+    read_colors(root);
+    for (const Value::Object* data : items(root, "nodelist")) {
+      const Pose own{vector_of(*data, "position"), rotation_of(*data)};
+      const auto index = static_cast<long>(component(*data, "index", 0));
+      by_index_.emplace(index, nodes_.size());
+      nodes_.push_back({data, static_cast<long>(component(*data, "relativeid", 0)), own, false});
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) compose(i);
+  }
+
+  std::vector<FlatShape> shapes(bool is_named) const {
+    const auto root = by_index_.find(1);
+    const bool moves = is_named && root != by_index_.end();
+    const Pose X_ES = moves ? inverse(nodes_[root->second].X_SN) : Pose{};
+    std::vector<FlatShape> shapes;
+    for (const Node& node : nodes_) {
+      const auto geometry = geometry_of(*node.data);
+      if (!geometry) continue;
+      shapes.push_back({text_of(find(*node.data, "name")), moves ? X_ES * node.X_SN : node.X_SN,
+                        *geometry, color_of(*node.data)});
+    }
+    return shapes;
+  }
+
+ private:
+  struct Node {
+    const Value::Object* data = nullptr;
+    long relative_to = 0;
+    Pose X_SN;  ///< in the old scene, once it is composed
+    bool is_composed = false;
+  };
+
+  void read_colors(const Value::Object& root) {
+    for (const Value::Object* material : items(root, "materiallist")) {
+      const Value::Object* color = object_of(find(*material, "diffuseFront"));
+      if (color == nullptr) color = object_of(find(*material, "diffuseColor"));
+      if (color == nullptr) continue;
+      const Rgba rgba{component(*color, "r", 0), component(*color, "g", 0),
+                      component(*color, "b", 0), component(*color, "a", 1)};
+      if (const auto id = number_of(find(*material, "id"))) {
+        colors_.emplace(format_number(*id), rgba);
+      }
+      colors_.emplace("name " + text_of(find(*material, "name")), rgba);
+    }
+  }
+
+  std::optional<Rgba> color_of(const Value::Object& node) const {
+    const auto id = number_of(find(node, "material_id"));
+    const auto known =
+        colors_.find(id ? format_number(*id) : "name " + text_of(find(node, "materialName")));
+    if (known == colors_.end()) return std::nullopt;
+    return known->second;
+  }
+
+  /// A node may be placed relative to another one. A circle ends where it began.
+  void compose(std::size_t index) {
+    std::vector<std::size_t> chain;
+    for (std::size_t at = index; !nodes_[at].is_composed;) {
+      nodes_[at].is_composed = true;
+      chain.push_back(at);
+      const auto parent = by_index_.find(nodes_[at].relative_to);
+      if (nodes_[at].relative_to == 0 || parent == by_index_.end()) break;
+      at = parent->second;
+    }
+    for (; !chain.empty(); chain.pop_back()) {
+      Node& node = nodes_[chain.back()];
+      const auto parent = by_index_.find(node.relative_to);
+      if (node.relative_to == 0 || parent == by_index_.end()) continue;
+      node.X_SN = nodes_[parent->second].X_SN * node.X_SN;
+    }
+  }
+
+  std::optional<FlatGeometry> geometry_of(const Value::Object& node) const {
+    const std::string file = text_of(find(node, "filename"));
+    const std::string original = text_of(find(node, "origname"));
+    if (!file.empty() && file != "PRIMITIVE") return FlatMesh{path::join(folder_, file)};
+    const std::string type = original.empty() ? text_of(find(node, "physicmode")) : original;
+    const Vector3 extent = vector_of(node, "extend");
+    if (type == "plane") return FlatPlane{extent[0], extent[1]};
+    if (type == "box") return FlatBox{extent};
+    if (type == "sphere") return FlatSphere{extent[0]};
+    if (type == "cylinder") return FlatCylinder{extent[0], extent[1]};
+    if (type == "capsule") return FlatCapsule{extent[0], extent[1]};
+    return std::nullopt;
+  }
+
+  std::string folder_;
+  std::vector<Node> nodes_;
+  std::unordered_map<long, std::size_t> by_index_;
+  std::unordered_map<std::string, Rgba> colors_;
+};
+
+}  // namespace
+
+OldSceneContent old_scene_content(const OldSceneFile& file, const std::string& path,
+                                  bool is_named) {
+  Value root;
+  if (file.xml && file.xml->view()) root = to_value(file.xml->view());
+  if (file.yaml && file.yaml->view()) root = smurf::to_value(file.yaml->view());
+  const Value::Object* object = object_of(&root);
+  if (object == nullptr) return {};
+  OldSceneContent content{NodeReader(*object, path).shapes(is_named), {}};
+  for (const Value::Object* light : items(*object, "lightlist")) content.lights.push_back({*light});
+  return content;
+}
+
+}  // namespace smurf

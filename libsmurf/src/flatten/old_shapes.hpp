@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What stands in the scenes of MARS before SMURF.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "smurf/flatten.hpp"
+#include "smurf/old_scene.hpp"
+
+namespace smurf {
+
+struct OldSceneContent {
+  std::vector<FlatShape> shapes;  ///< files of meshes are as MARS finds them
+  Value::List lights;
+};
+
+/// The nodes of an old scene, seen from the entity that names it: a named entity moves the node of
+/// index 1, and all others with it (MARS SMURFLoader.cpp:337-349).
+OldSceneContent old_scene_content(const OldSceneFile& file, const std::string& path, bool is_named);
+
+}  // namespace smurf

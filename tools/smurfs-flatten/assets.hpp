@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --copy-assets: a result that does not need the folders of its models.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+#include "smurf/flatten.hpp"
+
+namespace smurf::tools {
+
+/// Files to copy, as (from, to).
+using AssetCopies = std::vector<std::pair<std::string, std::string>>;
+
+/// Makes the meshes, textures and heightmaps of a scene name copies in `folder`, in a folder a
+/// model. Files that do not exist keep their names. Nothing is copied yet.
+AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
+                            const FlattenOptions& options, const FileReader& files);
+
+/// False when a file cannot be copied; that has been said.
+bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files);
+
+}  // namespace smurf::tools
