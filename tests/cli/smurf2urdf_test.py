@@ -107,6 +107,15 @@ class Options(ExportTest):
         self.assertNotIn("tool_flange_mount", text)
         self.assertIn('filename="arm/meshes/upper_arm.obj"', text)
 
+    def test_versions_that_urdfdom_does_not_know(self):
+        self.assertIn('version="1.1"', self.export("--urdf-version", "1.1"))
+
+    def test_what_a_preset_keeps(self):
+        """MuJoCo reads its own settings from an extension."""
+        self.write("arm/urdf/arm.urdf", self.source().replace(
+            "</robot>", '  <mujoco><compiler meshdir="../meshes"/></mujoco>\n</robot>'))
+        self.assertIn("<mujoco>", self.export("--preset", "mujoco"))
+
     def test_packages(self):
         self.assertIn('filename="package://arm_description/meshes/upper_arm.obj"',
                       self.export("--mesh-uri", "package", "--package-name", "arm_description"))

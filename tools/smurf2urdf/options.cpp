@@ -55,11 +55,10 @@ constexpr Preset kPresets[] = {
        wanted.strips_comments = true;
      }},
     // None of these three knows packages without being told their folders.
-    {"mujoco", "--apply limits,dynamics,materials --mesh-uri relative --vendor strip",
+    {"mujoco", "--apply limits,dynamics,materials --mesh-uri relative",
      [](UrdfExport& wanted) {
        wanted.apply.limits = wanted.apply.dynamics = wanted.apply.materials = true;
        wanted.mesh_uri = MeshUri::relative;
-       wanted.strips_extensions = true;
      }},
     {"pybullet", "--apply limits,dynamics,materials --mesh-uri relative",
      [](UrdfExport& wanted) {
