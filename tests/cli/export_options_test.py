@@ -3,7 +3,8 @@
 
 smurf2urdf proves each result: link poses, total mass, centre of mass and inertia, and limits. So
 what is left to check is that it finds nothing to refuse, and that a second time changes nothing.
-Prints the largest differences that --prove found.
+Prints the largest differences that --prove found, and for --collapse-fixed what this test computes
+on its own.
 
 Usage: export_options_test.py SMURF2URDF FOLDER
 """
@@ -12,6 +13,9 @@ import re
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as ElementTree
+
+import mass_properties
 
 OPTIONS = [
     ["--collapse-fixed"],
@@ -23,6 +27,7 @@ ONCE = [["--prefix", "p_"]]  # add up when they are repeated
 
 
 TOLERANCE = 1e-12  # relative, or m and rad
+compared = 0  # robots whose masses this test could compute
 largest = {}  # difference by what was compared
 
 
@@ -40,6 +45,18 @@ def export(tool, source, target, options):
     return None if done.returncode == 0 else f"{source} {options}: {done.stderr[-300:]}"
 
 
+def note_masses(source, collapsed):
+    """Where Python's strict reader and plain numbers will do."""
+    try:
+        before, after = mass_properties.total(source), mass_properties.total(collapsed)
+    except (ElementTree.ParseError, ValueError, AttributeError, RecursionError, KeyError):
+        return
+    what = "masses, computed here"
+    largest[what] = max(largest.get(what, 0), mass_properties.difference(before, after))
+    global compared
+    compared += 1
+
+
 def main():
     tool, root = sys.argv[1], pathlib.Path(sys.argv[2])
     if not root.is_dir():
@@ -54,6 +71,8 @@ def main():
             count += 1
             for options in OPTIONS + ONCE:
                 failure = export(tool, source, first, options)
+                if failure is None and options == ["--collapse-fixed"]:
+                    note_masses(source, first)
                 if failure is None and options not in ONCE:
                     failure = export(tool, first, second, options)
                     if failure is None and first.read_bytes() != second.read_bytes():
@@ -61,6 +80,7 @@ def main():
                 if failure is not None:
                     failures.append(failure)
     print(f"{count} URDFs, {len(OPTIONS) + len(ONCE)} exports of each; largest differences:")
+    print(f"  masses of {compared} robots were computed here as well")
     for what, figure in largest.items():
         print(f"  {what:28s}{figure:.2g}")
         # Places far from the origin are compared relative to their distance, by the tool.

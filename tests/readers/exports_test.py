@@ -183,6 +183,18 @@ def check(reader, command, robots, failures):
     return f"{reader:12s} {len(loaded):7d} " + " ".join(f"{cell:>13s}" for cell in cells)
 
 
+def check_mujoco_with_meshes(exporter, build, failures):
+    """--preset mujoco: the meshes are found where they are, not where MuJoCo looks by itself."""
+    if not (build / "mujoco_poses").exists():
+        return
+    model = HERE.parent.parent / "fixtures/models/arm/smurf/arm.smurf"
+    output = exporter.folder / "mujoco.urdf"
+    exporter.run(exporter.smurf2urdf, model, "-o", output, "--preset", "mujoco", "--quiet")
+    done = exporter.run(build / "mujoco_poses", output)
+    if "pose\tforearm\t" not in done.stdout:
+        failures.append(f"MuJoCo does not load the export of its preset: {done.stderr[-300:]}")
+
+
 def sources(folders):
     for folder in folders:
         for path in sorted(folder.rglob("*")):
@@ -211,6 +223,7 @@ def main():
                 print(f"{reader:12s} skipped: it is not installed; see scripts/setup --readers")
             elif robots:
                 print(check(reader, command, robots, failures), flush=True)
+        check_mujoco_with_meshes(exporter, build, failures)
     if failures:
         sys.exit("\n".join(failures))
     sys.exit(77 if None in commands.values() or not robots else 0)

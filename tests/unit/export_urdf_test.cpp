@@ -341,6 +341,19 @@ TEST_CASE("a prefix leaves the world alone") {
   CHECK(compare_models(fixed.model, Read(prefixed.text).model, proof_scope(options)).holds());
 }
 
+TEST_CASE("MuJoCo is told where meshes are, unless the author has") {
+  UrdfExport options;
+  options.adds_mujoco_settings = true;
+  const auto exported = [&](const std::string& settings) {
+    return Exported(Read(tower(settings)), options);
+  };
+  CHECK(exported("").has("  <mujoco>\n    <compiler strippath=\"false\"/>\n  </mujoco>\n"));
+  CHECK(
+      exported("  <mujoco><size njmax=\"1\"/></mujoco>\n").has("<compiler strippath=\"false\"/>"));
+  const std::string own = "<mujoco><compiler strippath=\"true\"/></mujoco>\n";
+  CHECK(exported(own).text == tower(own));
+}
+
 TEST_CASE("bases and versions") {
   UrdfExport options;
   options.base = BaseJoint::floating;

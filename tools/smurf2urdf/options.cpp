@@ -55,11 +55,11 @@ constexpr Preset kPresets[] = {
        wanted.strips_comments = true;
      }},
     // None of these three knows packages without being told their folders.
-    {"mujoco", "--apply limits,dynamics,materials --mesh-uri relative --vendor strip",
+    {"mujoco", "--apply limits,dynamics,materials --mesh-uri relative --settings mujoco",
      [](UrdfExport& wanted) {
        wanted.apply.limits = wanted.apply.dynamics = wanted.apply.materials = true;
        wanted.mesh_uri = MeshUri::relative;
-       wanted.strips_extensions = true;
+       wanted.adds_mujoco_settings = true;
      }},
     {"pybullet", "--apply limits,dynamics,materials --mesh-uri relative",
      [](UrdfExport& wanted) {
@@ -109,6 +109,12 @@ std::vector<Option> content_options(UrdfExport& wanted) {
            .help = "Write sensors as those of gazebo, where it has the like; none is the default.",
            .values = {"none", "gazebo"},
            .set = choose<bool>(wanted.adds_gazebo_sensors, {{"none", false}, {"gazebo", true}})},
+          {.name = "settings",
+           .metavar = "READER",
+           .help = "Add settings of a reader's own: those of mujoco let it find meshes in other "
+                   "folders than that of the URDF; none is the default.",
+           .values = {"none", "mujoco"},
+           .set = choose<bool>(wanted.adds_mujoco_settings, {{"none", false}, {"mujoco", true}})},
           {.name = "collapse-fixed",
            .help = "Make links on fixed joints part of the link that carries them, with their "
                    "shapes, masses and sensors. A link stays when an extension means the link "

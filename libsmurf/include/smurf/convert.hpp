@@ -45,8 +45,9 @@ struct UrdfExport {
   AppliedAnnotations apply{};
   Actuation actuation = Actuation::none;
   bool adds_gazebo_sensors = false;
-  bool has_srdf = false;           ///< poses and bitmasks are said there
-  bool strips_extensions = false;  ///< what URDF does not define
+  bool adds_mujoco_settings = false;  ///< those without which it does not find meshes
+  bool has_srdf = false;              ///< poses and bitmasks are said there
+  bool strips_extensions = false;     ///< what URDF does not define
   bool strips_comments = false;
   bool collapses_fixed = false;
   std::vector<std::string> keep{};  ///< links and joints that are not collapsed

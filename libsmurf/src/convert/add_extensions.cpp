@@ -261,4 +261,18 @@ void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits) {
   }
 }
 
+void add_mujoco_settings(const LinkedModel& model, XmlEdits& edits) {
+  const xml::View robot = model.robot->document.view();
+  const xml::View settings = robot.child("mujoco");
+  const std::string compiler = new_element("compiler", {{"strippath", "false"}});
+  if (!settings) {
+    edits.add_child(robot, "<mujoco>\n  " + compiler + "\n</mujoco>");
+  } else if (const xml::View known = settings.child("compiler")) {
+    // What the author says of it already stays.
+    if (known.attribute("strippath") == nullptr) edits.set_attribute(known, "strippath", "false");
+  } else {
+    edits.add_child(settings, compiler);
+  }
+}
+
 }  // namespace smurf::passes

@@ -94,6 +94,9 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
   if (options.strips_extensions) {
     steps.edit([&](XmlEdits& edits) { passes::strip_extensions(steps.model(), edits); });
   }
+  if (options.adds_mujoco_settings) {
+    steps.edit([&](XmlEdits& edits) { passes::add_mujoco_settings(steps.model(), edits); });
+  }
   if (options.strips_comments) {
     steps.edit([&](XmlEdits& edits) { passes::strip_comments(steps.model(), edits); });
   }

@@ -21,6 +21,8 @@ void apply_annotations(const LinkedModel& model, const UrdfExport& options, Diag
 void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edits);
 /// Sensors as <gazebo><sensor>, those that Gazebo has and the URDF does not name yet.
 void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits);
+/// <compiler strippath="false">, without which MuJoCo before 3.7 looks for meshes beside the URDF.
+void add_mujoco_settings(const LinkedModel& model, XmlEdits& edits);
 /// Gazebo's type of a sensor; "" when it has none.
 std::string_view gazebo_type(const Sensor& sensor);
 /// The link or joint that Gazebo's sensor stands on; "" when the annotation names none.
