@@ -2,14 +2,18 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "lint/body.hpp"
+#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
+/// The unit is one decision, so one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kFar = 10;  // m
   if (!model.robot) return;
+  Habit habit;
+  double first = 0;
   for (const xml::Element& element : model.robot->document.elements) {
     if (element.name != "origin") continue;
     for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
@@ -20,12 +24,14 @@ void check(const LinkedModel& model, Findings& findings) {
       for (const double value : numbers_in(attribute.value)) {
         if (std::fabs(value) > std::fabs(farthest)) farthest = value;
       }
-      if (std::fabs(farthest) <= kFar) continue;
-      findings
-          .report(attribute.value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
-                                            " m away; are millimetres meant?")
-          .help = format_rounded(farthest) + " mm are " + format_rounded(farthest / 1000) + " m";
+      if (std::fabs(farthest) <= kFarthestOrigin) continue;
+      if (habit.is_first()) first = farthest;
+      habit.add(attribute.value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
+                                          " m away; are millimetres meant?");
     }
+  }
+  if (Diagnostic* diagnostic = habit.report("such origins", findings)) {
+    diagnostic->help = format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m";
   }
 }
 
