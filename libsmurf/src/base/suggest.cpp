@@ -13,6 +13,8 @@ namespace {
 
 // Long names are rarely misspelt beyond recognition; the bound also keeps hostile input cheap.
 constexpr std::size_t kLongestName = 200;
+// More names than that were made by a program, and a search for each of them is quadratic.
+constexpr std::size_t kMostNames = 5000;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -94,7 +96,7 @@ int edit_distance(std::string_view a, std::string_view b, int limit) {
 
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known) {
-  if (name.empty() || name.size() > kLongestName) return std::nullopt;
+  if (name.empty() || name.size() > kLongestName || known.size() > kMostNames) return std::nullopt;
   const int limit = std::max(1, static_cast<int>(name.size()) / 3);
   int best = limit + 1;
   std::optional<std::string_view> found;

@@ -85,12 +85,18 @@ class Comparison {
   }
 
   void same_limits() {
-    for (const urdf::Joint& joint : source_.robot->joints) {
+    const std::vector<urdf::Joint>& joints = source_.robot->joints;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const urdf::Joint& joint = joints[i];
       if (!joint.name || merged_joints_.contains(*joint.name)) continue;
+      if (*source_.joint_names.find(*joint.name) != i) continue;  // no reader takes a second one
       const urdf::Joint& other = result_joint(joint);
-      const urdf::Limit a = joint.limit.value_or(urdf::Limit{});
-      const urdf::Limit b = other.limit.value_or(urdf::Limit{});
-      bool differs = joint.type != other.type || joint.limit.has_value() != other.limit.has_value();
+      bool differs = joint.type != other.type;
+      const bool is_limited =
+          joint.type != urdf::JointType::fixed && joint.type != urdf::JointType::floating;
+      const urdf::Limit a = is_limited ? joint.limit.value_or(urdf::Limit{}) : urdf::Limit{};
+      const urdf::Limit b = is_limited ? other.limit.value_or(urdf::Limit{}) : urdf::Limit{};
+      differs = differs || (is_limited && joint.limit.has_value() != other.limit.has_value());
       const auto compare = [&](const Field<double>& x, const Field<double>& y) {
         if (x.value.has_value() != y.value.has_value()) differs = true;
         const double difference = relative_difference(x.value_or(0), y.value_or(0));

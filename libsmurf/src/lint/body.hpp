@@ -25,6 +25,8 @@ inline constexpr double kNegligibleMass = 0.01;  // kg
 inline constexpr double kHeaviestMaterial = 22600;  // kg/m3
 /// A hundredth of air: no box around a body is so empty.
 inline constexpr double kLightestMaterial = 0.01;  // kg/m3
+/// Parts of a robot are nearer to each other; farther origins are reported (SML1442).
+inline constexpr double kFarthestOrigin = 10;  // m
 
 /// None when the link has no shape, or one whose size is not known, as that of a mesh.
 std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link);

@@ -29,6 +29,18 @@ auto order_key(const Diagnostic& diagnostic, const SourceMap& sources) {
                                         diagnostic.message);
 }
 
+/// What is deleted takes the line with it that it leaves blank.
+void widen_deletion(Edit& edit, const SourceMap& sources) {
+  if (!edit.text.empty() || edit.span.empty()) return;
+  const std::string_view text = sources.text(edit.span.source);
+  std::uint32_t begin = edit.span.begin;
+  while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) --begin;
+  const std::size_t end = text.find_first_not_of(" \t\r", edit.span.end);
+  const bool is_alone =
+      begin > 0 && text[begin - 1] == '\n' && end < text.size() && text[end] == '\n';
+  if (is_alone) edit.span = {edit.span.source, begin, static_cast<std::uint32_t>(end + 1)};
+}
+
 }  // namespace
 
 bool matches(const Rule& rule, std::string_view pattern) {
@@ -93,6 +105,9 @@ std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const Source
   });
   if (!selection.targets.empty()) apply_targets(diagnostics, selection.targets);
   for (Diagnostic& diagnostic : diagnostics) {
+    for (Fix& fix : diagnostic.fixes) {
+      for (Edit& edit : fix.edits) widen_deletion(edit, sources);
+    }
     set_severity(diagnostic, selection.severities);
     for (const PathRules& some : selection.paths) {
       if (some.severities.empty() || !some.covers(sources.path(diagnostic.span.source))) continue;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "ast/urdf_numbers.hpp"
 #include "base/edits.hpp"
 #include "base/path.hpp"
 
@@ -51,6 +52,7 @@ PathFault path_fault(const MeshReference& reference) {
   using enum PathFault;
   const std::string_view filename = reference.filename;
   if (is_blank(filename)) return empty;
+  if (is_xacro(filename)) return none;  // SML1009
   if (is_malformed_package(filename)) return malformed_package;
   if (filename.find("://") != std::string_view::npos && !filename.starts_with(kPackage)) {
     return scheme;

@@ -41,6 +41,14 @@ void for_each_name(const LinkedModel& model,
   });
 }
 
+bool are_links_named(const LinkedModel& model) {
+  return model.robot && std::all_of(model.robot->links.begin(), model.robot->links.end(),
+                                    [](const urdf::Link& link) {
+                                      return link.name && !link.name->empty() &&
+                                             !is_xacro(*link.name);
+                                    });
+}
+
 std::string as_identifier(std::string_view name) {
   std::string identifier(name);
   std::replace_if(

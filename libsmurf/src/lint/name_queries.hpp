@@ -26,6 +26,9 @@ NameFault name_fault(std::string_view name);
 void for_each_name(const LinkedModel& model,
                    const std::function<void(std::string_view, const Field<std::string>&)>& visit);
 
+/// False when a link has no name, or one that xacro was to make: who refers to it cannot be judged.
+bool are_links_named(const LinkedModel& model);
+
 /// What Isaac and USD make of a name: `_` for what is no letter, digit or underscore, and `a_`
 /// before a digit or underscore in front.
 std::string as_identifier(std::string_view name);

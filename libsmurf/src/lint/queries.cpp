@@ -87,14 +87,7 @@ bool can_judge(const LinkedModel& model, NameKind kind) {
   if (kind == NameKind::sensor) {
     return model.is_complete && are_all_named(all.sensors, model.sensor_names);
   }
-  if (!model.robot) return false;
-  // What a link or joint without name is called is not known.
-  const auto is_named = [](const auto& one) { return one.name && !is_xacro(*one.name); };
-  if (kind == NameKind::link) {
-    return std::all_of(model.robot->links.begin(), model.robot->links.end(), is_named);
-  }
-  return kind != NameKind::joint ||
-         std::all_of(model.robot->joints.begin(), model.robot->joints.end(), is_named);
+  return model.robot.has_value();
 }
 
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,

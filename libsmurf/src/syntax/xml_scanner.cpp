@@ -142,7 +142,15 @@ class Scanner {
 
   void instruction() {
     const std::uint32_t begin = at_;
+    const bool is_declaration = looking_at("<?xml ");
     skip_section("?>", "this processing instruction is never closed");
+    if (index_.well_formed && is_prolog_ && is_declaration && has_declaration_) {
+      sink_
+          .report(rules::sml1005_xml_junk_before_prolog, span(begin, at_),
+                  "a second XML declaration")
+          .fixes.push_back({Applicability::safe, {{span(begin, at_), ""}}});
+    }
+    has_declaration_ = has_declaration_ || is_declaration;
     if (!index_.well_formed || is_prolog_) return;
     malformed(span(begin, at_), "a processing instruction that does not stand at the start of the "
                                 "file; sdformat, MuJoCo and Bullet (tinyxml2) refuse it");
@@ -438,6 +446,7 @@ class Scanner {
   XmlIndex index_;
   std::uint32_t at_ = 0;
   bool is_prolog_ = true;  ///< nothing but processing instructions so far
+  bool has_declaration_ = false;
   std::vector<OpenElement> open_;
   XmlPrefixes prefixes_;
 };

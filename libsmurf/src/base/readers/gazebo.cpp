@@ -34,6 +34,8 @@ constexpr ReaderFact kFacts[] = {
      "#sdformat"},
     {"SML1915", loses, "leaves mimic out before sdformat 14: the joint moves on its own",
      "sdformat parser_urdf.cc:3152; 12.3, run"},
+    {"SML1502", breaks, "drops every link, and refuses a model without links",
+     "sdformat 12.3, run"},
     {"SML1916", breaks, "drops the root with everything below it: a model without links",
      "sdformat 12.3, run", "#root"},
 };

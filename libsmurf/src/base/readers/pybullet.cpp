@@ -82,6 +82,7 @@ constexpr ReaderFact kFacts[] = {
     {"SML1911", refuses, "refuses the whole robot", "Bullet UrdfFindMeshFile.h, run"},
     {"SML1915", loses, "ignores mimic: the joint moves on its own",
      "Bullet UrdfParser.cpp has no code for it"},
+    {"SML1502", changes, "gives each link 1 kg and 1 kg m2", "Bullet UrdfParser.cpp:1051-1059"},
     {"SML1916", changes, "gives each such link 1 kg and 1 kg m2",
      "Bullet UrdfParser.cpp:1051-1059"},
     {"SML5029", loses, "reads `smurfs`, else `entities`", "Phobos scripts/smurfs_in_pybullet.py"},

@@ -8,6 +8,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.geometry.shape_element != xml::kNoElement) return;
     const bool is_empty = use.geometry.element != xml::kNoElement;
+    if (!is_empty && has_slip(model, use.element, "geometry")) return;
     findings.report(tag_name(model, is_empty ? use.geometry.element : use.element),
                     "a " + std::string(to_string(use.role)) + " of " + title(use.link) +
                         (is_empty ? " has an empty geometry" : " has no geometry"));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lint/queries.hpp"
+#include "lint/name_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
+  if (!are_links_named(model)) return;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.child || joint.child->empty()) return;
     check_reference(model, NameKind::link, *joint.child, joint.child.span, title(joint), findings);

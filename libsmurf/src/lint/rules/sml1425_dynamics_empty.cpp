@@ -9,9 +9,11 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.dynamics || joint.dynamics->damping.written || joint.dynamics->friction.written) {
       return;
     }
-    // Written as elements, they are reported as such.
+    // Written as elements or misspelt, they are reported as such.
     const xml::View element(model.robot->document, joint.dynamics->element);
     if (element.child("damping") || element.child("friction")) return;
+    if (has_slip(model, element.id(), "damping") || has_slip(model, element.id(), "friction"))
+      return;
     Diagnostic& diagnostic = findings.report(tag_name(model, joint.dynamics->element),
                                              "the dynamics of " + title(joint) +
                                                  " has neither `damping` nor `friction`");

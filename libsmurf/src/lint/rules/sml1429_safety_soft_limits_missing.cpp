@@ -10,6 +10,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const urdf::SafetyController& safety = *joint.safety_controller;
     if (joint.type == urdf::JointType::continuous) return;
     if (safety.soft_lower_limit.written && safety.soft_upper_limit.written) return;
+    // Without gain it is refused before anybody looks at its limits (SML1113).
+    if (!safety.k_velocity.written) return;
     findings
         .report(tag_name(model, safety.element),
                 "the safety controller of " + title(joint) + " lacks a soft limit")

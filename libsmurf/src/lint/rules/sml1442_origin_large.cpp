@@ -2,14 +2,19 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "lint/body.hpp"
+#include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
+/// The unit is one decision, so one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
   const double far = findings.tolerance();
   if (!model.robot) return;
+  Habit habit;
+  double first = 0;
   for (const xml::Element& element : model.robot->document.elements) {
     if (element.name != "origin") continue;
     for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
@@ -21,11 +26,13 @@ void check(const LinkedModel& model, Findings& findings) {
         if (std::fabs(value) > std::fabs(farthest)) farthest = value;
       }
       if (std::fabs(farthest) <= far) continue;
-      findings
-          .report(attribute.value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
-                                            " m away; are millimetres meant?")
-          .help = format_rounded(farthest) + " mm are " + format_rounded(farthest / 1000) + " m";
+      if (habit.is_first()) first = farthest;
+      habit.add(attribute.value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
+                                          " m away; are millimetres meant?");
     }
+  }
+  if (Diagnostic* diagnostic = habit.report("such origins", findings)) {
+    diagnostic->help = format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m";
   }
 }
 

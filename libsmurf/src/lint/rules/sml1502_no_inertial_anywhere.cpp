@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -19,6 +20,10 @@ void check(const LinkedModel& model, Findings& findings) {
       findings.report(name.span.empty() ? tag_name(model, model.robot->document.root) : name.span,
                       "no link of this robot has an inertial");
   diagnostic.labels.push_back({name_place(model, *movable), "what moves needs a mass"});
+  const std::vector<bool> massless = massless_bodies(model);
+  if (std::find(massless.begin(), massless.end(), true) != massless.end()) {
+    diagnostic.construct = "massless-body";
+  }
   diagnostic.notes.push_back("Gazebo loads nothing of it, Bullet gives each link 1 kg");
 }
 

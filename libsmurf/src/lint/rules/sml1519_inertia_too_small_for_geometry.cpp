@@ -14,7 +14,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
     if (!extent || !body || body->mass < kNegligibleMass) return;
     const double ratio = ratio_to_block(*body, *extent);
-    if (ratio >= smallest || body->mass < kLightestMaterial * extent->volume()) return;
+    const double density = body->mass / extent->volume();  // unlikely ones are SML1520
+    if (ratio >= smallest || density < kLightestMaterial || density > kHeaviestMaterial) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is very small for its mass and shapes");

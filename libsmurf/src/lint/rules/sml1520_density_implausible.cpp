@@ -7,38 +7,43 @@
 namespace smurf::rules {
 namespace {
 
-/// The shape of a link that takes the most space.
-Span largest_shape(const LinkedModel& model, const urdf::Link& link) {
+/// The shape of a link that takes the most space, and how much, in m^3.
+struct LargestShape {
   Span place;
-  double most = -1;
+  double volume = -1;
+};
+
+LargestShape largest_shape(const LinkedModel& model, const urdf::Link& link) {
+  LargestShape largest;
   const auto add = [&](const urdf::Geometry& geometry) {
     const std::optional<Box> box = bounding_box(model, geometry);
     if (!box) return;
     const Vector3 size = box->size();
     const double volume = size[0] * size[1] * size[2];
-    if (volume <= most) return;
-    most = volume;
-    place = tag_name(model, geometry.shape_element);
+    if (volume > largest.volume) largest = {tag_name(model, geometry.shape_element), volume};
   };
   for (const urdf::Visual& visual : link.visuals) add(visual.geometry);
   for (const urdf::Collision& collision : link.collisions) add(collision.geometry);
-  return place;
+  return largest;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
-    const double density = *link.inertial->mass / extent->volume();
-    if (density >= kLightestMaterial && density <= kHeaviestMaterial) return;
-    const bool is_heavy = density > kHeaviestMaterial;
-    Diagnostic& diagnostic = findings.report(
-        link.inertial->mass.span, "the mass of " + title(link) + " is too " +
-                                      (is_heavy ? "large" : "small") + " for its shapes");
-    diagnostic.caret = format_rounded(density, 2) + " kg/m3 " +
-                       (is_heavy ? "even if it fills their box" : "in the box around them");
-    if (is_heavy) return;
-    diagnostic.labels.push_back({largest_shape(model, link), "is this in metres?"});
+    const double mass = *link.inertial->mass;
+    const Span place = link.inertial->mass.span;
+    if (mass > kHeaviestMaterial * extent->volume()) {
+      findings.report(place, "the mass of " + title(link) + " is too large for its shapes").caret =
+          format_rounded(mass / extent->volume(), 2) + " kg/m3 even if it fills their box";
+      return;
+    }
+    const LargestShape largest = largest_shape(model, link);
+    if (mass >= kLightestMaterial * largest.volume) return;
+    Diagnostic& diagnostic =
+        findings.report(place, "the mass of " + title(link) + " is too small for its shapes");
+    diagnostic.caret = format_rounded(mass / largest.volume, 2) + " kg/m3 in one of them";
+    diagnostic.labels.push_back({largest.place, "is this in metres?"});
   });
 }
 

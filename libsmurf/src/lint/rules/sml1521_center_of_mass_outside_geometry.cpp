@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
 #include "base/numbers.hpp"
 #include "lint/body.hpp"
 #include "lint/queries.hpp"
@@ -13,6 +16,10 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
     const urdf::Inertial& inertial = *link.inertial;
     const Vector3 center = urdf::to_pose(inertial.origin).position;
+    if (std::any_of(center.begin(), center.end(),
+                    [](double x) { return std::fabs(x) > kFarthestOrigin; })) {
+      return;  // SML1442
+    }
     if (extent->grown(margin * extent->longest_edge()).contains(center)) return;
     const bool has_origin = !inertial.origin.xyz.span.empty();
     if (has_origin && !inertial.origin.xyz) return;  // unreadable

@@ -17,10 +17,10 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const MeshReference& reference : model.meshes) {
     const std::string extension = path::to_lower(path::extension(reference.filename));
     const PathFault fault = path_fault(reference);
-    if (reference.is_texture || fault == PathFault::empty ||
-        fault == PathFault::malformed_package) {
-      continue;
-    }
+    // A path that leads nowhere is one finding; a package may lie elsewhere.
+    const bool is_lost = fault == PathFault::empty || fault == PathFault::malformed_package ||
+                         (fault == PathFault::missing && !reference.path.empty());
+    if (reference.is_texture || is_lost) continue;
     const bool is_loaded =
         std::find(std::begin(kLoaded), std::end(kLoaded), extension) != std::end(kLoaded);
     if ((is_loaded && extension != ".bobj") || !reported.insert(extension).second) continue;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -77,6 +78,11 @@ void check(const LinkedModel& model, Findings& findings) {
       has_mesh = has_mesh || std::holds_alternative<urdf::Mesh>(one.geometry.shape);
     }
     if (!visual.box() || !collision.box()) return;
+    const auto extent = extent_of(model, link);
+    const double mass = link.inertial ? link.inertial->mass.value_or(0) : 0;
+    if (extent && mass >= kNegligibleMass && mass < kLightestMaterial * extent->volume()) {
+      return;  // SML1520, or SML1442
+    }
     const double seen = diagonal(*visual.box());
     const double felt = diagonal(*collision.box());
     if (!(seen > 0 && felt > 0)) return;

@@ -16,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
 extern constinit const Rule sml1708_rgba_alpha_zero{
     .id = "SML1708",
     .name = "rgba-alpha-zero",
-    .severity = Severity::info,
+    .severity = Severity::warning,
     .summary = "A colour has an alpha of 0.",
     .why = "The shape is not drawn; 1 is opaque.",
     .remedy = "Write 1 for an opaque material; take the visual out if it is not to be seen.",

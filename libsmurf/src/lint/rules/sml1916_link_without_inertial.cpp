@@ -7,12 +7,22 @@
 namespace smurf::rules {
 namespace {
 
+/// Reported as a whole (SML1502).
+bool is_without_mass(const LinkedModel& model) {
+  const std::vector<urdf::Link>& links = model.robot->links;
+  const std::vector<urdf::Joint>& joints = model.robot->joints;
+  return std::none_of(links.begin(), links.end(),
+                      [](const urdf::Link& link) { return link.inertial.has_value(); }) &&
+         std::any_of(joints.begin(), joints.end(),
+                     [](const urdf::Joint& joint) { return joint.is_movable(); });
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   std::vector<const urdf::Link*> links;
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial && link.name.value_or("") != "world") links.push_back(&link);
   });
-  if (links.empty()) return;
+  if (links.empty() || is_without_mass(model)) return;
   const bool has_root = model.tree.roots.size() == 1;
   const bool is_root_lost = has_root && !has_fixed_mass(model, model.tree.roots.front());
   const urdf::Link& shown = is_root_lost ? model.link(model.tree.roots.front()) : *links.front();

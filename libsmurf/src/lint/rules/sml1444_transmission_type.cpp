@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "base/suggest.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Of ros_control; others come with plugins of their own, so only a slip can be told.
+constexpr std::string_view kTypes[] = {"transmission_interface/SimpleTransmission",
+                                       "transmission_interface/DifferentialTransmission",
+                                       "transmission_interface/FourBarLinkageTransmission",
+                                       "SimpleTransmission",
+                                       "DifferentialTransmission",
+                                       "FourBarLinkageTransmission"};
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View transmission(model.robot->document, id);
+    if (transmission.name() != "transmission") continue;
+    const xml::View type = transmission.child("type");
+    if (!type) continue;
+    const xml::Element& element = type.element();
+    constexpr int kSlip = 2;  // edits; HalfDifferentialTransmission is no slip
+    const auto* near =
+        std::find_if(std::begin(kTypes), std::end(kTypes), [&](std::string_view known) {
+          return edit_distance(element.text, known, kSlip) <= kSlip;
+        });
+    if (near == std::end(kTypes) || *near == element.text) continue;
+    Diagnostic& diagnostic = findings.report(element.text_span, "no transmission is of the type " +
+                                                                    quoted(element.text));
+    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.fixes.push_back({Applicability::unsafe, {{element.text_span, std::string(*near)}}});
+  }
+}
+
+}  // namespace
+
+extern constinit const Rule sml1444_transmission_type{
+    .id = "SML1444",
+    .name = "transmission-type",
+    .severity = Severity::warning,
+    .summary = "The type of a transmission looks misspelt.",
+    .why =
+        "ros_control finds no plugin of that name and does not load the transmission; Drake makes "
+        "an actuator of a simple transmission only.",
+    .remedy = "Correct the name.",
+    .sources = "ros_control transmission_interface; Drake detail_urdf_parser.cc:930-1001.",
+    .check_model = check};
+
+}  // namespace smurf::rules
