@@ -247,6 +247,15 @@ class Options(LoadCheckTest):
         for line in self.expect(1, ".").stdout.splitlines():
             self.assertLessEqual(len(line), 80, line)
 
+    def test_a_chain_that_takes_all_memory_is_no_calm_robot(self):
+        ball = BALL[BALL.index("<link"):BALL.index("</robot>")]
+        parts = [ball.replace('"ball"', f'"l{i}"') for i in range(3000)]
+        parts += [f'<joint name="j{i}" type="continuous"><parent link="l{i}"/><child link="l{i + 1}"/>'
+                  f'<origin xyz="0.3 0 0"/><axis xyz="0 1 0"/></joint>' for i in range(2999)]
+        self.write("chain.urdf", '<robot name="chain">' + "".join(parts) + "</robot>")
+        [found] = self.report(1, "chain.urdf")["diagnostics"]
+        self.assertEqual((found["id"], found["line"]), ("SML6002", 1))
+
     def test_the_same_bytes_every_time(self):
         for form in ["full", "json"]:
             first = self.expect(1, ".", "--format", form).stdout

@@ -119,6 +119,18 @@ TEST_CASE("heights are the grey values of a PNG, from the top row on") {
   CHECK(terraces.heights[33 * 33 - 1] == doctest::Approx(0.8).epsilon(1e-4));
 }
 
+TEST_CASE("an image of a thousand million pixels is refused before it takes memory") {
+  // Signature and header of a grey image of 60000 x 60000 pixels, with its check sum.
+  const std::string header("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xea\x60\0\0\xea\x60\x08\0\0\0\0"
+                           "\xa5\xb9\x2a\x9e"
+                           "\0\0\0\0IDAT\x35\xaf\x06\x1e",
+                           45);
+  const TemporaryFile huge("huge.png", header);
+  const auto image = read_height_image(huge.path.string());
+  REQUIRE(std::holds_alternative<std::string>(image));
+  CHECK(std::get<std::string>(image) == "it has more than 25 million pixels");
+}
+
 TEST_CASE("an image that is none, or is cut off, has a reason") {
   const TemporaryFile text("text.png", "these are no heights");
   std::ifstream whole(std::string(SMURF_FIXTURES) + "/scenes/terrain/heightmaps/terraces.png",

@@ -51,7 +51,11 @@ void write_all(int descriptor, const std::string& text) {
   ::alarm(static_cast<unsigned>(std::min(kPatience * limits.seconds, kLongest)));
   if (kHasMemoryLimit) limit(RLIMIT_AS, limits.memory_bytes);
   std::set_new_handler([] { ::_exit(kOutOfMemory); });
-  task(index, [descriptor](const std::string& text) { write_all(descriptor, text); });
+  try {
+    task(index, [descriptor](const std::string& text) { write_all(descriptor, text); });
+  } catch (const std::bad_alloc&) {
+    ::_exit(kOutOfMemory);
+  }
   end_child();
 }
 

@@ -22,7 +22,7 @@ struct ChildOutcome {
   std::string output;  ///< what was written before the end
 };
 
-/// Runs in a child; what it passes to `write` is the output.
+/// Runs in a child; what it passes to `write` is the output. It may throw std::bad_alloc.
 using ChildTask =
     std::function<void(std::size_t task, const std::function<void(const std::string&)>& write)>;
 

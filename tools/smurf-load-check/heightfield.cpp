@@ -11,6 +11,9 @@
 namespace smurf::load_check {
 namespace {
 
+/// More would take all memory that a check may have.
+constexpr std::size_t kMostPixels = 25'000'000;
+
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 /// libpng leaves by a jump, which runs no destructor: everything with one lives in here.
@@ -37,6 +40,10 @@ struct Reading {
   static void on_warning(png_structp, png_const_charp) {}
 };
 
+std::size_t rows_of(const Reading& reading) {
+  return png_get_image_height(reading.png, reading.info);
+}
+
 /// One grey value of 16 bits a pixel, the more significant byte first.
 void decode(Reading& reading) {
   png_init_io(reading.png, reading.file.get());
@@ -49,10 +56,12 @@ void decode(Reading& reading) {
   }
   png_set_interlace_handling(reading.png);
   png_read_update_info(reading.png, reading.info);
+  const std::size_t pixels =
+      std::size_t{png_get_image_width(reading.png, reading.info)} * rows_of(reading);
+  if (pixels > kMostPixels) png_error(reading.png, "it has more than 25 million pixels");
   const std::size_t stride = png_get_rowbytes(reading.png, reading.info);
-  const std::size_t rows = png_get_image_height(reading.png, reading.info);
-  reading.bytes.resize(stride * rows);
-  for (std::size_t row = 0; row < rows; ++row) {
+  reading.bytes.resize(stride * rows_of(reading));
+  for (std::size_t row = 0; row < rows_of(reading); ++row) {
     reading.rows.push_back(reading.bytes.data() + row * stride);
   }
   png_read_image(reading.png, reading.rows.data());
@@ -73,9 +82,10 @@ std::variant<HeightImage, std::string> read_height_image(const std::string& path
   if (!read_grey(reading)) return reading.fault;
   HeightImage image;
   image.columns = png_get_image_width(reading.png, reading.info);
-  image.rows = png_get_image_height(reading.png, reading.info);
+  image.rows = rows_of(reading);
   if (image.columns < 2 || image.rows < 2) return std::string("it has fewer than 2 x 2 pixels");
   constexpr float kWhite = 65535;
+  image.heights.reserve(image.columns * image.rows);
   for (std::size_t i = 0; i < image.columns * image.rows; ++i) {
     const int grey = reading.bytes[2 * i] * 256 + reading.bytes[2 * i + 1];
     image.heights.push_back(static_cast<float>(grey) / kWhite);

@@ -13,8 +13,7 @@ struct HeightImage {
   std::vector<float> heights;         ///< from the top row on; black 0, white 1
 };
 
-/// The grey values of a PNG file, or why there are none. It is meant for a child process: an image
-/// may take all memory.
+/// The grey values of a PNG file, or why there are none.
 std::variant<HeightImage, std::string> read_height_image(const std::string& path);
 
 }  // namespace smurf::load_check

@@ -139,7 +139,8 @@ std::vector<Row> rows_of(const CheckResult& result, const Bounds& bounds) {
   for (const Stage stage : {Stage::still, Stage::hang, Stage::drop, Stage::anchor}) {
     Row row{stage, {"energy gained", {}, {}, {}}, {"largest gap of a joint", {}, {}, {}}};
     for (const Sample& sample : result.samples) {
-      if (sample.stage != stage) continue;
+      // What flies off to infinity leaves the picture.
+      if (sample.stage != stage || !std::isfinite(sample.energy + sample.gap)) continue;
       for (Curve* curve : {&row.energy, &row.gap}) curve->times.push_back(sample.time);
       row.energy.values.push_back(sample.energy);
       row.gap.values.push_back(sample.gap);

@@ -18,8 +18,8 @@ Span to_span(const Json& json) {
           json[2].get<std::uint32_t>()};
 }
 
-/// JSON has no NaN.
-Json to_json(double value) { return std::isnan(value) ? Json() : Json(value); }
+/// JSON has neither NaN nor infinity; both come back as NaN.
+Json to_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 double to_double(const Json& json) { return json.is_null() ? NAN : json.get<double>(); }
 
 Json to_json(const Pose& pose) {
@@ -80,10 +80,12 @@ StageResult to_stage(const Json& json) {
 Json to_json(const Sample& sample) {
   Json poses = Json::array();
   for (const Pose& pose : sample.X_WL) poses.push_back(to_json(pose));
-  return {static_cast<int>(sample.stage), sample.time, sample.energy, sample.gap, poses};
+  return {static_cast<int>(sample.stage), sample.time, to_json(sample.energy), to_json(sample.gap),
+          poses};
 }
 Sample to_sample(const Json& json) {
-  Sample sample{static_cast<Stage>(json[0].get<int>()), json[1], json[2], json[3], {}};
+  Sample sample{
+      static_cast<Stage>(json[0].get<int>()), json[1], to_double(json[2]), to_double(json[3]), {}};
   for (const Json& pose : json[4]) sample.X_WL.push_back(to_pose(pose));
   return sample;
 }

@@ -40,6 +40,7 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  /// Throws std::bad_alloc when ODE gets no memory.
   void step();
   double time() const;  ///< s, since the start
   double step_size() const;

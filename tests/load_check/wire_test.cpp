@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Results on their way out of a child: what was sent arrives, whatever the numbers are.
+#include "smurf-load-check/wire.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "base/rules.hpp"
+
+using namespace smurf;
+using namespace smurf::load_check;
+
+namespace {
+
+CheckResult some_result() {
+  CheckResult result;
+  result.stages.push_back(
+      {Stage::hang, Verdict::fail, {{"gap", 0.25, 0.001, "joint `a`", {}}}, ""});
+  DiagnosticSink sink;
+  Diagnostic& diagnostic = sink.report(rules::sml6401_joint_comes_apart, {SourceId{0}, 3, 7}, "x");
+  diagnostic.caret = "y";
+  diagnostic.labels.push_back({{SourceId{0}, 8, 9}, "z"});
+  diagnostic.notes.push_back("n");
+  result.diagnostics = sink.take();
+  result.links = {"a", "b"};
+  result.samples.push_back({Stage::hang, 0.5, 1e-3, 2e-6, {Pose{{1, 2, 3}, {}}, Pose{}}});
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a result arrives as it was sent") {
+  const Message message = decode(encode_begin(Stage::hang) + encode(some_result()));
+  CHECK(message.last_stage == Stage::hang);
+  REQUIRE(message.result);
+  const CheckResult& result = *message.result;
+  REQUIRE(result.stages.size() == 1);
+  CHECK(result.stages[0].verdict == Verdict::fail);
+  CHECK(result.stages[0].figures[0].value == 0.25);
+  CHECK(result.stages[0].figures[0].worst == "joint `a`");
+  REQUIRE(result.diagnostics.size() == 1);
+  CHECK(result.diagnostics[0].rule == &rules::sml6401_joint_comes_apart);
+  CHECK(result.diagnostics[0].span.begin == 3);
+  CHECK(result.diagnostics[0].caret == "y");
+  CHECK(result.diagnostics[0].labels[0].message == "z");
+  CHECK(result.diagnostics[0].notes[0] == "n");
+  CHECK(result.links == std::vector<std::string>{"a", "b"});
+  CHECK(result.samples[0].energy == 1e-3);
+  CHECK(result.samples[0].X_WL[0].position[2] == 3);
+}
+
+TEST_CASE("numbers that JSON does not know arrive as NaN") {
+  for (const double strange : {std::numeric_limits<double>::infinity(), std::nan("")}) {
+    CheckResult sent = some_result();
+    sent.stages[0].figures[0].value = strange;
+    sent.samples[0].energy = strange;
+    sent.samples[0].gap = strange;
+    const Message message = decode(encode(sent));
+    REQUIRE(message.result);
+    CHECK(std::isnan(message.result->stages[0].figures[0].value));
+    CHECK(std::isnan(message.result->samples[0].energy));
+    CHECK(std::isnan(message.result->samples[0].gap));
+  }
+}
+
+TEST_CASE("what a child could not finish is not lost") {
+  const std::string whole = encode(some_result());
+  const Message message = decode(encode_begin(Stage::drop) + encode_fault("assertion") +
+                                 whole.substr(0, whole.size() / 2));
+  CHECK(message.last_stage == Stage::drop);
+  CHECK(message.fault == "assertion");
+  CHECK(!message.result);
+}
