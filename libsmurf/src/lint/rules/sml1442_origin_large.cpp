@@ -48,7 +48,7 @@ extern constinit const Rule sml1442_origin_large{
     .remedy = "Divide by 1000, if it is in millimetres.",
     .sources = "URDF specification; urdfdom pose.h.",
     .check_model = check,
-    .tolerance = {.value = 10,
+    .tolerance = {.value = kFarthestOrigin,
                   .unit = "m",
                   .meaning = "how far a part may lie from the frame it is placed in"}};
 
