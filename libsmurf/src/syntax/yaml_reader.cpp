@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <istream>
 #include <streambuf>
+#include <utility>
+#include <vector>
 
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
@@ -128,12 +130,18 @@ bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, Dia
   return false;
 }
 
-/// What the builder made of a text that is no YAML would be judged by rules as if it were meant.
-bool has_syntax_error(const DiagnosticSink& sink, std::size_t known) {
-  const auto found = sink.diagnostics().subspan(known);
-  return std::any_of(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
+/// Hands on what was found; of a text that is no YAML, only why. False for such a text.
+bool hand_on(DiagnosticSink& found, DiagnosticSink& sink) {
+  std::vector<Diagnostic> all = found.take();
+  const auto is_syntax = [](const Diagnostic& diagnostic) {
     return diagnostic.rule == &rules::sml0010_yaml_syntax;
-  });
+  };
+  const bool is_yaml = std::none_of(all.begin(), all.end(), is_syntax);
+  for (Diagnostic& diagnostic : all) {
+    if (!is_yaml && !is_syntax(diagnostic)) continue;
+    sink.report(*diagnostic.rule, diagnostic.span, {}) = std::move(diagnostic);
+  }
+  return is_yaml;
 }
 
 /// The text up to a place where far more brackets seem to be open than any file needs, with these
@@ -182,28 +190,30 @@ std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
   if (!check_text(sources, id, TextFormat::yaml, sink)) return std::nullopt;
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
   const std::string_view text = sources.text(id);
-  const std::size_t known = sink.diagnostics().size();
   if (const auto mark = find_line(text, 0, id, is_merge_mark)) {
     sink.report(rules::sml0010_yaml_syntax, *mark, "a merge left its marks here").help =
         "keep one of the two versions, and none of the marks";
     return std::nullopt;
   }
-  TreeBuilder builder(sources, id, limits, sink);
+  DiagnosticSink found;
+  TreeBuilder builder(sources, id, limits, found);
   try {
     ViewBuffer buffer(text);
     std::istream stream(&buffer);
     YAML::Parser parser(stream);
-    if (parser.HandleNextDocument(builder) && check_rest(text, builder.end(), id, sink)) {
-      check_second_document(parser, text, builder.end(), id, sink);
+    if (parser.HandleNextDocument(builder) && check_rest(text, builder.end(), id, found)) {
+      check_second_document(parser, text, builder.end(), id, found);
     }
   } catch (const StopParsing&) {
+    hand_on(found, sink);
     return std::nullopt;
   } catch (const YAML::Exception& error) {
     report_parser_error(error.msg, error.mark.is_null() ? 0 : error.mark.pos,
-                        builder.open_bracket(), sources, sink);
+                        builder.open_bracket(), sources, found);
+    hand_on(found, sink);
     return std::nullopt;
   }
-  if (has_syntax_error(sink, known)) return std::nullopt;
+  if (!hand_on(found, sink)) return std::nullopt;
   return builder.take();
 }
 
