@@ -2,6 +2,8 @@
 // Spans are not in the events: yaml-cpp tells where a value begins, the text where it ends.
 #include "syntax/yaml_builder.hpp"
 
+#include <algorithm>
+
 #include "base/rules.hpp"
 #include "syntax/yaml_spans.hpp"
 
