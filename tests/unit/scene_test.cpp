@@ -178,7 +178,7 @@ TEST_CASE("what an include gives to the entities inside") {
   loaded.files.add("inner.smurfs", R"(entities:
 - {name: plain, file: box.urdf}
 - {name: free, file: box.urdf, anchor: none}
-- {name: own, file: box.urdf, parent: "Base::hook"}
+- {name: own, file: box.urdf, parent: "Base::hook", anchor: none}
 )");
   loaded.files.add("tool.smurfa", R"(smurfa:
 - {name: root, file: box.urdf, root: true}

@@ -119,7 +119,7 @@ class ModelLoader {
         urdf_file(path, entry.span, rules::sml2001_missing_file);
       } else if (is_annotation(extension)) {
         annotation_file(path, entry.span, rules::sml2001_missing_file);
-      } else if (extension != ".srdf" && extension != ".sdf") {
+      } else if (extension.size() <= 1 || extension.starts_with(".smurf")) {
         model_.is_complete = false;  // what it was to bring may be missed elsewhere
       }
     }

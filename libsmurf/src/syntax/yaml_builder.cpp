@@ -2,6 +2,8 @@
 // Spans are not in the events: yaml-cpp tells where a value begins, the text where it ends.
 #include "syntax/yaml_builder.hpp"
 
+#include <algorithm>
+
 #include "base/rules.hpp"
 #include "syntax/yaml_spans.hpp"
 
@@ -28,6 +30,7 @@ void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
     const std::uint32_t at = absent_place(offset(mark));
     node.span = {document_.source, at, at};
     check_absent(offset(mark));
+    check_colon();
   }
   append(node, anchor, 1);
 }
@@ -113,6 +116,21 @@ void TreeBuilder::check_absent(std::uint32_t at_offset) {
   if (frame.has_key || at_offset >= text_.size() || text_[at_offset] != ',') return;
   sink_.report(rules::sml0010_yaml_syntax, {document_.source, at_offset, at_offset + 1},
                "there is no entry before this comma");
+}
+
+/// yaml-cpp takes a line that fits nowhere, at the end of a mapping, for a key without value.
+void TreeBuilder::check_colon() {
+  const bool is_flow =
+      std::any_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.flow; });
+  if (frames_.empty() || is_flow || !frames_.back().has_key) return;
+  const Span key = frames_.back().key_span;
+  const std::uint32_t sign = skip_blank(text_, key.end);
+  if (key.empty() || (sign < text_.size() && text_[sign] == ':')) return;
+  const std::size_t before =
+      key.begin == 0 ? std::string_view::npos : text_.find_last_not_of(" \t", key.begin - 1);
+  if (before != std::string_view::npos && text_[before] == '?') return;  // `? key` needs none
+  sink_.report(rules::sml0010_yaml_syntax, {key.source, key.begin, key.begin + 1},
+               "this line does not fit what stands above it: no `:` makes it a key");
 }
 
 void TreeBuilder::append(Node node, YAML::anchor_t anchor, std::uint64_t size) {

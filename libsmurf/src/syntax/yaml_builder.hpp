@@ -94,6 +94,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   /// yaml-cpp reads `[1,,2]` and `{,}` as holding nulls; YAML has no such entries.
   void check_absent(std::uint32_t at_offset);
+  void check_colon();
   void append(yaml::Node node, YAML::anchor_t anchor, std::uint64_t size);
 
   /// True when the node is the key of an open mapping, which is then stored in the frame.
