@@ -57,6 +57,7 @@ std::string manual_page(const Command& command) {
   });
   // No date: the page is the same whenever it is made.
   std::string out = ".TH " + roff(name) + " 1 \"\" \"smurf " + std::string(kVersion) + "\"\n";
+  out += ".nh\n.ad l\n";  // names of files and options stay whole
   out += ".SH NAME\n" + roff(command.name) + " \\- " + roff(command.summary) + "\n";
   out += ".SH SYNOPSIS\n" + bold(command.name) + " [" + italic("OPTION") + "]...";
   if (!command.operands.empty()) out += " " + roff(command.operands);
