@@ -71,6 +71,7 @@ LinkReferences::LinkReferences(const LinkedModel& model) : model_(model) {
       read_names(element);
     }
   }
+  for (auto& [link, properties] : properties_) std::sort(properties.begin(), properties.end());
   for (const urdf::Joint& joint : model.robot->joints) {
     if (joint.mimic && joint.mimic->joint) needed_.insert(*joint.mimic->joint);
     // Isaac's word for it.
@@ -93,6 +94,7 @@ void LinkReferences::read_gazebo(xml::View gazebo, std::string_view link) {
     if (child.name() == "sensor") {
       read_sensor(child);
     } else {
+      if (child.name() != "plugin") properties_[link].push_back(signature(child));
       read_names(child);
     }
   }
@@ -118,21 +120,14 @@ void LinkReferences::read_names(xml::View element) {
   for (const xml::View child : element) read_names(child);
 }
 
-std::vector<std::string> LinkReferences::properties(std::string_view link) const {
-  std::vector<std::string> found;
-  const auto elements = gazebo_.find(link);
-  if (elements == gazebo_.end()) return found;
-  for (const xml::View gazebo : elements->second) {
-    for (const xml::View child : gazebo) {
-      if (child.name() != "sensor" && child.name() != "plugin") found.push_back(signature(child));
-    }
-  }
-  std::sort(found.begin(), found.end());
-  return found;
+const std::vector<std::string>& LinkReferences::properties(std::string_view link) const {
+  static const std::vector<std::string> none;
+  const auto found = properties_.find(link);
+  return found == properties_.end() ? none : found->second;
 }
 
 bool LinkReferences::may_join(const urdf::Link& link, const urdf::Link& carrier) const {
-  const std::vector<std::string> own = properties(link.name.value_or(""));
+  const std::vector<std::string>& own = properties(link.name.value_or(""));
   const bool is_mere_frame = own.empty() && link.visuals.empty() && link.collisions.empty();
   return is_mere_frame || own == properties(carrier.name.value_or(""));
 }

@@ -33,11 +33,13 @@ class LinkReferences {
   void read_gazebo(xml::View gazebo, std::string_view link);
   void read_sensor(xml::View sensor);
   void read_names(xml::View element);
-  std::vector<std::string> properties(std::string_view link) const;
+  const std::vector<std::string>& properties(std::string_view link) const;
 
   const LinkedModel& model_;
   std::set<std::string_view> needed_;
   std::map<std::string_view, std::vector<xml::View>> gazebo_, sensors_;  ///< by link
+  /// By link: what Gazebo is told of it but for sensors and plugins, as sorted signatures.
+  std::map<std::string_view, std::vector<std::string>> properties_;
 };
 
 }  // namespace smurf

@@ -41,6 +41,13 @@ Attributes origin_attributes(const Pose& pose) {
   return {{"xyz", numbers_text(pose.position)}, {"rpy", numbers_text(to_rpy(pose.orientation))}};
 }
 
+XmlEdits::XmlEdits(const xml::Document& document, std::string_view text)
+    : document_(document), text_(text) {
+  const std::size_t line = text_.find('\n');
+  const bool is_dos = line != std::string_view::npos && line > 0 && text_[line - 1] == '\r';
+  line_end_ = is_dos ? "\r\n" : "\n";
+}
+
 void XmlEdits::set_attribute(xml::View element, std::string_view name, std::string_view value) {
   if (const xml::Attribute* attribute = element.attribute(name)) {
     if (attribute->value != value) replace(attribute->value_span, escape_xml(value));
@@ -115,22 +122,20 @@ std::string XmlEdits::copy(xml::View element, std::vector<Edit> changes) const {
 }
 
 std::string_view XmlEdits::indentation(Span span) const {
+  constexpr std::size_t kLongestLine = 1000;  // a file may be one line, of many elements
   std::size_t begin = span.begin;
-  while (begin > 0 && text_[begin - 1] != '\n') --begin;
+  while (begin > 0 && text_[begin - 1] != '\n') {
+    if (span.begin - --begin > kLongestLine) return {};
+  }
   std::size_t end = begin;
   while (end < span.begin && is_blank(text_[end])) ++end;
   return text_.substr(begin, end - begin);
 }
 
-std::string_view XmlEdits::line_end() const {
-  const std::size_t line = text_.find('\n');
-  return line != std::string_view::npos && line > 0 && text_[line - 1] == '\r' ? "\r\n" : "\n";
-}
-
 std::string XmlEdits::indented(std::string_view text, std::string_view indentation) const {
   std::string result;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-    result.append(text.substr(0, end)).append(line_end()).append(indentation);
+    result.append(text.substr(0, end)).append(line_end_).append(indentation);
     text.remove_prefix(end + 1);
   }
   return result.append(text);
@@ -144,12 +149,12 @@ void XmlEdits::close(xml::View element, std::string_view children, std::vector<E
   const std::string outer(indentation(element.span()));
   std::string inner = outer + "  ";
   for (const xml::View child : element) inner = indentation(child.span());
-  std::string text = std::string(line_end()) + inner + indented(children, inner);
+  std::string text = std::string(line_end_) + inner + indented(children, inner);
   const Span tag = element.tag_span();
   if (tag.end == element.span().end) {  // <a/>
     Span slash{tag.source, tag.end - 2, tag.end};
     while (is_blank(text_[slash.begin - 1])) --slash.begin;
-    edits.push_back({slash, ">" + text + std::string(line_end()) + outer + "</" +
+    edits.push_back({slash, ">" + text + std::string(line_end_) + outer + "</" +
                                 std::string(element.name()) + ">"});
     return;
   }
@@ -157,7 +162,7 @@ void XmlEdits::close(xml::View element, std::string_view children, std::vector<E
   for (const xml::View child : element) place = child.span();
   place.begin = place.end;
   const bool ends_on_this_line = text_.substr(place.end).starts_with("</");
-  if (ends_on_this_line) text += std::string(line_end()) + outer;
+  if (ends_on_this_line) text += std::string(line_end_) + outer;
   edits.push_back({place, text});
 }
 

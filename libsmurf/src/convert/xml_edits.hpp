@@ -26,8 +26,7 @@ Attributes origin_attributes(const Pose& pose);
 /// Collects the edits of one document. An attribute or element is edited at most once.
 class XmlEdits {
  public:
-  XmlEdits(const xml::Document& document, std::string_view text)
-      : document_(document), text_(text) {}
+  XmlEdits(const xml::Document& document, std::string_view text);
 
   /// Sets the value, which is escaped; adds the attribute when the element has none.
   void set_attribute(xml::View element, std::string_view name, std::string_view value);
@@ -57,13 +56,13 @@ class XmlEdits {
  private:
   /// Blanks before the element on its line.
   std::string_view indentation(Span span) const;
-  std::string_view line_end() const;
   /// The lines of a text, all but the first one indented.
   std::string indented(std::string_view text, std::string_view indentation) const;
   void close(xml::View element, std::string_view children, std::vector<Edit>& edits) const;
 
   const xml::Document& document_;
   std::string_view text_;
+  std::string_view line_end_;  ///< of the first line
   std::vector<Edit> edits_;
   std::map<xml::ElementId, std::string> children_;  ///< new ones, by parent
 };
