@@ -64,7 +64,130 @@ class Search(ConfigTest):
             [(*self.UNNAMED[:2], "error")])
 
 
+    def test_nearest_for_each_file(self):
+        """A file is judged by the configuration nearest to it, whichever the first path is."""
+        for name, level in (("a", "error"), ("b", "info")):
+            self.write(f"{name}/scene.smurfs", SCENE.replace("box.urdf", "../robots/box.urdf"))
+            self.write(f"{name}/.smurf-lint.yaml", f"severity: {{SML5012: {level}}}\n")
+        expected = [("a/scene.smurfs", "SML5012", "error"), ("b/scene.smurfs", "SML5012", "info")]
+        self.assertEqual(self.findings("a", "b"), expected)
+        self.assertEqual(self.findings("b/scene.smurfs", "a/scene.smurfs"), expected)
+        self.assertEqual(self.findings("."), [*expected, self.UNNAMED])
+
+
+class Extends(ConfigTest):
+    def test_own_settings_win(self):
+        self.write("base/strict.yaml", "select: [SML1]\nignore: [SML19]\nseverity: {SML5012: error, SML3: info}\n")
+        self.write(".smurf-lint.yaml", "severity: {SML5012: info}\nselect: SML5\nextends: base/strict.yaml\n")
+        self.assertEqual(self.findings("robots"), [("robots/scene.smurfs", "SML5012", "info")])
+        self.write(".smurf-lint.yaml", "extends: [base/strict.yaml]\n")
+        self.assertEqual(self.findings("robots"), [])
+        self.assertEqual(self.findings("--select", "SML5", "robots"), [("robots/scene.smurfs", "SML5012", "error")])
+
+    def test_chains(self):
+        self.write(".smurf-lint.yaml", "extends: [one.yaml, two.yaml]\n")
+        self.write("one.yaml", "extends: two.yaml\nseverity: {SML5012: info}\n")
+        self.write("two.yaml", "severity: {SML5012: error}\n")
+        self.assertEqual(self.findings("robots"), [("robots/scene.smurfs", "SML5012", "info")])
+
+    def test_mistakes(self):
+        self.write(".smurf-lint.yaml", "extends: [a/b.yaml, absent.yaml, {}]\n")
+        self.write("a/b.yaml", "extends: ../.smurf-lint.yaml\nselct: SML1\n")
+        done = self.expect(1, "--format", "concise", "robots")
+        self.assertEqual([line.split(" (")[0] for line in done.stdout.splitlines() if "SML90" in line], [
+            ".smurf-lint.yaml:1:21: error[SML9002] cannot read `absent.yaml`: No such file or directory",
+            ".smurf-lint.yaml:1:34: error[SML9002] an item takes a text, not a mapping",
+            "a/b.yaml:1:10: error[SML9002] the configuration extends itself by way of others",
+            "a/b.yaml:2:1: error[SML9001] there is no setting `selct`"])
+        self.write(".smurf-lint.yaml", "extends: .smurf-lint.yaml\n")
+        self.assertIn("the configuration extends itself\n", self.expect(1, "--format", "concise", "robots").stdout)
+        for i in range(30):
+            self.write(f"c{i}.yaml", f"extends: [c{i + 1}.yaml, c{i + 2}.yaml]\n")
+        done = self.expect(1, "--format", "concise", "--config", "c0.yaml", "robots")
+        self.assertIn("more than 16 configurations extend each other", done.stdout)
+
+
 class Content(ConfigTest):
+    def test_paths(self):
+        self.write("robots/old/scene.smurfs", SCENE.replace("box", "../box"))
+        self.write(".smurf-lint.yaml", "paths:\n  robots/*.smurfs: {severity: {SML50: error}}\n"
+                                       "  old/: {ignore: [unnamed-entity]}\n")
+        found = [("robots/scene.smurfs", "SML5012", "error")]
+        self.assertEqual(self.findings("robots"), found)
+        self.assertEqual(self.findings(".", cwd=self.folder / "robots"), [("scene.smurfs", *found[0][1:])])
+        self.write(".smurf-lint.yaml", "paths: {'*': {ignore: SML5}, old: {select: SML1}, x: 3}\n")
+        self.assertEqual([f[:2] for f in self.findings("robots") if f[0].startswith(".")],
+                         [(".smurf-lint.yaml", "SML9001"), (".smurf-lint.yaml", "SML9002")])
+
+    def test_a_comment_for_a_rule_that_its_path_ignores_is_not_unused(self):
+        self.write("robots/scene.smurfs", SCENE.replace("urdf}", "urdf}  # smurf-lint: ignore[SML5012] known"))
+        self.assertEqual(self.findings("robots"), [])
+        self.write(".smurf-lint.yaml", "paths: {robots: {ignore: SML5012}}\n")
+        self.assertEqual(self.findings("robots"), [])
+
+    def test_targets(self):
+        self.write("arm.urdf", URDF)
+        self.write(".smurf-lint.yaml", "targets: [ros, mujoco]\n")
+        report = json.loads(self.expect(None, "--format", "json", "arm.urdf").stdout)
+        self.assertEqual(list(report["targets"]), ["ros", "mujoco"])
+        report = json.loads(self.expect(None, "--format", "json", "--target", "dart", "arm.urdf").stdout)
+        self.assertEqual(list(report["targets"]), ["dart"])
+        self.write(".smurf-lint.yaml", "targets: mujuco\n")
+        self.assertIn(".smurf-lint.yaml:1:10: error[SML9002] there is no target `mujuco` (did you mean `mujoco`?)\n",
+                      self.expect(1, "--format", "concise", "arm.urdf").stdout)
+
+    def test_tolerances(self):
+        scene = SCENE.replace("urdf}", "urdf, name: a, position: [0, 0, 0], rotation: [1.01, 0, 0, 0]}")
+        self.write("robots/scene.smurfs", scene)
+        self.assertIn("SML5004", [f[1] for f in self.findings("robots")])
+        self.write(".smurf-lint.yaml", "tolerances: {quaternion-not-unit: 0.02}\n")
+        self.assertNotIn("SML5004", [f[1] for f in self.findings("robots")])
+        self.write(".smurf-lint.yaml", "tolerances: {SML3101: 1, SML50: 1, SML5004: -1, x: 1}\n")
+        done = self.expect(1, "--format", "concise", "--select", "SML9", "robots")
+        self.assertEqual([line.split("] ")[1] for line in done.stdout.splitlines()], [
+            "`SML3101` has no tolerance (`--list-rules=json` shows which have one)",
+            "`SML50` has no tolerance (name one rule)", "`SML5004` takes a number from 0, not `-1`",
+            "there is no rule `x`"])
+        self.assertIn("Tolerance\n  0.001: how far", self.expect(0, "--explain", "SML5004").stdout)
+
+    def test_packages(self):
+        self.write("robots/box.urdf", '<robot name="box"><link name="box"><visual><geometry>'
+                                      '<mesh filename="package://shapes/cube.stl"/></geometry></visual></link></robot>')
+        self.write("shared/cube.stl", "solid cube\nendsolid cube\n")
+        self.assertIn("SML1604", [f[1] for f in self.findings("robots/box.urdf")])
+        self.write("robots/.smurf-lint.yaml", "packages: {shapes: ../shared}\n")
+        self.assertNotIn("SML1604", [f[1] for f in self.findings("robots/box.urdf")])
+        self.assertIn("SML1604", [f[1] for f in self.findings("--package", "shapes=robots", "robots/box.urdf")])
+
+    def test_format_and_verdict(self):
+        self.write("robots/.smurf-lint.yaml", "format: [concise, json=report.json]\nfail-on: warning\n")
+        done = self.expect(1, "robots")
+        self.assertTrue(done.stdout.startswith("robots/scene.smurfs:2:4: warning[SML5012] "), done.stdout)
+        self.assertEqual(json.loads(self.read("robots/report.json"))["summary"]["warning"], 1)
+        self.expect(0, "--fail-on", "error", "--format", "concise", "robots")
+        self.write("robots/.smurf-lint.yaml", "max-warnings: 0\n")
+        self.expect(1, "robots")
+        self.expect(0, "--max-warnings", "1", "robots")
+        self.write("robots/.smurf-lint.yaml", "fail-on: never\nselct: 3\n")
+        self.expect(0, "robots")
+        self.write(".smurf-lint.yaml", "fail-on: fatal\nmax-warnings: many\nformat: [full, jsn, json]\n"
+                                       "force-exclude: maybe\n")
+        done = self.expect(1, "--format", "concise", "--config", ".smurf-lint.yaml", "--select", "SML9", "robots")
+        self.assertEqual([line.split("] ")[1] for line in done.stdout.splitlines()], [
+            "`fail-on` takes error, warning, info or never, not the text `fatal`",
+            "`max-warnings` takes a whole number from 0, not the text `many`",
+            "there is no format `jsn` (did you mean `json`?)",
+            "two reports go to standard output (write `json=FILE`)",
+            "`force-exclude` takes true or false, not the text `maybe`"])
+
+    def test_baseline(self):
+        self.write("robots/.smurf-lint.yaml", "baseline: known.yaml\n")
+        self.assertEqual([f[1] for f in self.findings("robots")], ["SML9002", "SML5012"])
+        self.assertEqual(self.expect(0, "--generate-baseline", "robots").stdout,
+                         "let 1 finding pass in robots/known.yaml\n")
+        self.assertEqual(self.findings("robots"), [])
+        self.assertEqual(self.findings(".", cwd=self.folder / "robots"), [])
+
     def test_schemas_are_relative_to_the_configuration(self):
         self.write(".smurf-lint.yaml", "schemas: {entities: {rainbow: schemas/rainbow.json}}\n")
         self.write("schemas/rainbow.json", RAINBOW)
@@ -103,9 +226,17 @@ class Content(ConfigTest):
         validator = jsonschema.Draft7Validator(schema)
         good = [{"select": ["SML5"], "ignore": "SML5012", "severity": {"SML5012": "info"}},
                 {"schemas": {"sections": {"rainbow": "rainbow.json"}, "entities": None}},
-                {"targets": ["mars"]}, {}, None]
+                {"targets": ["mars"]}, {}, None, {"extends": "rainbow.json"}, {"tolerances": {"SML5004": 0.1}},
+                {"paths": {"*.urdf": {"ignore": "SML1", "severity": {"unknown-joint": "info"}}}},
+                {"exclude": ["old", "/a/**"], "force-exclude": True, "packages": {"a": "b"}},
+                {"format": ["full", "json=x.json"], "fail-on": "never", "max-warnings": 3, "baseline": None}]
         bad = [{"ingore": []}, {"select": {}}, {"severity": {"SML5012": "fatal"}},
-               {"schemas": {"entites": {}}}, {"schemas": {"sections": {"a": []}}}, {"targets": {}}, []]
+               {"schemas": {"entites": {}}}, {"schemas": {"sections": {"a": []}}}, {"targets": {}}, [],
+               {"select": "unknown-jiont"}, {"severity": {"SML50012": "info"}}, {"targets": "mujuco"},
+               {"tolerances": {"SML3101": 1}}, {"tolerances": {"SML5004": -1}}, {"tolerances": {"SML5004": "x"}},
+               {"paths": {"*.urdf": {"select": "SML1"}}}, {"paths": ["a"]}, {"extends": {}},
+               {"exclude": {"a": 1}}, {"force-exclude": "maybe"}, {"packages": ["a"]}, {"format": {}},
+               {"fail-on": "fatal"}, {"max-warnings": -1}, {"max-warnings": 1.5}, {"baseline": []}]
         self.write("rainbow.json", "{}")
         for verdict, configs in ((True, good), (False, bad)):
             for config in configs:
@@ -114,6 +245,76 @@ class Content(ConfigTest):
                     self.write("c.yaml", json.dumps(config))
                     ids = [f[1] for f in self.findings("--config", "c.yaml", "robots")]
                     self.assertEqual([i for i in ids if i.startswith("SML9")] == [], verdict, ids)
+
+
+class Show(ConfigTest):
+    def show(self, *arguments, code=0, **keywords):
+        done = self.run_tool("--show-config", *arguments, **keywords)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def test_origins(self):
+        self.write("base.yaml", "select: [SML3, SML5]\nignore: SML19\nseverity: {SML3: info, SML5: info}\n")
+        self.write("robots/.smurf-lint.yaml", "extends: ../base.yaml\nseverity: {SML5: error}\nignore:\n- SML5013\n"
+                                              "packages: {a: ../b}\npaths:\n  old/: {ignore: [SML5]}\n"
+                                              "tolerances: {axis-not-unit: 0.1}\nmax-warnings: 3\n")
+        shown = self.show("robots/scene.smurfs", "--ignore", "SML51", "--severity", "SML3=warning", "--fail-on", "never",
+                          "--target", "ros").stdout
+        self.assertEqual(shown, """# for robots/scene.smurfs: robots/.smurf-lint.yaml
+select:
+- SML3                        # base.yaml:1
+- SML5                        # base.yaml:1
+ignore:
+- SML51                       # --ignore
+- SML19                       # base.yaml:2
+- SML5013                     # robots/.smurf-lint.yaml:4
+severity:
+  SML3: warning               # --severity
+  SML5: error                 # robots/.smurf-lint.yaml:2
+tolerances:
+  SML1422: 0.1                # robots/.smurf-lint.yaml:8
+targets:
+- ros                         # --target
+paths:
+  old/:                       # robots/.smurf-lint.yaml:7
+    ignore:
+    - SML5                    # robots/.smurf-lint.yaml:7
+exclude: []                   # default
+force-exclude: false          # default
+packages:
+  a: b                        # robots/.smurf-lint.yaml:5
+schemas: {}                   # default
+format: auto                  # default
+fail-on: never                # --fail-on
+max-warnings: 3               # robots/.smurf-lint.yaml:9
+baseline: null                # default
+""")
+
+    def test_what_is_shown_can_be_read(self):
+        self.write(".smurf-lint.yaml", "select: SML5\nexclude: ['*.old', '!a']\nschemas: {entities: {rainbow: r.json}}\n"
+                                       "format: [full, json=a b.json]\nbaseline: known.yaml\n")
+        self.write("r.json", RAINBOW)
+        first = self.show("robots").stdout
+        self.write("shown.yaml", first)
+        again = self.show("robots", "--config", "shown.yaml").stdout
+
+        def values(text):
+            return [line.split("  #")[0] for line in text.splitlines()[1:]]
+
+        self.assertEqual(values(first), values(again))
+        self.assertIn("exclude:\n- \"*.old\"", first)
+
+    def test_without_configuration(self):
+        shown = self.show("robots").stdout
+        self.assertTrue(shown.startswith("# for robots: no configuration\nselect: []  "), shown)
+        self.assertEqual(set(line.split("# ")[1].split(":")[0] for line in shown.splitlines()[1:]), {"default"})
+
+    def test_mistakes(self):
+        self.expect_complaint("there is no 'robts'", "--show-config", "robts")
+        self.write("robots/.smurf-lint.yaml", "selct: SML5\n")
+        self.assertEqual(self.show("robots", code=1).stderr,
+                         "robots/.smurf-lint.yaml:1:1: error[SML9001] there is no setting `selct` "
+                         "(did you mean `select`?)\n")
 
 
 if __name__ == "__main__":

@@ -243,6 +243,21 @@ class WhatMayPass(LintTest):
         self.write_model(motors=BROKEN_MOTORS.replace("elbwo", "elbwo  # smurf-lint: ignore[SML3101]"))
         self.assertIn("no findings", self.expect(0, "--ignore", "SML3101", "arm").stdout)
 
+    def test_what_could_not_be_found_is_not_unused(self):
+        comment = "# smurf-lint: ignore[{}]\n"
+        for rules, arguments in (("SML31", ["--select", "SML3102"]),   # only one of the family ran
+                                 ("SML7", []),                         # readers that are no target
+                                 ("SML6301", []), ("SML8001", [])):    # of other tools
+            self.write_model(motors=comment.format(rules) + MOTORS)
+            self.assertEqual(self.findings(*arguments, "arm", code=0), [], rules)
+        # Without its model, an annotation file does not know any joint.
+        self.write("alone.yml", comment.format("SML3101") + MOTORS)
+        self.assertEqual(self.findings("alone.yml", code=0), [])
+        # Nor does a model one of whose files is missing.
+        self.write_model(motors=comment.format("SML3102") + MOTORS)
+        self.write("arm/smurf/arm.smurf", SMURF + "- absent.yml\n")
+        self.assertEqual(self.findings("arm"), [("arm/smurf/arm.smurf", "SML2001")])
+
     def test_unused_comment_is_removed_by_fix(self):
         noise = MOTORS.replace("- name", "# smurf-lint: ignore[SML3101]\n- name")
         noise = noise.replace("type: PID", "type: PID  # smurf-lint: ignore[SML4101, SML3102] why")

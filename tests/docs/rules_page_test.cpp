@@ -57,8 +57,12 @@ std::string rules_page() {
     }
     page << "\n<a id=\"" << rule->name << "\"></a>\n### " << rule->id << " " << rule->name << "\n\n"
          << rule->summary << " (" << to_string(rule->severity) << ")\n\n"
-         << "**Why it matters.** " << rule->why << "\n\n**What to do.** " << rule->remedy
-         << "\n\n**Sources.** " << rule->sources << "\n";
+         << "**Why it matters.** " << rule->why << "\n\n**What to do.** " << rule->remedy << "\n";
+    if (const Tolerance& tolerance = rule->tolerance; !tolerance.meaning.empty()) {
+      page << "\n**Tolerance.** " << tolerance.value << (tolerance.unit.empty() ? "" : " ")
+           << tolerance.unit << ": " << tolerance.meaning << "\n";
+    }
+    page << "\n**Sources.** " << rule->sources << "\n";
     const std::string example =
         read(fs::path(SMURF_FIXTURES) / "rules" /
              (std::string(rule->id) + "-" + std::string(rule->name)) / "bad.expected.txt");

@@ -13,6 +13,8 @@
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
 #include "base/numbers.hpp"
+#include "smurf/config.hpp"
+#include "smurf/readers.hpp"
 
 namespace smurf::test {
 namespace {
@@ -247,6 +249,102 @@ Json scene_schema() {
   return schema;
 }
 
+Json one_or_more(const Json& item) {
+  return {{"anyOf", {{{"type", "null"}}, item, {{"type", "array"}, {"items", item}}}}};
+}
+
+/// A mapping whose values are `value`.
+Json map_to(const Json& value) {
+  return {{"type", types({"object"}, true)}, {"additionalProperties", value}};
+}
+
+/// Names for completion; every other text is wrong.
+Json words(std::span<const std::string_view> names) {
+  Json values = Json::array();
+  for (const std::string_view name : names) values.push_back(std::string(name));
+  return {{"enum", std::move(values)}};
+}
+
+Json rule_patterns() {
+  std::vector<std::string_view> names;
+  for (const Rule* rule : all_rules()) names.push_back(rule->id);
+  for (const Rule* rule : all_rules()) names.push_back(rule->name);
+  return {{"anyOf", {words(names), {{"type", "string"}, {"pattern", "^SML[0-9]{0,3}$"}}}}};
+}
+
+Json tolerances() {
+  Json schema{{"type", types({"object"}, true)}, {"additionalProperties", false}};
+  for (const Rule* rule : all_rules()) {
+    const Tolerance& tolerance = rule->tolerance;
+    if (tolerance.meaning.empty()) continue;
+    std::string doc(tolerance.meaning);
+    if (!tolerance.unit.empty()) doc += " [" + std::string(tolerance.unit) + "]";
+    for (const std::string_view name : {rule->id, rule->name}) {
+      schema["properties"][std::string(name)] = {{"description", doc},
+                                                 {"type", "number"},
+                                                 {"minimum", 0},
+                                                 {"default", to_json(tolerance.value)}};
+    }
+  }
+  return schema;
+}
+
+Json object_of(std::span<const SettingSpec> settings);
+
+Json setting(SettingType type) {
+  const Json text{{"type", kScalars}};
+  const Json rule{{"$ref", "#/definitions/rule"}};
+  const std::string_view levels[] = {"error", "warning", "info"};
+  const std::string_view thresholds[] = {"error", "warning", "info", "never"};
+  switch (type) {
+  case SettingType::files:
+  case SettingType::patterns: return one_or_more(text);
+  case SettingType::formats:
+    return one_or_more({{"type", "string"}, {"pattern", "^[a-z]+(=.*)?$"}});
+  case SettingType::rules: return one_or_more(rule);
+  case SettingType::targets: return one_or_more(words(target_names()));
+  case SettingType::levels: {
+    Json schema = map_to(words(levels));
+    schema["propertyNames"] = rule;
+    return schema;
+  }
+  case SettingType::tolerances: return tolerances();
+  case SettingType::paths: return map_to(object_of(config_path_settings()));
+  case SettingType::folders: return map_to(text);
+  case SettingType::schemas:
+    return {{"type", types({"object"}, true)},
+            {"additionalProperties", false},
+            {"properties", {{"entities", map_to(text)}, {"sections", map_to(text)}}}};
+  case SettingType::threshold: {
+    Json schema = words(thresholds);
+    schema["enum"].push_back(nullptr);
+    return schema;
+  }
+  case SettingType::count: return {{"type", types({"integer"}, true)}, {"minimum", 0}};
+  case SettingType::boolean: return {{"type", types({"boolean"}, true)}};
+  case SettingType::file: return {{"type", {"string", "number", "boolean", "null"}}};
+  }
+  return {};
+}
+
+Json object_of(std::span<const SettingSpec> settings) {
+  Json schema{{"type", types({"object"}, true)}, {"additionalProperties", false}};
+  for (const SettingSpec& spec : settings) {
+    Json& property = schema["properties"][std::string(spec.name)];
+    property["description"] = std::string(spec.doc);
+    property.update(setting(spec.type));
+  }
+  return schema;
+}
+
+Json config_schema() {
+  Json schema = head("config", "Configuration of smurf-lint (.smurf-lint.yaml)",
+                     "What is checked, and how strictly. Paths are relative to the configuration.");
+  schema.update(object_of(config_settings()));
+  schema["definitions"]["rule"] = rule_patterns();
+  return schema;
+}
+
 /// Two spaces a level; what fits is on one line.
 void print(const Json& json, std::size_t indent, std::size_t used, std::string& out) {
   constexpr std::size_t kWidth = 100;
@@ -285,6 +383,7 @@ std::map<std::string, std::string> write_schemas() {
   files[file_name("smurf")] = to_text(model_schema());
   files[file_name("smurfs")] = to_text(scene_schema());
   files[file_name("annotations")] = to_text(annotations_schema());
+  files[file_name("config")] = to_text(config_schema());
   for (const SectionSpec* section : all_sections()) {
     files[file_name(section->name)] = to_text(section_schema(*section));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The JSON schemas of schemas/ that are made from the key tables of the readers.
+// The JSON schemas of schemas/ that are made from the tables of keys and settings.
 #pragma once
 
 #include <map>

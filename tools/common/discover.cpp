@@ -27,6 +27,8 @@ bool is_sought(std::string_view path) {
 
 class Search {
  public:
+  explicit Search(const LeftOut& is_left_out) : is_left_out_(is_left_out) {}
+
   Found run(const std::string& folder) {
     walk(folder);
     // Links come last, so that a file is known by its own path if that is inside the folder.
@@ -37,6 +39,12 @@ class Search {
   }
 
  private:
+  bool is_left_out(const std::string& path, bool is_folder) {
+    if (!is_left_out_ || !is_left_out_(path, is_folder)) return false;
+    ++found_.left_out;
+    return true;
+  }
+
   bool is_new(const struct stat& status) {
     return seen_.insert({status.st_dev, status.st_ino}).second;
   }
@@ -68,9 +76,9 @@ class Search {
     if (S_ISLNK(status.st_mode)) {
       links_.push_back(path);
     } else if (S_ISDIR(status.st_mode)) {
-      walk(path);
-    } else if (S_ISREG(status.st_mode) && is_sought(path) && is_new(status)) {
-      found_.files.push_back(path);
+      if (!is_left_out(path, true)) walk(path);
+    } else if (S_ISREG(status.st_mode) && is_sought(path)) {
+      add(path, status);
     }
   }
 
@@ -79,12 +87,18 @@ class Search {
     if (::stat(link.c_str(), &status) != 0) {
       if (is_sought(link)) fail(link, errno);
     } else if (S_ISDIR(status.st_mode)) {
-      walk(link);
-    } else if (S_ISREG(status.st_mode) && is_sought(link) && is_new(status)) {
-      found_.files.push_back(link);
+      // To git a link is a file, whatever it leads to.
+      if (!is_left_out(link, false)) walk(link);
+    } else if (S_ISREG(status.st_mode) && is_sought(link)) {
+      add(link, status);
     }
   }
 
+  void add(const std::string& path, const struct stat& status) {
+    if (!is_left_out(path, false) && is_new(status)) found_.files.push_back(path);
+  }
+
+  const LeftOut& is_left_out_;
   Found found_;
   std::vector<std::string> links_;
   std::set<std::pair<dev_t, ino_t>> seen_;
@@ -142,7 +156,9 @@ std::optional<std::string> urdf_of_user(const std::string& model, const std::str
 
 }  // namespace
 
-Found find_inputs(const std::string& folder) { return Search().run(folder); }
+Found find_inputs(const std::string& folder, const LeftOut& is_left_out) {
+  return Search(is_left_out).run(folder);
+}
 
 std::vector<std::string> models_listing(const std::string& path, const FileReader& files) {
   const std::string folder = path::normalize(path::parent(path));

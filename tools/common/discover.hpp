@@ -2,6 +2,8 @@
 // Which files a folder holds, and which models a file belongs to.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,11 +14,15 @@ namespace smurf::tools {
 struct Found {
   std::vector<std::string> files;       ///< sorted
   std::vector<std::string> unreadable;  ///< "'robots/old': Permission denied", sorted
+  std::size_t left_out = 0;             ///< files and folders
 };
+
+/// Says of a path inside a folder that is searched whether it is left out, with all that is in it.
+using LeftOut = std::function<bool(const std::string& path, bool is_folder)>;
 
 /// The .smurf, .smurfs, .smurfa and .urdf files in a folder and the folders below it. Hidden ones
 /// are left out; links are followed, but nothing is found twice.
-Found find_inputs(const std::string& folder);
+Found find_inputs(const std::string& folder, const LeftOut& is_left_out = nullptr);
 
 /// The .smurf files that list a file, sought in its folder, the folder above, and the `smurf`
 /// folders in both; sorted.

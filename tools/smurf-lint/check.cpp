@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scenes first, then the models no scene has loaded, then the files no model has read: so every
-// file is checked in its widest context, and none twice.
+// file is checked in its widest context, and none twice. Within each of the three, files are
+// checked in parallel, each with sources of its own, and put together in the order of the plan.
 #include "smurf-lint/check.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <set>
 
+#include "base/rules.hpp"
 #include "common/input.hpp"
+#include "common/parallel.hpp"
 #include "common/repository.hpp"
 #include "smurf/config.hpp"
 #include "smurf/load.hpp"
@@ -16,64 +20,157 @@
 namespace smurf::tools {
 namespace {
 
-/// What the command line says wins over the configuration; both name rules to ignore.
-RuleSelection merge(RuleSelection config, const RuleSelection& options) {
-  if (!options.select.empty()) config.select = options.select;
-  if (!options.targets.empty()) config.targets = options.targets;
-  config.ignore.insert(config.ignore.end(), options.ignore.begin(), options.ignore.end());
-  for (const auto& [pattern, severity] : options.severities) config.severities[pattern] = severity;
-  return config;
+void append(std::vector<Diagnostic>&& from, std::vector<Diagnostic>& to) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
 }
+
+void shift(Diagnostic& diagnostic, const SourceShift& by) {
+  diagnostic.span = by(diagnostic.span);
+  for (Label& label : diagnostic.labels) label.span = by(label.span);
+  for (Fix& fix : diagnostic.fixes) {
+    for (Edit& edit : fix.edits) edit.span = by(edit.span);
+  }
+}
+
+/// A configuration and what was found under it.
+struct Group {
+  Config config;
+  Settings settings;
+  std::vector<Diagnostic> diagnostics;
+  Suppressions suppressions;
+};
+
+/// What one planned file, with all that it loads, comes to.
+struct Outcome {
+  SourceMap sources;
+  std::vector<Diagnostic> diagnostics;
+  Suppressions suppressions;
+  std::set<std::string> models, scenes, read;  ///< by identity
+};
+
+/// Checks one file after the other.
+class Worker {
+ public:
+  Worker(const FileReader& files, const std::vector<std::string>& package_folders)
+      : files_(files), package_folders_(package_folders) {}
+
+  /// `sources` are those of the configurations.
+  Outcome check(const std::string& path, const Group& group, const SourceMap& sources) {
+    Outcome outcome;
+    outcome.sources = sources;
+    DiagnosticSink sink;
+    LoadContext context{outcome.sources,         files_,           sink,     {},
+                        group.settings.packages, package_folders_, &meshes_, &group.config.schemas};
+    if (kind_of(path) == InputKind::scene) {
+      check_scene(path, group.settings.selection, context, outcome);
+    } else {
+      check_model(path, group.settings.selection, context, outcome);
+    }
+    return outcome;
+  }
+
+ private:
+  static void check_scene(const std::string& path, const RuleSelection& selection,
+                          LoadContext& context, Outcome& outcome) {
+    const LinkedScene scene = load_scene(path, context);
+    lint_scene(scene, selection, context.sink);
+    for (const LinkedModel& model : scene.models) {
+      lint_model(model, selection, context.sink);
+      note_files(model, outcome);
+    }
+    for (const SceneFile& file : scene.scenes) outcome.scenes.insert(identity(file.path));
+    finish(scene, context.sink, outcome);
+  }
+
+  static void check_model(const std::string& path, const RuleSelection& selection,
+                          LoadContext& context, Outcome& outcome) {
+    const LinkedModel model = load_model(path, context);
+    lint_model(model, selection, context.sink);
+    note_files(model, outcome);
+    finish(model, context.sink, outcome);
+  }
+
+  template <class Loaded>
+  static void finish(const Loaded& loaded, DiagnosticSink& sink, Outcome& outcome) {
+    outcome.suppressions.add(loaded, outcome.sources);
+    outcome.diagnostics = sink.take();
+    locate(loaded, outcome.diagnostics);
+  }
+
+  static void note_files(const LinkedModel& model, Outcome& outcome) {
+    outcome.models.insert(identity(model.path));
+    outcome.read.insert(identity(model.path));
+    for (const ModelFile& file : model.files) {
+      outcome.read.insert(identity(outcome.sources.path(file.source)));
+    }
+  }
+
+  const FileReader& files_;
+  const std::vector<std::string>& package_folders_;
+  MeshLibrary meshes_;
+};
 
 class Checker {
  public:
   Checker(const LintOptions& options, const FileReader& files, Checked& checked)
-      : options_(options), files_(files), checked_(checked), selection_(options.selection) {}
+      : options_(options),
+        files_(files),
+        checked_(checked),
+        workers_(count_of_jobs(options.jobs), Worker(files, package_folders_)) {}
 
-  void configure(const std::string& path) {
-    if (path.empty()) return;
-    DiagnosticSink sink;
-    config_ = read_config(path, checked_.sources, files_, sink);
-    selection_ = merge(std::move(config_.selection), options_.selection);
-    diagnostics_ = sink.take();
-  }
-
-  void check_scene(const std::string& path) {
-    DiagnosticSink sink;
-    LoadContext context = make_context(sink);
-    const LinkedScene scene = load_scene(path, context);
-    lint_scene(scene, selection_, sink);
-    suppressions_.add(scene, checked_.sources);
-    for (const LinkedModel& model : scene.models) {
-      lint_model(model, selection_, sink);
-      note_files(model);
+  void configure(const std::vector<std::string>& paths) {
+    const std::vector<std::string_view> formats = report_format_names();
+    for (const std::string& path : paths) {
+      Group& group = groups_.emplace_back();
+      DiagnosticSink sink;
+      if (!path.empty()) {
+        group.config = read_config(path, checked_.sources, files_, sink, formats);
+      }
+      group.settings = merge(group.config, options_);
+      group.diagnostics = sink.take();
+      for (const Reader* target : group.settings.selection.targets) {
+        auto& all = checked_.targets;
+        if (std::find(all.begin(), all.end(), target) == all.end()) all.push_back(target);
+      }
     }
-    for (const SceneFile& file : scene.scenes) scenes_.insert(identity(file.path));
-    collect(sink, scene);
+    checked_.run = merge_run(groups_.front().config, options_);
+    config_sources_ = checked_.sources;
   }
 
-  void check_model(const std::string& path) {
-    if (read_.contains(identity(path))) return;
-    DiagnosticSink sink;
-    LoadContext context = make_context(sink);
-    const LinkedModel model = load_model(path, context);
-    lint_model(model, selection_, sink);
-    suppressions_.add(model, checked_.sources);
-    note_files(model);
-    collect(sink, model);
+  void check_all(const std::vector<PlannedFile>& planned) {
+    std::vector<const PlannedFile*> left;
+    for (const PlannedFile& file : planned) {
+      if (!read_.contains(identity(file.path))) left.push_back(&file);
+    }
+    std::vector<Outcome> outcomes(left.size());
+    for_each_parallel(left.size(), workers_.size(), [&](std::size_t worker, std::size_t i) {
+      const Group& group = groups_[left[i]->config];
+      outcomes[i] = workers_[worker].check(left[i]->path, group, config_sources_);
+    });
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      take(std::move(outcomes[i]), groups_[left[i]->config]);
+    }
   }
 
   void finish_all() {
-    std::vector<Diagnostic> found = finish(std::move(diagnostics_), checked_.sources, selection_);
     std::size_t suppressed = 0;
-    if (!options_.no_ignores) {
-      suppressed = suppressions_.apply(found, checked_.sources, selection_);
-      found = finish(std::move(found), checked_.sources, selection_);
-      if (!options_.baseline.empty() && !options_.generate_baseline) {
-        suppressed += apply_baseline(found);
+    std::vector<Diagnostic> all;
+    for (Group& group : groups_) {
+      const RuleSelection& selection = group.settings.selection;
+      std::vector<Diagnostic> found =
+          finish(std::move(group.diagnostics), checked_.sources, selection);
+      if (!options_.no_ignores) {
+        suppressed += group.suppressions.apply(found, checked_.sources, selection);
+        found = finish(std::move(found), checked_.sources, selection);
       }
+      append(std::move(found), all);
     }
-    checked_.diagnostics = finish(std::move(found), checked_.sources, selection_);
+    sort_findings(all, checked_.sources);
+    if (!options_.no_ignores && !options_.generate_baseline && !checked_.run.baseline.empty()) {
+      suppressed += apply_baseline(all);
+      sort_findings(all, checked_.sources);
+    }
+    checked_.diagnostics = std::move(all);
     checked_.summary = summarize(checked_.diagnostics);
     checked_.summary.suppressed = suppressed;
     checked_.summary.models = models_.size();
@@ -82,43 +179,38 @@ class Checker {
   }
 
  private:
+  void take(Outcome&& outcome, Group& group) {
+    const SourceShift by =
+        checked_.sources.take(std::move(outcome.sources), config_sources_.size());
+    for (Diagnostic& diagnostic : outcome.diagnostics) shift(diagnostic, by);
+    append(std::move(outcome.diagnostics), group.diagnostics);
+    group.suppressions.take(std::move(outcome.suppressions), by);
+    models_.merge(outcome.models);
+    scenes_.merge(outcome.scenes);
+    read_.merge(outcome.read);
+  }
+
   std::size_t apply_baseline(std::vector<Diagnostic>& found) {
+    const RuleSelection& selection = groups_.front().settings.selection;
+    const std::string& path = checked_.run.baseline;
     DiagnosticSink sink;
-    Baseline baseline(relative_to_folder_of(options_.baseline));
-    const SourceId source = read_source(options_.baseline);
+    const FileContent content = files_.read(path, Limits{}.file_bytes);
+    if (content.status != ReadStatus::ok) {
+      sink.report(rules::sml9002_wrong_setting, checked_.run.baseline_place,
+                  "cannot read `" + path + "`: " + content.reason)
+          .help = "write it with `--generate-baseline`";
+      append(finish(sink.take(), checked_.sources, selection), found);
+      return 0;
+    }
+    Baseline baseline(relative_to_folder_of(path));
+    const SourceId source = checked_.sources.add(path, content.text);
     if (const auto document = parse_yaml(checked_.sources, source, {}, sink)) {
       baseline.read(*document, sink);
     }
     const std::size_t count = baseline.apply(found, checked_.sources);
-    baseline.report_stale(checked_.sources, selection_, sink);
-    std::vector<Diagnostic> own = sink.take();
-    std::move(own.begin(), own.end(), std::back_inserter(found));
+    baseline.report_stale(checked_.sources, selection, sink);
+    append(finish(sink.take(), checked_.sources, selection), found);
     return count;
-  }
-
-  /// Precondition: it can be read; main has seen to that.
-  SourceId read_source(const std::string& path) {
-    return checked_.sources.add(path, files_.read(path, Limits{}.file_bytes).text);
-  }
-
-  LoadContext make_context(DiagnosticSink& sink) {
-    return {checked_.sources,  files_,           sink,     {},
-            options_.packages, package_folders_, &meshes_, &config_.schemas};
-  }
-
-  template <class Loaded>
-  void collect(DiagnosticSink& sink, const Loaded& loaded) {
-    std::vector<Diagnostic> found = sink.take();
-    locate(loaded, found);
-    std::move(found.begin(), found.end(), std::back_inserter(diagnostics_));
-  }
-
-  void note_files(const LinkedModel& model) {
-    models_.insert(identity(model.path));
-    read_.insert(identity(model.path));
-    for (const ModelFile& file : model.files) {
-      read_.insert(identity(checked_.sources.path(file.source)));
-    }
   }
 
   /// A file that two models share is one file.
@@ -136,11 +228,9 @@ class Checker {
   const FileReader& files_;
   Checked& checked_;
   const std::vector<std::string> package_folders_ = package_folders_of_environment();
-  MeshLibrary meshes_;
-  Config config_;
-  RuleSelection selection_;
-  std::vector<Diagnostic> diagnostics_;
-  Suppressions suppressions_;
+  std::vector<Worker> workers_;
+  std::vector<Group> groups_;                     ///< one a configuration of the plan
+  SourceMap config_sources_;                      ///< what the sources of each outcome begin with
   std::set<std::string> models_, scenes_, read_;  ///< by identity
 };
 
@@ -149,10 +239,10 @@ class Checker {
 Checked check(const LintOptions& options, const Plan& plan, const FileReader& files) {
   Checked checked;
   Checker checker(options, files, checked);
-  checker.configure(plan.config);
-  for (const std::string& path : plan.scenes) checker.check_scene(path);
-  for (const std::string& path : plan.models) checker.check_model(path);
-  for (const std::string& path : plan.strays) checker.check_model(path);
+  checker.configure(plan.configs);
+  checker.check_all(plan.scenes);
+  checker.check_all(plan.models);
+  checker.check_all(plan.strays);
   checker.finish_all();
   return checked;
 }

@@ -6,6 +6,7 @@
 
 #include "smurf-lint/options.hpp"
 #include "smurf-lint/plan.hpp"
+#include "smurf-lint/settings.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf::tools {
@@ -14,6 +15,8 @@ struct Checked {
   SourceMap sources;
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
+  RunSettings run;
+  std::vector<const Reader*> targets;  ///< of all configurations
 };
 
 Checked check(const LintOptions& options, const Plan& plan, const FileReader& files);

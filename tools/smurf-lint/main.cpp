@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-lint: checks SMURF models and scenes.
+#include <algorithm>
+
 #include "common/input.hpp"
 #include "common/repository.hpp"
 #include "smurf-lint/check.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
+#include "smurf-lint/show_config.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/suppress.hpp"
 
@@ -41,10 +44,8 @@ ExitCode list_rules(const LintOptions& options) {
 /// `place` is where reports without a file of their own go.
 ExitCode write_reports(const LintOptions& options, const std::string& place, const Checked& checked,
                        std::string remarks) {
-  std::vector<ReportRequest> reports = options.reports;
-  if (reports.empty()) reports.push_back({find_report_format("auto"), {}});
   std::vector<TargetVerdict> targets;
-  for (const Reader* reader : options.selection.targets) {
+  for (const Reader* reader : checked.targets) {
     targets.push_back(judge_target(*reader, checked.diagnostics));
   }
   const Results results{.diagnostics = checked.diagnostics,
@@ -56,7 +57,7 @@ ExitCode write_reports(const LintOptions& options, const std::string& place, con
                         .quiet = options.quiet,
                         .counts_only = options.statistics};
   ExitCode code = kDone;
-  for (const ReportRequest& report : reports) {
+  for (const ReportRequest& report : checked.run.reports) {
     const std::string& file = report.file.empty() ? place : report.file;
     const std::string text = report.format->render(results, style_of(options, file));
     if (!write_output(kTool, file, text)) code = kFailed;
@@ -71,7 +72,7 @@ ExitCode report(const LintOptions& options, const Plan& plan, const Checked& che
   const std::string place = is_taken ? "/dev/stderr" : options.output;
   const ExitCode written =
       write_reports(options, place, checked, fix_remarks(fixed, checked.diagnostics));
-  return written == kDone ? judge(checked.summary, options.threshold) : written;
+  return written == kDone ? judge(checked.summary, checked.run.threshold) : written;
 }
 
 ExitCode show_diff(const LintOptions& options, const Fixed& fixed) {
@@ -94,15 +95,34 @@ ExitCode fix(const LintOptions& options, const Plan& plan, MemoryFiles& files, C
   return options.fix_only ? kDone : report(options, plan, fixed.checked, fixed.count);
 }
 
+ExitCode no_baseline() {
+  complain(kTool, "--generate-baseline needs --baseline FILE, the file to write");
+  return kFailed;
+}
+
 ExitCode write_baseline(const LintOptions& options, const Checked& checked) {
-  const Baseline baseline(relative_to_folder_of(options.baseline));
+  const std::string& path = checked.run.baseline;
+  if (path.empty()) return no_baseline();
+  const Baseline baseline(relative_to_folder_of(path));
   const std::string text = baseline.write(checked.diagnostics, checked.sources);
-  if (!write_output(kTool, options.baseline, text)) return kFailed;
+  if (!write_output(kTool, path, text)) return kFailed;
   if (options.quiet) return kDone;
   const std::size_t count = checked.diagnostics.size();
   return write_text(options, "let " + std::to_string(count) +
-                                 (count == 1 ? " finding" : " findings") + " pass in " +
-                                 options.baseline + "\n");
+                                 (count == 1 ? " finding" : " findings") + " pass in " + path +
+                                 "\n");
+}
+
+ExitCode list_files(const LintOptions& options, const Plan& plan) {
+  std::vector<std::string> paths;
+  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
+    for (const PlannedFile& file : *planned) paths.push_back(file.path);
+  }
+  std::sort(paths.begin(), paths.end());
+  std::string text;
+  for (const std::string& path : paths) text += path + "\n";
+  const ExitCode code = write_text(options, text);
+  return plan.has_failed ? kFailed : code;
 }
 
 ExitCode run(const LintOptions& options) {
@@ -114,7 +134,13 @@ ExitCode run(const LintOptions& options) {
       return kFailed;
     }
   }
+  const std::string first = options.paths.empty() ? "." : options.paths.front();
+  if (options.generate_baseline && options.baseline.empty() &&
+      find_config(first, options, files).empty()) {
+    return no_baseline();
+  }
   const Plan plan = make_plan(options, files);
+  if (options.list_files) return list_files(options, plan);
   Checked checked = check(options, plan, files);
   if (options.generate_baseline) {
     return plan.has_failed ? kFailed : write_baseline(options, checked);
@@ -137,6 +163,7 @@ int main(int argc, char** argv) {
   }
   if (!options.explain.empty()) return explain(options);
   if (!options.list_rules.empty()) return list_rules(options);
+  if (!options.show_config.empty()) return show_config(options);
 
   return run(options);
 }

@@ -107,13 +107,19 @@ std::vector<Option> rule_options(LintOptions& options) {
       {.group = "Rules",
        .name = "config",
        .metavar = "FILE",
-       .help = "Read this configuration. Without it: the .smurf-lint.yaml in the folder of the "
-               "first PATH or the nearest folder above.",
+       .help = "Read this configuration. Without it: for each file, the .smurf-lint.yaml in its "
+               "folder or the nearest folder above.",
        .set = set_text(options.config)},
       {.group = "Rules",
        .name = "isolated",
        .help = "Read no configuration.",
        .set = set_flag(options.isolated)},
+      {.group = "Rules",
+       .name = "show-config",
+       .metavar = "PATH",
+       .help = "Show the configuration that holds for a file or folder, with the origin of each "
+               "value, and check nothing.",
+       .set = set_text(options.show_config)},
       {.group = "Rules",
        .name = "explain",
        .metavar = "ID",
@@ -191,8 +197,13 @@ std::vector<Option> output_options(LintOptions& options) {
 }
 
 std::vector<Option> verdict_options(LintOptions& options) {
+  Option fail_on = fail_on_option(options.threshold);
+  fail_on.set = [&options, set = fail_on.set](std::string_view value) {
+    options.has_fail_on = true;
+    return set(value);
+  };
   return {
-      fail_on_option(options.threshold),
+      fail_on,
       {.group = "Verdict",
        .name = "max-warnings",
        .metavar = "N",
@@ -202,6 +213,30 @@ std::vector<Option> verdict_options(LintOptions& options) {
        .name = "exit-zero",
        .help = "Exit with 0 whatever is found; 2 remains 2.",
        .set = set_flag(options.threshold.exit_zero)},
+  };
+}
+
+std::vector<Option> input_options(LintOptions& options) {
+  return {
+      {.group = "Input",
+       .name = "force-exclude",
+       .help =
+           "Leave out what `exclude` in the configuration and ignore files name, even when it is "
+           "a PATH; for hooks.",
+       .set = set_flag(options.force_exclude)},
+      {.group = "Input",
+       .name = "no-ignore-files",
+       .help = "Search folders without regard to .gitignore and .smurf-lintignore.",
+       .set = set_flag(options.no_ignore_files)},
+      {.group = "Input",
+       .name = "only-listed",
+       .help = "Leave out YAML files and meshes that no model uses; for hooks, which name every "
+               "changed file.",
+       .set = set_flag(options.only_listed)},
+      {.group = "Input",
+       .name = "list-files",
+       .help = "Show the files that would be checked, and check nothing.",
+       .set = set_flag(options.list_files)},
   };
 }
 
@@ -220,15 +255,9 @@ Command lint_command(LintOptions& options) {
       "a mesh or texture stands for the models nearby that use it.";
   for (std::vector<Option>& group : std::vector<std::vector<Option>>{
            rule_options(options), ignore_options(options), fix_options(options),
-           output_options(options), verdict_options(options)}) {
+           output_options(options), verdict_options(options), input_options(options)}) {
     std::move(group.begin(), group.end(), std::back_inserter(command.options));
   }
-  command.options.push_back(
-      {.group = "Input",
-       .name = "only-listed",
-       .help = "Leave out YAML files and meshes that no model uses; for hooks, which name every "
-               "changed file.",
-       .set = set_flag(options.only_listed)});
   command.options.push_back(stdin_filename_option(options.stdin_filename));
   command.options.push_back(package_option(options.packages));
   command.options.push_back(color_option(options.color));
@@ -248,6 +277,7 @@ Command lint_command(LintOptions& options) {
       {"smurf-lint --baseline old.yaml --generate-baseline robots/",
        "Only new findings from now on; then without --generate-baseline:"},
       {"smurf-lint --explain unknown-joint", "The page of a rule:"},
+      {"smurf-lint --show-config robots/", "What holds there, and where it is said:"},
   };
   return command;
 }
@@ -267,9 +297,6 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
   }
   if (std::count(options.paths.begin(), options.paths.end(), "-") > 1) {
     return "standard input can be read only once";
-  }
-  if (options.generate_baseline && options.baseline.empty()) {
-    return "--generate-baseline needs --baseline FILE, the file to write";
   }
   if (options.diff && (options.fix || options.fix_only)) {
     return "--diff changes nothing, so it does not go with --fix";

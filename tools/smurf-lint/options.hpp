@@ -20,10 +20,16 @@ struct LintOptions {
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
 
-  std::string config;     ///< "": the nearest one
-  bool isolated = false;  ///< read no configuration
+  std::string config;       ///< "": the nearest one
+  bool isolated = false;    ///< read no configuration
+  std::string show_config;  ///< a path: show what holds for it and do nothing else
   RuleSelection selection;
   Threshold threshold;
+  bool has_fail_on = false;  ///< the threshold's severity was given
+
+  bool force_exclude = false;    ///< leave excluded files out even when they are named
+  bool no_ignore_files = false;  ///< .gitignore and .smurf-lintignore leave nothing out
+  bool list_files = false;       ///< say what would be checked, and check nothing
 
   bool fix = false;           ///< write fixed files
   bool unsafe_fixes = false;  ///< fixes that may change what the model means are fixes too

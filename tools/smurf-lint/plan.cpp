@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-lint/plan.hpp"
 
+#include <algorithm>
+#include <deque>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "base/path.hpp"
+#include "base/path_patterns.hpp"
 #include "common/discover.hpp"
+#include "common/ignore_files.hpp"
 #include "common/input.hpp"
+#include "smurf-lint/settings.hpp"
 #include "smurf/config.hpp"
 
 namespace smurf::tools {
@@ -14,19 +20,76 @@ namespace {
 
 constexpr std::string_view kTool = "smurf-lint";
 
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+std::string nearest_config(const std::string& start, const FileReader& files) {
+  std::error_code ignored;
+  std::string folder = start.empty() ? "." : start;
+  const auto absolute = std::filesystem::absolute(folder, ignored);
+  for (auto level = std::distance(absolute.begin(), absolute.end()); level > 0; --level) {
+    const std::string config = path::join(folder, kConfigName);
+    if (files.is_file(config)) return config;
+    folder = path::join(folder, "..");
+  }
+  return {};
+}
+
+/// What a configuration says of the files it leaves out.
+struct Exclusions {
+  struct Patterns {
+    std::string folder;  ///< absolute
+    PathPatterns patterns;
+  };
+  std::vector<Patterns> all;
+  bool is_forced = false;
+
+  Exclusions(const std::string& config, const LintOptions& options, const FileReader& files)
+      : is_forced(options.force_exclude) {
+    if (config.empty()) return;
+    SourceMap sources;
+    DiagnosticSink reported_when_checking;
+    const Config read = read_config(config, sources, files, reported_when_checking);
+    for (const ConfigPattern& one : read.exclude) {
+      const std::string folder = identity(one.folder);
+      if (all.empty() || all.back().folder != folder) all.push_back({folder, {}});
+      all.back().patterns.add(one.text.value);
+    }
+    is_forced = is_forced || (read.force_exclude && read.force_exclude->value);
+  }
+
+  template <class Judge>
+  bool any(const std::string& path, const Judge& judge) const {
+    return std::any_of(all.begin(), all.end(), [&](const Patterns& one) {
+      const std::string inside = path_inside(path, one.folder);
+      return !inside.empty() && judge(one.patterns, inside);
+    });
+  }
+};
+
 class Planner {
  public:
-  Planner(const LintOptions& options, MemoryFiles& files) : options_(options), files_(files) {}
+  Planner(const LintOptions& options, MemoryFiles& files)
+      : options_(options), files_(files), ignore_files_(files) {}
 
   Plan run() {
     std::vector<std::string> paths = options_.paths;
     if (paths.empty()) paths.emplace_back(".");
-    find_config(paths.front() == "-" ? options_.stdin_filename : paths.front());
+    if (const auto reason = why_no_config()) {
+      fail("cannot read '" + options_.config + "': " + *reason);
+    }
+    const std::string& first = paths.front();
+    if (is_folder(first)) {
+      config_of_folder(first);
+    } else {
+      config_of_entry(first == "-" ? options_.stdin_filename : first);
+    }
     for (const std::string& path : paths) {
-      std::error_code ignored;
       if (path == "-") {
         add_standard_input();
-      } else if (std::filesystem::is_directory(path, ignored)) {
+      } else if (is_folder(path)) {
         add_folder(path);
       } else {
         add_named(path);
@@ -36,27 +99,9 @@ class Planner {
   }
 
  private:
-  void find_config(const std::string& path) {
-    if (options_.isolated) return;
-    if (!options_.config.empty()) {
-      plan_.config = options_.config;
-      const auto reason = why_unreadable(plan_.config, files_);
-      if (reason) fail("cannot read '" + plan_.config + "': " + *reason);
-      if (reason) plan_.config.clear();
-      return;
-    }
-    std::error_code ignored;
-    const bool is_folder = std::filesystem::is_directory(path, ignored);
-    std::string folder(is_folder ? path : std::string(path::parent(path)));
-    const auto absolute = std::filesystem::absolute(folder.empty() ? "." : folder, ignored);
-    for (auto level = std::distance(absolute.begin(), absolute.end()); level > 0; --level) {
-      const std::string config = path::join(folder, kConfigName);
-      if (files_.is_file(config)) {
-        plan_.config = config;
-        return;
-      }
-      folder = path::join(folder, "..");
-    }
+  std::optional<std::string> why_no_config() const {
+    if (options_.config.empty()) return std::nullopt;
+    return why_unreadable(options_.config, files_);
   }
 
   void fail(const std::string& message) {
@@ -64,8 +109,53 @@ class Planner {
     plan_.has_failed = true;
   }
 
-  void add(std::vector<std::string>& to, const std::string& path) {
-    if (planned_.insert(identity(path)).second) to.push_back(path);
+  std::size_t config_of_entry(const std::string& path) {
+    return config_of_folder(std::string(path::parent(path)));
+  }
+
+  std::size_t config_of_folder(const std::string& folder) {
+    const auto [place, is_new] = by_folder_.try_emplace(folder);
+    if (!is_new) return place->second;
+    std::string config = find_config(folder.empty() ? "." : folder, options_, files_);
+    if (!config.empty() && why_unreadable(config, files_)) config.clear();
+    const std::string key = config.empty() ? config : identity(config);
+    const auto [known, is_new_config] = configs_.try_emplace(key, plan_.configs.size());
+    if (is_new_config) {
+      exclusions_.emplace_back(config, options_, files_);
+      plan_.configs.push_back(std::move(config));
+    }
+    return place->second = known->second;
+  }
+
+  /// Whether a folder is searched, the configuration around it says, not the one in it.
+  bool is_left_out(const std::string& path, bool folder) {
+    const bool is_excluded = exclusions_[config_of_entry(path)].any(
+        path, [&](const PathPatterns& patterns, const std::string& inside) {
+          return patterns.judge(inside, folder) == PathVerdict::excluded;
+        });
+    if (is_excluded || options_.no_ignore_files) return is_excluded;
+    return ignore_files_.leaves_out(absolute(path), folder);
+  }
+
+  /// Is a file that is named left out all the same?
+  bool is_left_out_by_force(const std::string& path) {
+    const Exclusions& exclusions = exclusions_[config_of_entry(path)];
+    if (!exclusions.is_forced) return false;
+    const bool is_excluded =
+        exclusions.any(path, [](const PathPatterns& patterns, const std::string& inside) {
+          return patterns.excludes(inside);
+        });
+    if (is_excluded || options_.no_ignore_files) return is_excluded;
+    return ignore_files_.leaves_out_with_folders(absolute(path));
+  }
+
+  static std::string absolute(const std::string& path) {
+    std::error_code ignored;
+    return path::normalize(std::filesystem::absolute(path, ignored).generic_string());
+  }
+
+  void add(std::vector<PlannedFile>& to, const std::string& path) {
+    if (planned_.insert(identity(path)).second) to.push_back({path, config_of_entry(path)});
   }
 
   void add_standard_input() {
@@ -79,10 +169,13 @@ class Planner {
   }
 
   void add_folder(const std::string& folder) {
-    const Found found = find_inputs(folder);
+    const Found found = find_inputs(
+        folder, [&](const std::string& path, bool is_one) { return is_left_out(path, is_one); });
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
     if (found.files.empty() && found.unreadable.empty()) {
-      fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'");
+      const std::string left_out =
+          found.left_out == 0 ? "" : " (" + std::to_string(found.left_out) + " left out)";
+      fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'" + left_out);
     }
     for (const std::string& file : found.files) {
       switch (kind_of(file)) {
@@ -96,7 +189,7 @@ class Planner {
   void add_named(const std::string& path) {
     if (const auto reason = why_unreadable(path, files_)) {
       fail("cannot read '" + path + "': " + *reason);
-    } else {
+    } else if (!is_left_out_by_force(path)) {
       add_file(path);
     }
   }
@@ -119,8 +212,8 @@ class Planner {
   void add_part(const std::string& path) {
     const std::vector<std::string> models = models_listing(path, files_);
     for (const std::string& model : models) add(plan_.models, model);
-    const bool is_left_out = options_.only_listed && kind_of(path) == InputKind::annotation;
-    if (models.empty() && !is_left_out) add(plan_.strays, path);
+    const bool is_passed_over = options_.only_listed && kind_of(path) == InputKind::annotation;
+    if (models.empty() && !is_passed_over) add(plan_.strays, path);
   }
 
   void add_resource(const std::string& path) {
@@ -133,9 +226,19 @@ class Planner {
   MemoryFiles& files_;
   Plan plan_;
   std::set<std::string> planned_;
+  std::map<std::string, std::size_t> by_folder_, configs_;
+  std::deque<Exclusions> exclusions_;  ///< of each configuration
+  IgnoreFiles ignore_files_;
 };
 
 }  // namespace
+
+std::string find_config(const std::string& path, const LintOptions& options,
+                        const FileReader& files) {
+  if (options.isolated) return {};
+  if (!options.config.empty()) return options.config;
+  return nearest_config(is_folder(path) ? path : std::string(path::parent(path)), files);
+}
 
 Plan make_plan(const LintOptions& options, MemoryFiles& files) {
   return Planner(options, files).run();

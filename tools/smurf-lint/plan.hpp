@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which files are loaded, and as what.
+// Which files are loaded, as what, and by which configuration.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,26 @@
 
 namespace smurf::tools {
 
+struct PlannedFile {
+  std::string path;
+  std::size_t config = 0;  ///< index into Plan::configs
+};
+
 struct Plan {
-  std::vector<std::string> scenes;
-  std::vector<std::string> models;
-  std::vector<std::string> strays;  ///< .urdf and .yml files: alone, unless a model reads them
-  std::string standard_input;       ///< its name in `files`; "": it was not read
-  std::string config;               ///< "": none
-  bool has_failed = false;          ///< something could not be read; it was said
+  std::vector<PlannedFile> scenes;
+  std::vector<PlannedFile> models;
+  std::vector<PlannedFile> strays;   ///< .urdf and .yml files: alone, unless a model reads them
+  std::vector<std::string> configs;  ///< paths; "": none. The first is that of the first PATH.
+  std::string standard_input;        ///< its name in `files`; "": it was not read
+  bool has_failed = false;           ///< something could not be read; it was said
 };
 
 /// Standard input, if it is read, goes to `files`.
 Plan make_plan(const LintOptions& options, MemoryFiles& files);
+
+/// The configuration for a file or folder: the one that the options name, else the nearest upward.
+/// "" when there is none.
+std::string find_config(const std::string& path, const LintOptions& options,
+                        const FileReader& files);
 
 }  // namespace smurf::tools

@@ -2,6 +2,10 @@
 // The configuration file of smurf-lint.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,16 +18,70 @@ namespace smurf {
 
 inline constexpr std::string_view kConfigName = ".smurf-lint.yaml";
 
-/// What a configuration file says; what it does not say is empty.
-struct Config {
-  RuleSelection selection;
-  UserSchemas schemas;
-  std::vector<std::string> targets;  ///< readers to be checked for, as written
+/// A pattern as in .gitignore, and the folder it is relative to.
+struct ConfigPattern {
+  Spanned<std::string> text;
+  std::string folder;
 };
 
-/// Reads a configuration with the schemas it names, whose paths are relative to it. Everything
-/// wrong is reported at its place (SML90xx); the rest counts.
+/// What holds for the files of a pattern.
+struct ConfigPath {
+  ConfigPattern pattern;
+  std::vector<Spanned<std::string>> ignore;
+  std::map<std::string, Spanned<Severity>> severities;
+};
+
+/// What a configuration file says, with what it takes over by `extends`; what it does not say is
+/// empty. Every value knows where it was written. Paths start from where the configuration's own
+/// path starts.
+struct Config {
+  std::vector<Spanned<std::string>> select, ignore, targets;
+  std::map<std::string, Spanned<Severity>> severities;
+  std::map<std::string, Spanned<double>> tolerances;
+  std::vector<ConfigPath> paths;
+  std::vector<ConfigPattern> exclude;
+  std::optional<Spanned<bool>> force_exclude;
+  std::map<std::string, Spanned<std::string>> packages;  ///< names to folders
+  std::map<std::string, Spanned<std::string>> section_schemas, entity_schemas;  ///< to files
+  std::vector<Spanned<std::string>> formats;                                    ///< "FORMAT[=FILE]"
+  std::optional<Spanned<std::optional<Severity>>> fail_on;                      ///< none: never
+  std::optional<Spanned<int>> max_warnings;
+  std::optional<Spanned<std::string>> baseline;
+  UserSchemas schemas;
+};
+
+/// Reads a configuration with those it extends and the schemas it names. Everything wrong is
+/// reported at its place (SML90xx); the rest counts. `formats` are the names that reports may
+/// have; empty: any.
 Config read_config(const std::string& path, SourceMap& sources, const FileReader& files,
-                   DiagnosticSink& sink);
+                   DiagnosticSink& sink, std::span<const std::string_view> formats = {});
+
+/// What the value of a setting may be.
+enum class SettingType : std::uint8_t {
+  files,       ///< a path or a list of them
+  rules,       ///< ids, names or prefixes
+  targets,     ///< names of readers
+  formats,     ///< FORMAT[=FILE]
+  patterns,    ///< as in .gitignore
+  levels,      ///< a mapping from rules to severities
+  tolerances,  ///< a mapping from rules to numbers
+  paths,       ///< a mapping from patterns to settings of these
+  folders,     ///< a mapping from names to folders
+  schemas,     ///< a mapping from names to files, of sections and entities
+  threshold,   ///< error, warning, info or never
+  count,
+  boolean,
+  file
+};
+
+struct SettingSpec {
+  std::string_view name;
+  SettingType type;
+  std::string_view doc;  ///< one sentence
+};
+/// All settings, by name; schemas/config.schema.json is made from them.
+std::vector<SettingSpec> config_settings();
+/// Those of the files of a pattern.
+std::vector<SettingSpec> config_path_settings();
 
 }  // namespace smurf

@@ -19,6 +19,13 @@ class Findings;
 enum class Severity : std::uint8_t { info, warning, error };
 std::string_view to_string(Severity severity);
 
+/// The number by which a rule decides, which a configuration may set to another one.
+struct Tolerance {
+  double value = 0;
+  std::string_view unit{};     ///< "rad"; empty for a ratio
+  std::string_view meaning{};  ///< "how far the length may be from 1"; empty: there is none
+};
+
 /// What a rule says about itself. `--explain`, docs/rules.md, SARIF metadata and `--list-rules` are
 /// made from these texts and from nothing else.
 struct Rule {
@@ -37,6 +44,8 @@ struct Rule {
   /// What it finds is fine in general: it runs only for targets of which smurf/readers.hpp knows
   /// something about it.
   bool needs_target = false;
+
+  Tolerance tolerance{};  ///< Findings::tolerance() is what counts
 };
 
 /// A second place that explains a diagnostic, possibly in another file.

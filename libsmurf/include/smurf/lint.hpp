@@ -2,6 +2,7 @@
 // Runs the rules over models and scenes.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -13,14 +14,27 @@
 
 namespace smurf {
 
+/// What holds for some of the files only.
+struct PathRules {
+  std::function<bool(const std::string& path)> covers;
+  std::vector<std::string> ignore;
+  std::map<std::string, Severity> severities;
+};
+
 /// Which rules run, and how severe they are. Ids may be ids, names or prefixes ("SML3").
 struct RuleSelection {
   std::vector<std::string> select;  ///< empty: all
   std::vector<std::string> ignore;
   std::map<std::string, Severity> severities;
   std::vector<const Reader*> targets;  ///< the readers that matter; empty: all, none in particular
+  std::map<std::string, double> tolerances;  ///< by id or name
+  std::vector<PathRules> paths;              ///< where several cover a file, the last one wins
 
   bool is_enabled(const Rule& rule) const;
+  /// The same for what the rule finds in one file.
+  bool is_enabled(const Rule& rule, const std::string& path) const;
+  /// As set, else the rule's own.
+  double tolerance_of(const Rule& rule) const;
 };
 /// True when `pattern` is the rule's id or name or a prefix of its id.
 bool matches(const Rule& rule, std::string_view pattern);
@@ -28,13 +42,17 @@ bool matches(const Rule& rule, std::string_view pattern);
 /// What a check may use: where to report, as whom.
 class Findings {
  public:
-  Findings(const Rule& rule, DiagnosticSink& sink) : rule_(rule), sink_(sink) {}
+  Findings(const Rule& rule, double tolerance, DiagnosticSink& sink)
+      : rule_(rule), tolerance_(tolerance), sink_(sink) {}
   Diagnostic& report(Span span, std::string message) {
     return sink_.report(rule_, span, std::move(message));
   }
+  /// What Rule::tolerance says, or the user's number in its place.
+  double tolerance() const { return tolerance_; }
 
  private:
   const Rule& rule_;
+  double tolerance_;
   DiagnosticSink& sink_;
 };
 
@@ -46,9 +64,11 @@ void lint_scene(const LinkedScene& scene, const RuleSelection& selection, Diagno
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics);
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics);
 
-/// Applies the selection and the targets, drops repetitions (one file in two models), sorts by
-/// path, line, column and id. Diagnostics are located before, because what a reader makes of a
-/// finding depends on its place.
+/// Sorts by path, line, column and id, and drops repetitions (one file in two models).
+void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& sources);
+
+/// Applies the selection and the targets, then sort_findings(). Diagnostics are located before,
+/// because what a reader makes of a finding depends on its place.
 ///
 /// For targets a finding is an error when one of them reports an error, refuses the file or
 /// crashes, and a warning when one silently loses or changes something. What all of them take and

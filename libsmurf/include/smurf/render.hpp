@@ -79,12 +79,12 @@ std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMa
 std::string render_rule(const Rule& rule, const TextStyle& style);
 /// One line a rule, for `--list-rules`.
 std::string render_rule_list(std::span<const Rule* const> rules, const TextStyle& style);
-/// A JSON array of all that the rules say about themselves.
 /// What a conversion loses, as schemas/loss-report.schema.json describes it. The class of a loss is
 /// the name of its rule.
 std::string render_losses_json(std::span<const Diagnostic> losses, const SourceMap& sources,
                                const ToolName& tool);
 
+/// A JSON array of all that the rules say about themselves.
 std::string render_rule_list_json(std::span<const Rule* const> rules);
 
 }  // namespace smurf

@@ -52,6 +52,17 @@ struct Field {
   T value_or(T fallback) const { return value ? *value : fallback; }
 };
 
+/// What becomes of spans when the sources of one map are taken over by another.
+struct SourceShift {
+  std::uint32_t first = 0;  ///< sources before it keep their ids
+  std::uint32_t by = 0;
+
+  Span operator()(Span span) const {
+    const auto id = static_cast<std::uint32_t>(span.source);
+    return {id < first ? span.source : SourceId{id + by}, span.begin, span.end};
+  }
+};
+
 /// Owns every text that was read. References and views stay valid while the map lives.
 class SourceMap {
  public:
@@ -59,6 +70,9 @@ class SourceMap {
   SourceId add(std::string path, std::string text);
   /// A file that could not be read but is named in messages; it has a path and no text.
   SourceId add_unreadable(std::string path);
+  /// Takes over the sources of a map that began as a copy of the first `common` sources of this
+  /// one. Views into the texts of the other map are lost.
+  SourceShift take(SourceMap&& other, std::size_t common);
 
   const std::string& path(SourceId id) const { return at(id).path; }
   std::string_view text(SourceId id) const { return at(id).text; }

@@ -28,11 +28,13 @@ class Suppressions {
  public:
   void add(const LinkedModel& model, const SourceMap& sources);
   void add(const LinkedScene& scene, const SourceMap& sources);
+  /// Adds those of another part of the run, whose sources were taken over.
+  void take(Suppressions&& other, const SourceShift& shift);
 
   /// Takes away what is suppressed and returns how much that is. Adds what is wrong with the
-  /// comments: malformed, of unknown rules, or without effect, the last only for rules that
-  /// `selection` lets run. Precondition: the diagnostics are finished; afterwards they have to be
-  /// finished again.
+  /// comments: malformed, of unknown rules, or without effect. The last only for comments in models
+  /// that were read as a whole, and for rules that `selection` lets run. Precondition: the
+  /// diagnostics are finished; afterwards they have to be finished again.
   std::size_t apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
                     const RuleSelection& selection);
 
@@ -51,14 +53,21 @@ class Suppressions {
     std::string problem;  ///< why it is no suppression; then the rest is empty
     std::vector<Item> items;
   };
+  struct File {
+    std::vector<Comment> comments;
+    bool is_complete = true;  ///< all that could be found in it was sought
+  };
   class Reader;
 
+  template <class Document>
+  void add(const Document& document, bool is_complete, const SourceMap& sources);
   /// Marks the items that were needed; the indices of what they silence.
   static std::vector<std::size_t> silence(std::span<const Diagnostic> diagnostics,
                                           std::vector<Comment>& comments);
-  static void judge(const Comment& comment, const RuleSelection& selection, DiagnosticSink& sink);
+  static void judge(const Comment& comment, const std::function<bool(const Item&)>& is_unused,
+                    DiagnosticSink& sink);
 
-  std::map<std::string, std::vector<Comment>> comments_;  ///< by path
+  std::map<std::string, File> files_;  ///< by path
 };
 
 /// How a baseline names the file of a path: relative to its own folder.

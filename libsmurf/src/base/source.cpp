@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 
 #include "base/utf8.hpp"
 
@@ -28,6 +29,14 @@ SourceId SourceMap::add_unreadable(std::string path) {
   const SourceId id = add(std::move(path), {});
   sources_.back().readable = false;
   return id;
+}
+
+SourceShift SourceMap::take(SourceMap&& other, std::size_t common) {
+  const SourceShift shift{static_cast<std::uint32_t>(common),
+                          static_cast<std::uint32_t>(sources_.size() - common)};
+  const auto first = other.sources_.begin() + static_cast<std::ptrdiff_t>(common);
+  std::move(first, other.sources_.end(), std::back_inserter(sources_));
+  return shift;
 }
 
 std::string_view SourceMap::text(Span span) const {

@@ -3,119 +3,268 @@
 #include "smurf/config.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
 
 #include "ast/keys.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "smurf/limits.hpp"
+#include "smurf/readers.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {
 namespace {
 
+using Texts = std::vector<Spanned<std::string>>;
+using Levels = std::map<std::string, Spanned<Severity>>;
+using Files = std::map<std::string, Spanned<std::string>>;
+
+constexpr std::size_t kLongestChain = 16;  // of configurations that extend each other
+
 std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
+
+std::string listed(std::span<const std::string_view> names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + quoted(name);
+  return list;
+}
+
+std::vector<std::string_view> rule_words() {
+  std::vector<std::string_view> words;
+  for (const Rule* rule : all_rules()) {
+    words.push_back(rule->id);
+    words.push_back(rule->name);
+  }
+  return words;
+}
+
+std::optional<Severity> to_severity(std::string_view word) {
+  for (const Severity severity : {Severity::error, Severity::warning, Severity::info}) {
+    if (to_string(severity) == word) return severity;
+  }
+  return std::nullopt;
+}
 
 class ConfigReader {
  public:
-  ConfigReader(std::string path, SourceMap& sources, const FileReader& files, DiagnosticSink& sink)
-      : path_(std::move(path)), sources_(sources), files_(files), sink_(sink) {}
+  ConfigReader(SourceMap& sources, const FileReader& files, DiagnosticSink& sink,
+               std::span<const std::string_view> formats)
+      : sources_(sources), files_(files), sink_(sink), formats_(formats) {}
 
-  Config run() {
-    const std::optional<SourceId> source = read(path_, {});
-    if (!source) return {};
+  /// `reference` is where another configuration names it; empty for the first.
+  void read(const std::string& path, Span reference) {
+    read_.insert(path);
+    const std::optional<SourceId> source = open(path, reference);
+    if (!source) return;
     const auto document = parse_yaml(sources_, *source, Limits{}, sink_);
     const yaml::View root = document ? document->view() : yaml::View();
-    if (!root || root.is_null()) return {};
+    if (!root || root.is_null()) return;
     if (!root.is_mapping()) {
       wrong(root, "the configuration is a mapping of settings, not " + describe(root));
-    } else {
-      read_mapping(root, kConfigKeys, "setting");
+      return;
     }
+    chain_.push_back(path);
+    // What is taken over comes first, wherever it is named, so that own settings win.
+    if (const yaml::View bases = root.find("extends"); bases && !bases.is_null()) read_bases(bases);
+    folder_ = path::parent(path);
+    read_mapping(root, kSettings, "setting");
+    chain_.pop_back();
+  }
+
+  Config take() {
+    register_schemas();
     return std::move(config_);
   }
 
-  void read_select(yaml::View value) { read_rules(value, config_.selection.select); }
-  void read_ignore(yaml::View value) { read_rules(value, config_.selection.ignore); }
+  static std::vector<SettingSpec> settings() { return specs_of(kSettings); }
+  static std::vector<SettingSpec> path_settings() { return specs_of(kPathSettings); }
 
-  void read_severity(yaml::View value) {
-    if (!value.is_mapping()) return expect(value, "a mapping from rules to levels");
-    for (const yaml::View level : value) {
-      if (!is_rule(level, level.key(), level.key_span())) continue;
-      const auto known = {Severity::error, Severity::warning, Severity::info};
-      const auto* found = std::find_if(known.begin(), known.end(), [&](Severity severity) {
-        return to_string(severity) == level.text();
-      });
-      if (found == known.end()) {
-        expect(level, "error, warning or info");
+ private:
+  struct Setting {
+    SettingSpec spec;
+    void (ConfigReader::*read)(yaml::View value);
+  };
+  static const Setting kSettings[15];
+  static const Setting kPathSettings[2];
+  static const Setting kSchemaSettings[2];
+
+  static std::vector<SettingSpec> specs_of(std::span<const Setting> settings) {
+    std::vector<SettingSpec> specs;
+    for (const Setting& setting : settings) specs.push_back(setting.spec);
+    return specs;
+  }
+
+  void read_bases(yaml::View value) {
+    const std::string folder(path::parent(chain_.back()));
+    for_each_text(value, "a configuration file or a list of them", [&](yaml::View item) {
+      const std::string base = path::join(folder, item.text());
+      if (std::find(chain_.begin(), chain_.end(), base) != chain_.end()) {
+        wrong(item, "the configuration extends itself" +
+                        std::string(base == chain_.back() ? "" : " by way of others"));
+      } else if (chain_.size() >= kLongestChain) {
+        wrong(item,
+              "more than " + std::to_string(kLongestChain) + " configurations extend each other");
+      } else if (!read_.contains(base)) {
+        read(base, item.span());
+      }
+    });
+  }
+
+  void skip_bases(yaml::View) {}  // read_bases() was there
+
+  void read_select(yaml::View value) {
+    config_.select.clear();
+    read_rules(value, config_.select);
+  }
+
+  void read_ignore(yaml::View value) { read_rules(value, config_.ignore); }
+  void read_severity(yaml::View value) { read_levels(value, config_.severities); }
+
+  void read_tolerances(yaml::View value) {
+    if (!value.is_mapping()) return expect(value, "a mapping from rules to numbers");
+    for (const yaml::View number : value) {
+      if (!is_rule(number, number.key(), number.key_span())) continue;
+      const Rule* rule = find_rule(number.key());
+      if (rule == nullptr || rule->tolerance.meaning.empty()) {
+        wrong(number, number.key_span(), quoted(number.key()) + " has no tolerance").help =
+            rule == nullptr ? "name one rule" : "`--list-rules=json` shows which have one";
+      } else if (const auto given = number.number();
+                 given && std::isfinite(*given) && *given >= 0) {
+        config_.tolerances[std::string(rule->id)] = {*given, number.span()};
       } else {
-        config_.selection.severities[std::string(level.key())] = *found;
+        expect(number, "a number from 0");
       }
     }
   }
+
+  void read_paths(yaml::View value) {
+    if (!value.is_mapping()) return expect(value, "a mapping from patterns to settings");
+    for (const yaml::View settings : value) {
+      if (settings.is_null() || settings.is_repeated()) continue;
+      if (!settings.is_mapping()) {
+        expect(settings, "`ignore` and `severity`");
+        continue;
+      }
+      config_.paths.push_back(
+          {{{std::string(settings.key()), settings.key_span()}, folder_}, {}, {}});
+      read_mapping(settings, kPathSettings, "setting of paths");
+    }
+  }
+  void read_path_ignore(yaml::View value) { read_rules(value, config_.paths.back().ignore); }
+  void read_path_severity(yaml::View value) { read_levels(value, config_.paths.back().severities); }
+
+  void read_exclude(yaml::View value) {
+    for_each_text(value, "a pattern or a list of them", [&](yaml::View item) {
+      config_.exclude.push_back({{std::string(item.text()), item.span()}, folder_});
+    });
+  }
+
+  void read_force_exclude(yaml::View value) {
+    const auto given = value.is_scalar() ? value.boolean() : std::nullopt;
+    if (!given) return expect(value, "true or false");
+    config_.force_exclude = {*given, value.span()};
+  }
+
+  void read_packages(yaml::View value) { read_files(value, "folders", config_.packages); }
 
   void read_schemas(yaml::View value) {
     if (!value.is_mapping()) return expect(value, "`sections` and `entities`");
-    read_mapping(value, kSchemaKeys, "kind of schemas");
+    read_mapping(value, kSchemaSettings, "kind of schemas");
   }
-
   void read_section_schemas(yaml::View value) {
-    read_schema_files(value, [&](std::string name, SourceId schema) {
-      config_.schemas.add_section(std::move(name), schema, sources_, sink_);
-    });
+    read_files(value, "schema files", config_.section_schemas);
   }
-
   void read_entity_schemas(yaml::View value) {
-    read_schema_files(value, [&](std::string type, SourceId schema) {
-      config_.schemas.add_entity_type(std::move(type), schema, sources_, sink_);
-    });
+    read_files(value, "schema files", config_.entity_schemas);
   }
 
   void read_targets(yaml::View value) {
-    for_each_text(value, "a list of readers",
-                  [&](yaml::View target) { config_.targets.emplace_back(target.text()); });
+    config_.targets.clear();
+    for_each_text(value, "a reader or a list of them", [&](yaml::View item) {
+      if (find_target(item.text()) != nullptr) {
+        config_.targets.push_back({std::string(item.text()), item.span()});
+      } else {
+        report_word(item, item.text(), "target", target_names());
+      }
+    });
   }
 
- private:
-  struct Key {
-    std::string_view name;
-    void (ConfigReader::*read)(yaml::View value);
-  };
-  static constexpr Key kConfigKeys[] = {
-      {"ignore", &ConfigReader::read_ignore},   {"schemas", &ConfigReader::read_schemas},
-      {"select", &ConfigReader::read_select},   {"severity", &ConfigReader::read_severity},
-      {"targets", &ConfigReader::read_targets},
-  };
-  static constexpr Key kSchemaKeys[] = {
-      {"entities", &ConfigReader::read_entity_schemas},
-      {"sections", &ConfigReader::read_section_schemas},
-  };
+  void read_format(yaml::View value) {
+    config_.formats.clear();
+    std::set<std::string> places;
+    for_each_text(value, "FORMAT[=FILE] or a list of them", [&](yaml::View item) {
+      const std::string_view text = item.text();
+      const std::size_t equals = std::min(text.find('='), text.size());
+      const std::string name(text.substr(0, equals));
+      const std::string_view file = text.substr(std::min(equals + 1, text.size()));
+      const std::string place = file.empty() ? std::string("-") : path::join(folder_, file);
+      if (!formats_.empty() &&
+          std::find(formats_.begin(), formats_.end(), name) == formats_.end()) {
+        report_word(item, name, "format", formats_);
+      } else if (!places.insert(place).second) {
+        wrong(item, "two reports go to " + (place == "-" ? "standard output" : quoted(file))).help =
+            "write " + quoted(name + "=FILE");
+      } else {
+        config_.formats.push_back({place == "-" ? name : name + "=" + place, item.span()});
+      }
+    });
+  }
 
-  void read_mapping(yaml::View mapping, std::span<const Key> keys, std::string_view what) {
+  void read_fail_on(yaml::View value) {
+    const auto level = value.is_scalar() ? to_severity(value.text()) : std::nullopt;
+    if (!level && !(value.is_scalar() && value.text() == "never")) {
+      return expect(value, "error, warning, info or never");
+    }
+    config_.fail_on = {level, value.span()};
+  }
+
+  void read_max_warnings(yaml::View value) {
+    const auto number = value.is_scalar() ? value.integer() : std::nullopt;
+    if (!number || *number < 0 || *number > std::numeric_limits<int>::max()) {
+      return expect(value, "a whole number from 0");
+    }
+    config_.max_warnings = {static_cast<int>(*number), value.span()};
+  }
+
+  void read_baseline(yaml::View value) {
+    if (!value.is_scalar()) return expect(value, "the path of a file");
+    config_.baseline = {path::join(folder_, value.text()), value.span()};
+  }
+
+  void read_mapping(yaml::View mapping, std::span<const Setting> settings, std::string_view what) {
     for (const yaml::View value : mapping) {
-      const auto key = std::find_if(keys.begin(), keys.end(),
-                                    [&](const Key& one) { return one.name == value.key(); });
-      if (key == keys.end()) {
-        report_unknown(value, keys, what);
+      const auto setting = std::find_if(settings.begin(), settings.end(), [&](const Setting& one) {
+        return one.spec.name == value.key();
+      });
+      if (setting == settings.end()) {
+        report_unknown(value, settings, what);
       } else if (!value.is_null() && !value.is_repeated()) {
-        (this->*key->read)(value);
+        (this->*setting->read)(value);
       }
     }
   }
 
-  void report_unknown(yaml::View value, std::span<const Key> keys, std::string_view what) {
+  void report_unknown(yaml::View value, std::span<const Setting> settings, std::string_view what) {
     Diagnostic& diagnostic =
         sink_.report(rules::sml9001_unknown_setting, value.key_span(),
                      "there is no " + std::string(what) + " " + quoted(value.key()));
     diagnostic.pointer = yaml::pointer(value.document(), value.id());
     std::vector<std::string_view> names;
-    for (const Key& key : keys) names.push_back(key.name);
+    for (const Setting& setting : settings) names.push_back(setting.spec.name);
     suggest(diagnostic, value.key(), names, value.key_span());
-    if (!diagnostic.help.empty()) return;
-    diagnostic.help = "known are";
-    for (const std::string_view name : names) {
-      diagnostic.help += (name == names.front() ? " " : ", ") + quoted(name);
-    }
+    if (diagnostic.help.empty()) diagnostic.help = "known are " + listed(names);
+  }
+
+  /// "there is no target `mujuco`", for a word out of few.
+  void report_word(yaml::View value, std::string_view word, std::string_view what,
+                   std::span<const std::string_view> known) {
+    Span place = value.span();
+    Diagnostic& diagnostic = wrong(value, "there is no " + std::string(what) + " " + quoted(word));
+    if (word == value.text()) suggest(diagnostic, word, known, place);
+    if (diagnostic.help.empty()) diagnostic.help = "known are " + listed(known);
   }
 
   static void suggest(Diagnostic& diagnostic, std::string_view text,
@@ -156,39 +305,63 @@ class ConfigReader {
     }
   }
 
-  void read_rules(yaml::View value, std::vector<std::string>& patterns) {
-    for_each_text(value, "a list of rules", [&](yaml::View item) {
-      if (is_rule(item, item.text(), item.span())) patterns.emplace_back(item.text());
+  void read_rules(yaml::View value, Texts& patterns) {
+    for_each_text(value, "a rule or a list of rules", [&](yaml::View item) {
+      if (!is_rule(item, item.text(), item.span())) return;
+      patterns.push_back({std::string(item.text()), item.span()});
     });
   }
 
-  bool is_rule(yaml::View value, std::string_view pattern, Span place) {
-    std::vector<std::string_view> known;
-    for (const Rule* rule : all_rules()) {
-      if (matches(*rule, pattern)) return true;
-      known.push_back(rule->id);
-      known.push_back(rule->name);
+  void read_levels(yaml::View value, Levels& levels) {
+    if (!value.is_mapping()) return expect(value, "a mapping from rules to levels");
+    for (const yaml::View level : value) {
+      if (!is_rule(level, level.key(), level.key_span())) continue;
+      if (const auto severity = level.is_scalar() ? to_severity(level.text()) : std::nullopt) {
+        levels[std::string(level.key())] = {*severity, level.span()};
+      } else {
+        expect(level, "error, warning or info");
+      }
     }
-    suggest(wrong(value, place, "there is no rule " + quoted(pattern)), pattern, known, place);
+  }
+
+  bool is_rule(yaml::View value, std::string_view pattern, Span place) {
+    const auto rules = all_rules();
+    const bool is_known = std::any_of(rules.begin(), rules.end(),
+                                      [&](const Rule* rule) { return matches(*rule, pattern); });
+    if (is_known) return true;
+    const std::vector<std::string_view> words = rule_words();
+    suggest(wrong(value, place, "there is no rule " + quoted(pattern)), pattern, words, place);
     return false;
   }
 
-  template <class Register>
-  void read_schema_files(yaml::View value, Register add) {
-    if (!value.is_mapping()) return expect(value, "a mapping from names to schema files");
+  void read_files(yaml::View value, std::string_view what, Files& files) {
+    if (!value.is_mapping()) return expect(value, "a mapping from names to " + std::string(what));
     for (const yaml::View file : value) {
       if (file.is_repeated()) continue;
-      if (!file.is_scalar()) {
-        expect(file, "the path of a schema file");
-        continue;
+      if (file.is_scalar()) {
+        files[std::string(file.key())] = {path::join(folder_, file.text()), file.span()};
+      } else {
+        expect(file, "a path");
       }
-      const auto schema = read(path::join(path::parent(path_), file.text()), file.span());
-      if (schema) add(std::string(file.key()), *schema);
+    }
+  }
+
+  /// Last, so that only what counts in the end is read.
+  void register_schemas() {
+    for (const auto& [name, file] : config_.section_schemas) {
+      if (const auto schema = open(file.value, file.span)) {
+        config_.schemas.add_section(name, *schema, sources_, sink_);
+      }
+    }
+    for (const auto& [type, file] : config_.entity_schemas) {
+      if (const auto schema = open(file.value, file.span)) {
+        config_.schemas.add_entity_type(type, *schema, sources_, sink_);
+      }
     }
   }
 
   /// A file that cannot be read is reported where it is named.
-  std::optional<SourceId> read(const std::string& path, Span reference) {
+  std::optional<SourceId> open(const std::string& path, Span reference) {
     FileContent content = files_.read(path, Limits{}.file_bytes);
     if (content.status == ReadStatus::ok) return sources_.add(path, std::move(content.text));
     const Rule& rule =
@@ -198,19 +371,80 @@ class ConfigReader {
     return std::nullopt;
   }
 
-  std::string path_;
   SourceMap& sources_;
   const FileReader& files_;
   DiagnosticSink& sink_;
+  std::span<const std::string_view> formats_;
+  std::vector<std::string> chain_;  ///< each extends the next
+  std::set<std::string> read_;
+  std::string folder_;  ///< of the configuration that is being read
   Config config_;
+};
+
+using Reader = ConfigReader;
+
+const ConfigReader::Setting ConfigReader::kSettings[] = {
+    {{"baseline", SettingType::file, "Findings that may pass, as written by --generate-baseline."},
+     &Reader::read_baseline},
+    {{"exclude", SettingType::patterns, "What is left out of folders; patterns as in .gitignore."},
+     &Reader::read_exclude},
+    {{"extends", SettingType::files,
+      "Configurations to start from. What is written here wins; ignore, exclude and paths are added "
+      "to theirs."},
+     &Reader::skip_bases},
+    {{"fail-on", SettingType::threshold, "The least severity of a finding for exit code 1."},
+     &Reader::read_fail_on},
+    {{"force-exclude", SettingType::boolean,
+      "Whether excluded files are left out even when they are named on the command line."},
+     &Reader::read_force_exclude},
+    {{"format", SettingType::formats, "Reports: FORMAT or FORMAT=FILE."}, &Reader::read_format},
+    {{"ignore", SettingType::rules, "All but these rules."}, &Reader::read_ignore},
+    {{"max-warnings", SettingType::count, "With more warnings than this, the exit code is 1."},
+     &Reader::read_max_warnings},
+    {{"packages", SettingType::folders, "The folders that package:// addresses stand for."},
+     &Reader::read_packages},
+    {{"paths", SettingType::paths,
+      "Settings for some files only, by patterns as in .gitignore; the last that fits wins."},
+     &Reader::read_paths},
+    {{"schemas", SettingType::schemas,
+      "JSON Schemas (draft-07, as JSON or YAML) of your own annotation sections and entity types."},
+     &Reader::read_schemas},
+    {{"select", SettingType::rules, "Only these rules: ids, names, or prefixes such as SML3."},
+     &Reader::read_select},
+    {{"severity", SettingType::levels, "Rules that are to be errors, warnings or infos."},
+     &Reader::read_severity},
+    {{"targets", SettingType::targets, "The readers that the files are meant for."},
+     &Reader::read_targets},
+    {{"tolerances", SettingType::tolerances,
+      "The numbers by which rules decide; --explain shows what they mean."},
+     &Reader::read_tolerances},
+};
+
+const ConfigReader::Setting ConfigReader::kPathSettings[] = {
+    {{"ignore", SettingType::rules, "Rules whose findings in these files do not count."},
+     &Reader::read_path_ignore},
+    {{"severity", SettingType::levels, "Severities of rules in these files."},
+     &Reader::read_path_severity},
+};
+
+const ConfigReader::Setting ConfigReader::kSchemaSettings[] = {
+    {{"entities", SettingType::files, "Of entities of a scene, by their type."},
+     &Reader::read_entity_schemas},
+    {{"sections", SettingType::files, "Of annotation sections, by their name."},
+     &Reader::read_section_schemas},
 };
 
 }  // namespace
 
 Config read_config(const std::string& path, SourceMap& sources, const FileReader& files,
-                   DiagnosticSink& sink) {
-  return ConfigReader(path::normalize(path), sources, files, sink).run();
+                   DiagnosticSink& sink, std::span<const std::string_view> formats) {
+  ConfigReader reader(sources, files, sink, formats);
+  reader.read(path::normalize(path), {});
+  return reader.take();
 }
+
+std::vector<SettingSpec> config_settings() { return ConfigReader::settings(); }
+std::vector<SettingSpec> config_path_settings() { return ConfigReader::path_settings(); }
 
 namespace rules {
 

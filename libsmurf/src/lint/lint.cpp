@@ -15,6 +15,12 @@ bool matches_any(const Rule& rule, const std::vector<std::string>& patterns) {
                      [&](const std::string& pattern) { return matches(rule, pattern); });
 }
 
+void set_severity(Diagnostic& diagnostic, const std::map<std::string, Severity>& severities) {
+  for (const auto& [pattern, severity] : severities) {
+    if (matches(*diagnostic.rule, pattern)) diagnostic.severity = severity;
+  }
+}
+
 /// Diagnostics as people read them: by file, then place, then rule.
 auto order_key(const Diagnostic& diagnostic, const SourceMap& sources) {
   return std::tuple<const std::string&, std::uint32_t, std::uint32_t, std::string_view,
@@ -40,10 +46,23 @@ bool RuleSelection::is_enabled(const Rule& rule) const {
   return !matches_any(rule, ignore);
 }
 
+bool RuleSelection::is_enabled(const Rule& rule, const std::string& path) const {
+  return is_enabled(rule) && std::none_of(paths.begin(), paths.end(), [&](const PathRules& some) {
+           return matches_any(rule, some.ignore) && some.covers(path);
+         });
+}
+
+double RuleSelection::tolerance_of(const Rule& rule) const {
+  for (const auto& [name, tolerance] : tolerances) {
+    if (matches(rule, name)) return tolerance;
+  }
+  return rule.tolerance.value;
+}
+
 void lint_model(const LinkedModel& model, const RuleSelection& selection, DiagnosticSink& sink) {
   for (const Rule* rule : all_rules()) {
     if (rule->check_model == nullptr || !selection.is_enabled(*rule)) continue;
-    Findings findings(*rule, sink);
+    Findings findings(*rule, selection.tolerance_of(*rule), sink);
     rule->check_model(model, findings);
   }
 }
@@ -51,20 +70,12 @@ void lint_model(const LinkedModel& model, const RuleSelection& selection, Diagno
 void lint_scene(const LinkedScene& scene, const RuleSelection& selection, DiagnosticSink& sink) {
   for (const Rule* rule : all_rules()) {
     if (rule->check_scene == nullptr || !selection.is_enabled(*rule)) continue;
-    Findings findings(*rule, sink);
+    Findings findings(*rule, selection.tolerance_of(*rule), sink);
     rule->check_scene(scene, findings);
   }
 }
 
-std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
-                               const RuleSelection& selection) {
-  std::erase_if(diagnostics, [&](const Diagnostic& d) { return !selection.is_enabled(*d.rule); });
-  if (!selection.targets.empty()) apply_targets(diagnostics, selection.targets);
-  for (Diagnostic& diagnostic : diagnostics) {
-    for (const auto& [pattern, severity] : selection.severities) {
-      if (matches(*diagnostic.rule, pattern)) diagnostic.severity = severity;
-    }
-  }
+void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& sources) {
   std::stable_sort(diagnostics.begin(), diagnostics.end(),
                    [&](const Diagnostic& a, const Diagnostic& b) {
                      return order_key(a, sources) < order_key(b, sources);
@@ -73,6 +84,22 @@ std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const Source
     return order_key(a, sources) == order_key(b, sources);
   };
   diagnostics.erase(std::unique(diagnostics.begin(), diagnostics.end(), same), diagnostics.end());
+}
+
+std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
+                               const RuleSelection& selection) {
+  std::erase_if(diagnostics, [&](const Diagnostic& one) {
+    return !selection.is_enabled(*one.rule, sources.path(one.span.source));
+  });
+  if (!selection.targets.empty()) apply_targets(diagnostics, selection.targets);
+  for (Diagnostic& diagnostic : diagnostics) {
+    set_severity(diagnostic, selection.severities);
+    for (const PathRules& some : selection.paths) {
+      if (some.severities.empty() || !some.covers(sources.path(diagnostic.span.source))) continue;
+      set_severity(diagnostic, some.severities);
+    }
+  }
+  sort_findings(diagnostics, sources);
   return diagnostics;
 }
 

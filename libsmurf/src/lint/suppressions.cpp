@@ -68,6 +68,27 @@ bool is_known(std::string_view name) {
                      [&](const Rule* rule) { return matches(*rule, name); });
 }
 
+/// Whether smurf-lint would have found here whatever there is to find of the rules of that name.
+/// Findings that depend on targets appear only when each reader with an opinion is a target, and
+/// those of the other tools (SML6, SML8) never.
+bool has_run(std::string_view name, const std::string& path, const RuleSelection& selection) {
+  const auto has_run_in_full = [&](const Rule& rule) {
+    if (rule.id.starts_with("SML6") || rule.id.starts_with("SML8")) return false;
+    if (!selection.is_enabled(rule, path)) return false;
+    const auto& targets = selection.targets;
+    const auto readers = all_readers();
+    return !rule.needs_target ||
+           std::all_of(readers.begin(), readers.end(), [&](const Reader* reader) {
+             return !reader->is_target || !has_facts(*reader, rule) ||
+                    std::find(targets.begin(), targets.end(), reader) != targets.end();
+           });
+  };
+  const auto rules = all_rules();
+  return std::all_of(rules.begin(), rules.end(), [&](const Rule* rule) {
+    return !matches(*rule, name) || has_run_in_full(*rule);
+  });
+}
+
 /// "there is no rule `SML31O1`", and which is meant.
 void report_unknown_rule(Span span, std::string_view name, DiagnosticSink& sink) {
   Diagnostic& diagnostic = sink.report(rules::sml9102_unknown_rule, span,
@@ -214,26 +235,46 @@ class Suppressions::Reader {
   std::vector<Comment>& comments_;
 };
 
+/// A file is read once; what is missing where one model uses it may be found where another does,
+/// so that it is complete only where every one of them is.
+template <class Document>
+void Suppressions::add(const Document& document, bool is_complete, const SourceMap& sources) {
+  const auto [file, is_new] = files_.try_emplace(sources.path(document.source));
+  file->second.is_complete = file->second.is_complete && is_complete;
+  if (!is_new) return;
+  Reader(sources.text(document.source), document.source, file->second.comments).read(document);
+}
+
 void Suppressions::add(const LinkedModel& model, const SourceMap& sources) {
-  const auto read = [&](SourceId source, const auto& document) {
-    const auto [comments, is_new] = comments_.try_emplace(sources.path(source));
-    if (is_new) Reader(sources.text(source), source, comments->second).read(document);
-  };
   for (const ModelFile& file : model.files) {
-    if (file.document) read(file.source, *file.document);
+    if (file.document) add(*file.document, model.is_complete, sources);
   }
-  if (model.robot) read(model.robot->document.source, model.robot->document);
+  if (model.robot) add(model.robot->document, model.is_complete, sources);
 }
 
 void Suppressions::add(const LinkedScene& scene, const SourceMap& sources) {
   for (const SceneFile& file : scene.scenes) {
-    if (!file.document) continue;
-    const auto [comments, is_new] = comments_.try_emplace(sources.path(file.source));
-    if (is_new) {
-      Reader(sources.text(file.source), file.source, comments->second).read(*file.document);
-    }
+    if (file.document) add(*file.document, scene.is_complete, sources);
   }
   for (const LinkedModel& model : scene.models) add(model, sources);
+}
+
+void Suppressions::take(Suppressions&& other, const SourceShift& shift) {
+  for (auto& [path, from] : other.files_) {
+    const auto [place, is_new] = files_.try_emplace(path);
+    File& file = place->second;
+    file.is_complete = file.is_complete && from.is_complete;
+    if (!is_new) continue;
+    file.comments = std::move(from.comments);
+    for (Comment& comment : file.comments) {
+      comment.span = shift(comment.span);
+      comment.removal = shift(comment.removal);
+      for (Item& item : comment.items) {
+        item.span = shift(item.span);
+        item.removal = shift(item.removal);
+      }
+    }
+  }
 }
 
 std::size_t Suppressions::apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
@@ -242,14 +283,14 @@ std::size_t Suppressions::apply(std::vector<Diagnostic>& diagnostics, const Sour
   const auto path_of = [&](const Diagnostic& one) -> const std::string& {
     return sources.path(one.span.source);
   };
-  for (auto& [path, comments] : comments_) {
+  for (auto& [path, file] : files_) {
     const auto first = std::lower_bound(
         diagnostics.begin(), diagnostics.end(), path,
         [&](const Diagnostic& one, const std::string& wanted) { return path_of(one) < wanted; });
     auto last = first;
     while (last != diagnostics.end() && path_of(*last) == path) ++last;
     const auto skipped = static_cast<std::size_t>(first - diagnostics.begin());
-    for (const std::size_t i : silence(std::span(first, last), comments)) {
+    for (const std::size_t i : silence(std::span(first, last), file.comments)) {
       is_silent[skipped + i] = true;
     }
   }
@@ -258,8 +299,11 @@ std::size_t Suppressions::apply(std::vector<Diagnostic>& diagnostics, const Sour
       std::erase_if(diagnostics, [&](const Diagnostic&) { return is_silent[index++]; });
 
   DiagnosticSink sink;
-  for (const auto& [path, comments] : comments_) {
-    for (const Comment& comment : comments) judge(comment, selection, sink);
+  for (const auto& [path, file] : files_) {
+    const auto is_unused = [&, &path = path, &file = file](const Item& item) {
+      return !item.is_used && file.is_complete && has_run(item.name, path, selection);
+    };
+    for (const Comment& comment : file.comments) judge(comment, is_unused, sink);
   }
   std::vector<Diagnostic> judged = sink.take();
   std::move(judged.begin(), judged.end(), std::back_inserter(diagnostics));
@@ -298,7 +342,7 @@ std::vector<std::size_t> Suppressions::silence(std::span<const Diagnostic> diagn
   return silent;
 }
 
-void Suppressions::judge(const Comment& comment, const RuleSelection& selection,
+void Suppressions::judge(const Comment& comment, const std::function<bool(const Item&)>& is_unused,
                          DiagnosticSink& sink) {
   if (!comment.problem.empty()) {
     sink.report(rules::sml9101_malformed_suppression, comment.span,
@@ -306,13 +350,6 @@ void Suppressions::judge(const Comment& comment, const RuleSelection& selection,
         .help = "write `smurf-lint: ignore[SML3101] reason`";
     return;
   }
-  const auto is_unused = [&](const Item& item) {
-    if (item.is_used) return false;
-    const auto rules = all_rules();
-    return std::any_of(rules.begin(), rules.end(), [&](const Rule* rule) {
-      return matches(*rule, item.name) && selection.is_enabled(*rule);
-    });
-  };
   const bool is_all_unused = std::all_of(comment.items.begin(), comment.items.end(), is_unused);
   for (const Item& item : comment.items) {
     if (!is_known(item.name)) {

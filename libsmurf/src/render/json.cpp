@@ -105,13 +105,20 @@ std::string render_losses_json(std::span<const Diagnostic> losses, const SourceM
 std::string render_rule_list_json(std::span<const Rule* const> rules) {
   Json list = Json::array();
   for (const Rule* rule : rules) {
-    list.push_back({{"id", text(rule->id)},
-                    {"name", text(rule->name)},
-                    {"severity", text(to_string(rule->severity))},
-                    {"summary", text(rule->summary)},
-                    {"why", text(rule->why)},
-                    {"remedy", text(rule->remedy)},
-                    {"sources", text(rule->sources)}});
+    Json entry = {{"id", text(rule->id)},
+                  {"name", text(rule->name)},
+                  {"severity", text(to_string(rule->severity))},
+                  {"needs_target", rule->needs_target},
+                  {"summary", text(rule->summary)},
+                  {"why", text(rule->why)},
+                  {"remedy", text(rule->remedy)},
+                  {"sources", text(rule->sources)}};
+    if (const Tolerance& tolerance = rule->tolerance; !tolerance.meaning.empty()) {
+      entry["tolerance"] = {{"value", tolerance.value},
+                            {"unit", text(tolerance.unit)},
+                            {"meaning", text(tolerance.meaning)}};
+    }
+    list.push_back(std::move(entry));
   }
   return dump(list);
 }

@@ -2,6 +2,7 @@
 // What a rule says about itself, for `--explain` and `--list-rules`.
 #include <algorithm>
 
+#include "base/numbers.hpp"
 #include "render/paint.hpp"
 #include "render/wrap.hpp"
 #include "smurf/render.hpp"
@@ -29,6 +30,17 @@ std::string severity_of(const Rule& rule) {
   return std::string(to_string(rule.severity)) + (rule.needs_target ? ", with --target" : "");
 }
 
+std::string tolerance_of(const Rule& rule) {
+  const Tolerance& tolerance = rule.tolerance;
+  if (tolerance.meaning.empty()) return {};
+  const std::string number = format_number(tolerance.value);
+  std::string text = number;
+  if (!tolerance.unit.empty()) text.append(" ").append(tolerance.unit);
+  return text + ": " + std::string(tolerance.meaning) +
+         ". To set another, write it in the configuration: " + "`tolerances: {" +
+         std::string(rule.id) + ": " + number + "}`.";
+}
+
 }  // namespace
 
 std::string render_rule(const Rule& rule, const TextStyle& style) {
@@ -47,6 +59,7 @@ std::string render_rule(const Rule& rule, const TextStyle& style) {
   std::string readers;
   for (const KnownFact& known : facts_about(rule)) readers += line_of(known) + "\n";
   section("What readers make of it", readers.substr(0, readers.rfind('\n')));
+  section("Tolerance", tolerance_of(rule));
   section("Sources", rule.sources);
   return out;
 }

@@ -8,13 +8,14 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kTolerance = 1e-3;  // shorter by rounding to three digits is no defect
+  const double tolerance =
+      findings.tolerance();  // shorter by rounding to three digits is no defect
   constexpr double kShortest = 1e-8;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.axis || !joint.has_one_axis()) return;
     Vector3 axis = *joint.axis;
     const double length = std::hypot(axis[0], axis[1], axis[2]);
-    if (length < kShortest || std::fabs(length - 1) <= kTolerance) return;
+    if (length < kShortest || std::fabs(length - 1) <= tolerance) return;
     std::string unit;
     for (const double component : axis) {
       unit += (unit.empty() ? "" : " ") + format_number(component / length);
@@ -40,6 +41,7 @@ extern constinit const Rule sml1422_axis_not_unit{
            "MoveIt does not normalise prismatic axes; other readers do.",
     .remedy = "Divide the axis by its length.",
     .sources = "Bullet btMultiBody.cpp:237, executed.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 1e-3, .meaning = "how far the length of an axis may be from 1"}};
 
 }  // namespace smurf::rules

@@ -8,19 +8,19 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kNoise = 1e-3;  // rad; real tilts are larger
+  const double noise = findings.tolerance();  // real tilts are larger
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.axis || !joint.has_one_axis()) return;
     const Vector3& axis = *joint.axis;
     const double length = std::hypot(axis[0], axis[1], axis[2]);
-    if (std::fabs(length - 1) > kNoise) return;  // a rule of its own
+    if (std::fabs(length - 1) > noise) return;  // a rule of its own
     std::string aligned;
     bool is_exact = true, is_near = true;
     for (const double component : axis) {
       const double rounded = std::round(component);
       is_exact = is_exact && component == rounded;
       // 0.9999995 is a rounded 1; what is tilted shows in the other components.
-      is_near = is_near && std::fabs(component - rounded) < kNoise;
+      is_near = is_near && std::fabs(component - rounded) < noise;
       aligned += (aligned.empty() ? "" : " ") + format_number(rounded);
     }
     if (is_exact || !is_near) return;
@@ -43,6 +43,7 @@ extern constinit const Rule sml1423_axis_almost_aligned{
            "and the joint is tilted by that noise in every reader.",
     .remedy = "Write the coordinate axis, e.g. `0 0 1`.",
     .sources = "Pinocchio model.hxx:564-573.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 1e-3, .meaning = "what components of an axis below it count as noise"}};
 
 }  // namespace smurf::rules

@@ -16,7 +16,7 @@ bool has_bounds(const urdf::Joint& joint) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kRounding = 0.01;  // of the joint's own range
+  const double rounding = findings.tolerance();
   if (!model.robot) return;
   for (std::uint32_t i = 0; i < model.robot->joints.size(); ++i) {
     const urdf::Joint& joint = model.robot->joints[i];
@@ -31,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (low > high) std::swap(low, high);
     const double lower = *joint.limit->lower;
     const double upper = *joint.limit->upper;
-    const double slack = kRounding * (upper - lower);
+    const double slack = rounding * (upper - lower);
     if (low >= lower - slack && high <= upper + slack) continue;
     Diagnostic& diagnostic = findings.report(
         tag_name(model, joint.mimic->element),
@@ -55,6 +55,9 @@ extern constinit const Rule sml1435_mimic_exceeds_limits{
            "planners find no way there.",
     .remedy = "Widen the limits of the mimic joint, or narrow those of the joint it follows.",
     .sources = "MuJoCo 3.14, executed; 9 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 0.01,
+                  .meaning =
+                      "how far beyond its limits, in parts of its range, the joint may be led"}};
 
 }  // namespace smurf::rules

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
-#include "lint/body.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
@@ -11,6 +10,7 @@ namespace {
 
 /// The unit is one decision, so one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
+  const double far = findings.tolerance();
   if (!model.robot) return;
   Habit habit;
   double first = 0;
@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
       for (const double value : numbers_in(attribute.value)) {
         if (std::fabs(value) > std::fabs(farthest)) farthest = value;
       }
-      if (std::fabs(farthest) <= kFarthestOrigin) continue;
+      if (std::fabs(farthest) <= far) continue;
       if (habit.is_first()) first = farthest;
       habit.add(attribute.value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
                                           " m away; are millimetres meant?");
@@ -46,6 +46,9 @@ extern constinit const Rule sml1442_origin_large{
            "of sight in every viewer.",
     .remedy = "Divide by 1000, if it is in millimetres.",
     .sources = "URDF specification; urdfdom pose.h.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 10,
+                  .unit = "m",
+                  .meaning = "how far a part may lie from the frame it is placed in"}};
 
 }  // namespace smurf::rules

@@ -7,15 +7,15 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kSmallest = 0.01;  // of a homogeneous block
-  constexpr double kUnit = 1e-4;      // and less: no shape, but another unit
+  const double smallest = findings.tolerance();
+  constexpr double kUnit = 1e-4;  // of a homogeneous block, and less: no shape, but another unit
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     const auto body = link.inertial ? body_of(*link.inertial) : std::nullopt;
     if (!extent || !body || body->mass < kNegligibleMass) return;
     const double ratio = ratio_to_block(*body, *extent);
     const double density = body->mass / extent->volume();  // unlikely ones are SML1520
-    if (ratio >= kSmallest || density < kLightestMaterial || density > kHeaviestMaterial) return;
+    if (ratio >= smallest || density < kLightestMaterial || density > kHeaviestMaterial) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is very small for its mass and shapes");
@@ -37,6 +37,8 @@ extern constinit const Rule sml1519_inertia_too_small_for_geometry{
     .remedy = "Compute the inertia from the geometry and the mass, in kg m2.",
     .sources = "Distribution over 5512 inertials of the Tola/Corke dataset: half lie between 0.9 "
                "and 1.7 of the box around the link.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 0.01,
+                  .meaning = "the smallest inertia, in parts of that of a homogeneous block"}};
 
 }  // namespace smurf::rules

@@ -10,7 +10,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kMargin = 0.1;  // of the longest edge; shapes are simplified
+  const double margin = findings.tolerance();  // shapes are simplified
   for_each_link(model, [&](const urdf::Link& link) {
     const auto extent = extent_of(model, link);
     if (!extent || !link.inertial || link.inertial->mass.value_or(0) < kNegligibleMass) return;
@@ -20,7 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
                     [](double x) { return std::fabs(x) > kFarthestOrigin; })) {
       return;  // SML1442
     }
-    if (extent->grown(kMargin * extent->longest_edge()).contains(center)) return;
+    if (extent->grown(margin * extent->longest_edge()).contains(center)) return;
     const bool has_origin = !inertial.origin.xyz.span.empty();
     if (has_origin && !inertial.origin.xyz) return;  // unreadable
     Diagnostic& diagnostic =
@@ -48,6 +48,9 @@ extern constinit const Rule sml1521_center_of_mass_outside_geometry{
            "if it were another.",
     .remedy = "Write the origin of the inertial in metres, in the frame of the link.",
     .sources = "24 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 0.1,
+                  .meaning =
+                      "how far outside, in parts of the longest edge, the centre of mass may lie"}};
 
 }  // namespace smurf::rules

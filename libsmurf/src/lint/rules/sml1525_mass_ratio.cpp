@@ -9,7 +9,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kLargest = 1000;
+  const double largest = findings.tolerance();
   for (const LinkIndex index : model.tree.order) {
     const auto above = model.tree.parent_joint[to_size(index)];
     if (!above || !model.joint(*above).is_movable()) continue;
@@ -19,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const double mass = link.inertial->mass.value_or(0);
     const double other = parent.inertial->mass.value_or(0);
     constexpr double kTiny = 1e-6;  // kg; reported as such
-    if (mass <= kTiny || other <= kTiny || (mass <= kLargest * other && other <= kLargest * mass)) {
+    if (mass <= kTiny || other <= kTiny || (mass <= largest * other && other <= largest * mass)) {
       continue;
     }
     Diagnostic& diagnostic =
@@ -44,6 +44,7 @@ extern constinit const Rule sml1525_mass_ratio{
     .remedy = "Check the units of both masses; small parts can be merged into what they are fixed "
               "to.",
     .sources = "ODE manual, stability; Bullet user manual, mass ratios.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 1000, .meaning = "how many times as heavy a link may be"}};
 
 }  // namespace smurf::rules

@@ -7,9 +7,7 @@
 namespace smurf::rules {
 namespace {
 
-/// What nobody builds in one piece, and what nobody sees; metres.
-constexpr double kHuge = 50;
-constexpr double kTiny = 0.001;
+constexpr double kTiny = 0.001;  // m; what nobody sees
 
 double extent(const Box& box) {
   const Vector3 size = box.size();
@@ -47,8 +45,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::optional<Box> box = bounding_box(model, mesh.uses.front().geometry);
     if (!box) continue;
     const double size = extent(*box);
-    if (size <= kHuge && (size >= kTiny || size == 0)) continue;
-    Suspects& suspects = size > kHuge ? huge : tiny;
+    if (size <= findings.tolerance() && (size >= kTiny || size == 0)) continue;
+    Suspects& suspects = size > findings.tolerance() ? huge : tiny;
     if (suspects.first == nullptr) suspects = {&mesh, size, 0};
     ++suspects.files;
   }
@@ -68,6 +66,7 @@ extern constinit const Rule sml1630_mesh_units{
     .remedy = "Correct `scale`, or export the mesh in metres.",
     .sources =
         "40 of 322 public URDFs scale by 0.001; rerun issue 11290 and pinocchio issue 1370 are such cases.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 50, .unit = "m", .meaning = "how large a mesh may be"}};
 
 }  // namespace smurf::rules

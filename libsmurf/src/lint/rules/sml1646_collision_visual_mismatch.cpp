@@ -63,8 +63,8 @@ double gap(const Box& a, const Box& b) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kLarger = 20;       // where a mesh may have another unit
-  constexpr double kMuchLarger = 500;  // between shapes that are drawn as such
+  const double larger = findings.tolerance();  // where a mesh may have another unit
+  constexpr double kMuchLarger = 500;          // between shapes that are drawn as such
   for_each_link(model, [&](const urdf::Link& link) {
     LinkBox visual(model);
     LinkBox collision(model);
@@ -88,7 +88,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!(seen > 0 && felt > 0)) return;
     const double ratio = felt / seen;
     std::string message;
-    const double most = has_mesh ? kLarger : kMuchLarger;
+    const double most = has_mesh ? larger : std::max(larger, kMuchLarger);
     if (ratio > most || ratio < 1 / most) {
       message = "the collision of " + title(link) + " measures " + format_rounded(felt, 3) +
                 " m across, its visual " + format_rounded(seen, 3) + " m";
@@ -115,6 +115,7 @@ extern constinit const Rule sml1646_collision_visual_mismatch{
         "One of them has most likely the wrong scale or origin: what is seen is not what collides.",
     .remedy = "Compare `scale` and `origin` of both.",
     .sources = "Bounding boxes of shapes and meshes.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 20, .meaning = "how many times as large one of both may be"}};
 
 }  // namespace smurf::rules

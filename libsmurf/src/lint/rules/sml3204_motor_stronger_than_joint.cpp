@@ -14,8 +14,8 @@ struct Pair {
 void check_pair(const Motor& motor, const urdf::Joint& joint, const Pair& pair,
                 Findings& findings) {
   if (!pair.of_motor || !pair.of_joint || *pair.of_joint <= 0) return;  // 0 is reported in the URDF
-  constexpr double kNoticeable = 1.1;  // motors are rarely known better than to a tenth
-  if (*pair.of_motor <= kNoticeable * *pair.of_joint) return;
+  const double noticeable = findings.tolerance();  // motors are rarely known better than to a tenth
+  if (*pair.of_motor <= noticeable * *pair.of_joint) return;
   Diagnostic& diagnostic = findings.report(
       pair.of_motor.span, quoted(pair.key) + " of " + subject("motor", motor) + " is " +
                               format_rounded(*pair.of_motor) + ", but the " +
@@ -47,6 +47,8 @@ extern constinit const Rule sml3204_motor_stronger_than_joint{
            "model. The robot behaves differently in each.",
     .remedy = "Make the two agree.",
     .sources = "MARS smurf.cpp:902-910; Phobos representation.py:2399 (run).",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 1.1,
+                  .meaning = "how many times what the joint allows a motor may claim"}};
 
 }  // namespace smurf::rules

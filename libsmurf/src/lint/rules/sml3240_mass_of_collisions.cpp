@@ -7,13 +7,13 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kOfCollision = 0.001;  // kg
-  constexpr double kNoticeable = 0.1;     // relative
+  const double noticeable = findings.tolerance();
   if (!model.has_main) return;
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial || !link.inertial->mass || *link.inertial->mass <= 0) return;
     const double added = kOfCollision * static_cast<double>(link.collisions.size());
     const double mass = *link.inertial->mass;
-    if (added <= kNoticeable * mass) return;
+    if (added <= noticeable * mass) return;
     findings.report(link.inertial->mass.span, "in MARS " + title(link) + " weighs " +
                                                   format_rounded(mass + added) +
                                                   " kg: one gram more for each collision");
@@ -32,6 +32,7 @@ extern constinit const Rule sml3240_mass_of_collisions{
            "inertia.",
     .remedy = "Set `mass: 0.0001` for its collisions under `collision`, or merge them.",
     .sources = "MARS smurf.cpp:719, NodeData defaults.",
-    .check_model = check};
+    .check_model = check,
+    .tolerance = {.value = 0.1, .meaning = "what part of the mass of the link may be added"}};
 
 }  // namespace smurf::rules

@@ -8,15 +8,13 @@
 namespace smurf::rules {
 namespace {
 
-/// Four digits, as the documentation writes quaternions, are off by less.
-constexpr double kTolerance = 1e-3;
-
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     if (entity.rotation.form != RotationForm::quaternion) return;
     const auto& [w, x, y, z] = entity.rotation.values;
     const double length = norm({w, x, y, z});
-    if (std::fabs(length - 1) <= kTolerance) return;
+    // Four digits, as the documentation writes quaternions, are off by less.
+    if (std::fabs(length - 1) <= findings.tolerance()) return;
     Diagnostic& diagnostic = findings.report(
         entity.rotation.span, "the quaternion of " + title(entity) + " has the length " +
                                   format_rounded(length) + " instead of 1");
@@ -39,6 +37,7 @@ extern constinit const Rule sml5004_quaternion_not_unit{
            "puts a child at (-7, 8, 0) instead of (0, 1, 0).",
     .remedy = "Divide the four numbers by the length. This tool normalises them.",
     .sources = "MARS SimEntity.cpp:416-434, SMURFLoader.cpp:716 (run).",
-    .check_scene = check};
+    .check_scene = check,
+    .tolerance = {.value = 1e-3, .meaning = "how far the length of the quaternion may be from 1"}};
 
 }  // namespace smurf::rules

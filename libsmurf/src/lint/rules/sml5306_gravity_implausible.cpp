@@ -8,9 +8,6 @@
 namespace smurf::rules {
 namespace {
 
-/// Jupiter pulls with 25 m/s^2; centimetres and feet give more.
-constexpr double kStrongest = 30;
-
 void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneFile& file : scene.scenes) {
     if (!file.scene.physics || !world_value(file, "physics")) continue;
@@ -20,7 +17,8 @@ void check(const LinkedScene& scene, Findings& findings) {
     const double strength = std::hypot(x, y, z);
     const yaml::View keys(*file.document, file.scene.physics->node);
     const yaml::View up = keys.find("gravity").find("z");
-    if (strength > kStrongest) {
+    // Jupiter pulls with 25 m/s^2; centimetres and feet give more.
+    if (strength > findings.tolerance()) {
       findings.report(gravity.span, "gravity is " + format_rounded(strength) +
                                         " m/s^2; that of the earth is 9.81");
     } else if (z > 0 && z > 0.5 * strength) {
@@ -42,6 +40,7 @@ extern constinit const Rule sml5306_gravity_implausible{
            "with a positive z everything falls into the sky.",
     .remedy = "Write {x: 0, y: 0, z: -9.81}.",
     .sources = "MARS SMURFLoader.cpp:455-462.",
-    .check_scene = check};
+    .check_scene = check,
+    .tolerance = {.value = 30, .unit = "m/s^2", .meaning = "the strongest gravity"}};
 
 }  // namespace smurf::rules

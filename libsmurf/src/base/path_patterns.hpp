@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Patterns of paths with the meaning that .gitignore gives them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace smurf {
+
+/// What patterns say of a path.
+enum class PathVerdict : std::uint8_t { unmentioned, excluded, included };
+
+/// Paths are relative to the folder that the patterns are written for. `*`, `?` and `[a-z]` stay
+/// within a name, `**` spans folders, a slash before the end ties a pattern to the folder, one at
+/// the end means folders only, `!` takes an exclusion back, and the last pattern that fits counts.
+class PathPatterns {
+ public:
+  /// One line of a file; blank lines and comments say nothing.
+  void add(std::string_view line);
+  void add_lines(std::string_view text);
+  bool empty() const { return patterns_.empty(); }
+
+  /// Of the path alone, without what is said of the folders above it.
+  PathVerdict judge(std::string_view path, bool is_folder) const;
+  /// Is a file excluded, itself or with a folder that it lies in?
+  bool excludes(std::string_view file) const;
+
+ private:
+  struct Pattern {
+    std::vector<std::string> names;  ///< "**" for any number of folders
+    bool is_exclusion = true;
+    bool folders_only = false;
+  };
+  std::vector<Pattern> patterns_;
+};
+
+}  // namespace smurf

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/ignore_files.hpp"
+
+#include <filesystem>
+#include <system_error>
+
+#include "base/path.hpp"
+
+namespace smurf::tools {
+namespace {
+
+constexpr std::uint64_t kMostBytes = 1U << 20U;
+
+/// What is below `folder` of an absolute path in it.
+std::string_view below(std::string_view path, std::string_view folder) {
+  return path.substr(folder == "/" ? 1 : folder.size() + 1);
+}
+
+}  // namespace
+
+const IgnoreFiles::Level& IgnoreFiles::level_of(const std::string& folder) {
+  const auto [place, is_new] = levels_.try_emplace(folder);
+  Level& level = place->second;
+  if (!is_new) return level;
+  level.folder = folder;
+  if (folder != "/") level.above = &level_of(std::string(path::parent(folder)));
+  std::error_code ignored;
+  level.is_repository = std::filesystem::exists(path::join(folder, ".git"), ignored);
+  level.is_in_repository =
+      level.is_repository || (level.above != nullptr && level.above->is_in_repository);
+  const auto read = [&](std::string_view name) {
+    return files_.read(path::join(folder, name), kMostBytes).text;
+  };
+  if (level.is_repository) level.of_git.add_lines(read(".git/info/exclude"));
+  if (level.is_in_repository) level.of_git.add_lines(read(".gitignore"));
+  level.of_lint.add_lines(read(".smurf-lintignore"));
+  return level;
+}
+
+bool IgnoreFiles::leaves_out(const std::string& path, bool is_folder) {
+  const Level* first = &level_of(std::string(path::parent(path)));
+  for (const Level* level = first; level != nullptr; level = level->above) {
+    const PathVerdict verdict = level->of_lint.judge(below(path, level->folder), is_folder);
+    if (verdict != PathVerdict::unmentioned) return verdict == PathVerdict::excluded;
+  }
+  for (const Level* level = first; level != nullptr; level = level->above) {
+    const PathVerdict verdict = level->of_git.judge(below(path, level->folder), is_folder);
+    if (verdict != PathVerdict::unmentioned) return verdict == PathVerdict::excluded;
+    if (level->is_repository) break;
+  }
+  return false;
+}
+
+bool IgnoreFiles::leaves_out_with_folders(const std::string& path) {
+  for (std::size_t slash = path.find('/', 1); slash != std::string::npos;
+       slash = path.find('/', slash + 1)) {
+    if (leaves_out(path.substr(0, slash), true)) return true;
+  }
+  return leaves_out(path, false);
+}
+
+}  // namespace smurf::tools

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work on several threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace smurf::tools {
+
+/// `-j` as given, else what the machine has.
+inline std::size_t count_of_jobs(std::optional<int> jobs) {
+  const unsigned most = jobs ? static_cast<unsigned>(*jobs) : std::thread::hardware_concurrency();
+  constexpr unsigned kMost = 256;
+  return std::clamp(most, 1U, kMost);
+}
+
+/// Calls `work(worker, index)` for every index below `count`, on at most `jobs` threads; `worker`
+/// says which of them, below `jobs`. Nothing is promised about the order.
+inline void for_each_parallel(std::size_t count, std::size_t jobs,
+                              const std::function<void(std::size_t, std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto run = [&](std::size_t worker) {
+    for (std::size_t index = next++; index < count; index = next++) work(worker, index);
+  };
+  std::vector<std::jthread> threads;
+  for (std::size_t worker = 1; worker < std::min(jobs, count); ++worker) {
+    threads.emplace_back(run, worker);
+  }
+  run(0);
+}
+
+}  // namespace smurf::tools
