@@ -107,7 +107,118 @@ std::optional<Span> find_line(std::string_view text, std::uint32_t begin, Source
 
 /// yaml-cpp takes the marks of a merge for texts, or ends the document there without a word.
 bool is_merge_mark(std::string_view line) {
-  return line.starts_with("  if (engine == YamlEngine::scanner_first) {
+  return line.starts_with("<<<<<<< ") || line.starts_with(">>>>>>> ");
+}
+
+bool is_content(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && line[first] != '#';
+}
+
+/// yaml-cpp ends a document where nothing fits any more, and need not tell. What follows must be
+/// a mark then.
+bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, DiagnosticSink& sink) {
+  const std::size_t line_end = text.find_first_of("\r\n", first_end);
+  if (line_end == std::string_view::npos) return true;
+  const auto rest = find_line(text, static_cast<std::uint32_t>(line_end), id, is_content);
+  if (!rest) return true;
+  const auto at = static_cast<std::uint32_t>(text.find_first_not_of(" \t", rest->begin));
+  for (const std::string_view mark : {"---", "...", "%", "]", "}"}) {
+    if (text.substr(at).starts_with(mark)) return true;
+  }
+  sink.report(rules::sml0010_yaml_syntax, {id, at, at + 1},
+              "this line does not fit what stands above it");
+  return false;
+}
+
+/// Hands on what was found; of a text that is no YAML, only why. False for such a text.
+bool hand_on(DiagnosticSink& found, DiagnosticSink& sink) {
+  std::vector<Diagnostic> all = found.take();
+  const auto is_syntax = [](const Diagnostic& diagnostic) {
+    return diagnostic.rule == &rules::sml0010_yaml_syntax;
+  };
+  const bool is_yaml = std::none_of(all.begin(), all.end(), is_syntax);
+  for (Diagnostic& diagnostic : all) {
+    if (!is_yaml && !is_syntax(diagnostic)) continue;
+    sink.report(*diagnostic.rule, diagnostic.span, {}) = std::move(diagnostic);
+  }
+  return is_yaml;
+}
+
+/// The text up to a place where far more brackets seem to be open than any file needs, with these
+/// brackets closed; empty when there is none. Brackets inside of texts and comments are counted
+/// too.
+std::string suspicious_part(std::string_view text, const Limits& limits) {
+  const std::size_t suspicious = 4 * std::size_t{limits.yaml_depth};
+  std::string closing;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '[' || text[at] == '{') closing += text[at] == '[' ? ']' : '}';
+    if ((text[at] == ']' || text[at] == '}') && !closing.empty()) closing.pop_back();
+    if (closing.size() <= suspicious) continue;
+    std::reverse(closing.begin(), closing.end());
+    return std::string(text.substr(0, at + 1)) + closing;
+  }
+  return {};
+}
+
+/// yaml-cpp needs 230 bytes a bracket before it tells of the first. So the part of the text that
+/// looks too deep is read alone; true when it is, which is reported.
+bool is_too_deep(const SourceMap& sources, SourceId id, const Limits& limits,
+                 DiagnosticSink& sink) {
+  const std::string part = suspicious_part(sources.text(id), limits);
+  if (part.empty()) return false;
+  DiagnosticSink found;
+  TreeBuilder builder(sources, id, limits, found);
+  try {
+    ViewBuffer buffer(part);
+    std::istream stream(&buffer);
+    YAML::Parser(stream).HandleNextDocument(builder);
+  } catch (const StopParsing&) {
+  } catch (const YAML::Exception&) {
+  }
+  for (const Diagnostic& diagnostic : found.diagnostics()) {
+    if (diagnostic.rule != &rules::sml0014_nesting_too_deep) continue;
+    sink.report(*diagnostic.rule, diagnostic.span, diagnostic.message);
+    return true;
+  }
+  return false;
+}
+
+std::optional<yaml::Document> parse_plain(const SourceMap& sources, SourceId id,
+                                          const Limits& limits, DiagnosticSink& sink) {
+  DiagnosticSink found;  // counts only when the whole text is plain
+  TreeBuilder builder(sources, id, limits, found);
+  try {
+    if (!scan_plain_yaml(sources.text(id), builder)) return std::nullopt;
+  } catch (const StopParsing&) {
+    return std::nullopt;
+  }
+  hand_on(found, sink);
+  return builder.take();
+}
+
+}  // namespace
+
+std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
+                                         const Limits& limits, DiagnosticSink& sink) {
+#ifdef SMURF_PLAIN_YAML
+  return parse_yaml_by(YamlEngine::scanner_first, sources, id, limits, sink);
+#else
+  return parse_yaml_by(YamlEngine::yaml_cpp, sources, id, limits, sink);
+#endif
+}
+
+std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& sources,
+                                            SourceId id, const Limits& limits,
+                                            DiagnosticSink& sink) {
+  if (!check_text(sources, id, TextFormat::yaml, sink)) return std::nullopt;
+  const std::string_view text = sources.text(id);
+  if (const auto mark = find_line(text, 0, id, is_merge_mark)) {
+    sink.report(rules::sml0010_yaml_syntax, *mark, "a merge left its marks here").help =
+        "keep one of the two versions, and none of the marks";
+    return std::nullopt;
+  }
+  if (engine == YamlEngine::scanner_first) {
     if (auto document = parse_plain(sources, id, limits, sink)) return document;
   }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
-#include "lint/body.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 

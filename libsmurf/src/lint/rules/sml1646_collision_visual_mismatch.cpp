@@ -64,7 +64,7 @@ double gap(const Box& a, const Box& b) {
 
 void check(const LinkedModel& model, Findings& findings) {
   const double larger = findings.tolerance();  // where a mesh may have another unit
-  constexpr double kShapes = 25;               // times that, between shapes that are drawn as such
+  constexpr double kMuchLarger = 500;          // between shapes that are drawn as such
   for_each_link(model, [&](const urdf::Link& link) {
     LinkBox visual(model);
     LinkBox collision(model);
@@ -88,7 +88,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!(seen > 0 && felt > 0)) return;
     const double ratio = felt / seen;
     std::string message;
-    const double most = has_mesh ? larger : kShapes * larger;
+    const double most = has_mesh ? larger : std::max(larger, kMuchLarger);
     if (ratio > most || ratio < 1 / most) {
       message = "the collision of " + title(link) + " measures " + format_rounded(felt, 3) +
                 " m across, its visual " + format_rounded(seen, 3) + " m";
