@@ -201,6 +201,17 @@ smurfs:
   }
 }
 
+TEST_CASE("MARS moves old scenes that have a name only") {
+  LoadedScene loaded;
+  loaded.files.add("old.yml", "nodelist: []\n");
+  loaded.load_text(R"(entities:
+- {name: A, file: old.yml, position: [1, 0, 0]}
+- {file: old.yml, position: [1, 0, 0]}
+)");
+  check_pose(loaded, "mars", "A", translation(1, 0, 0));
+  check_pose(loaded, "mars", "old#1", translation(0, 0, 0));
+}
+
 TEST_CASE("what a reader does not load is reported and has no pose") {
   LoadedScene loaded;
   loaded.load_text("entities:\n- {name: A, file: box.urdf}\n");

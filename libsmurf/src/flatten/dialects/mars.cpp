@@ -179,6 +179,11 @@ class Reader {
       return keys;
     }
     if (is_nested) include(keys, entity, around);
+    if (is_old_scene(instance.type) && instance.name.empty()) {
+      // Only what has a name becomes an entity, which can be moved.
+      keys.position = {};
+      keys.rotation = {};
+    }
     constexpr std::string_view kPhobosTypes[] = {"light", "heightmap", "mesh", "generic"};
     for (const std::string_view type : kPhobosTypes) {
       if (instance.type == type) keys.refusal = "has no entities of type " + quote_name(type);
