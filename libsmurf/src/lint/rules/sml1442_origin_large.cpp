@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "lint/body.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
