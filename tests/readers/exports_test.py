@@ -117,14 +117,14 @@ def read_all(command, files):
 
 def parse(output):
     found, file = {}, None
-    for line in output.splitlines():
+    for line in output.split("\n"):
         words = line.split("\t")
         if words[0] == "file":
             file, poses = words[1], {}
             found[file] = None
         elif words[0] == "end" and file is not None:
             found[file] = poses
-        elif words[0] in ("pose", "moved") and len(words) == 9:
+        elif words[0] in ("pose", "moved") and len(words) == 9 and words[-1]:
             poses[words[0], words[1]] = [float(number) for number in words[2:]]
     return found
 
