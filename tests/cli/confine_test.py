@@ -15,24 +15,24 @@ class Confine(cli.CliTest):
     def setUp(self):
         super().setUp()
         self.write("secret.yml", SECRET)
-        self.write("project/r.urdf", URDF)
-        self.project = self.folder / "project"
+        self.write("a/b/project/r.urdf", URDF)
+        self.project = self.folder / "a/b/project"
 
     def model(self, file):
-        self.write("project/smurf/r.smurf", f"files: [../r.urdf, {file}]\n")
+        self.write("a/b/project/smurf/r.smurf", f"files: [../r.urdf, {file}]\n")
 
     def lint(self, *options, code=None):
         return self.expect(code, "--isolated", "--format", "concise", *options, "smurf/r.smurf", cwd=self.project).stdout
 
-    def test_the_folder_above_is_the_project(self):
-        self.write("project/motors.yml", SECRET)
+    def test_two_folders_above_are_the_project(self):
+        self.write("a/b/project/motors.yml", SECRET)
         self.model("../motors.yml")
         found = self.lint(code=1)
         self.assertIn("nowhere", found)
         self.assertNotIn("outside", found)
 
     def test_outside(self):
-        for path in ("../../secret.yml", self.folder / "secret.yml"):
+        for path in ("../../../../secret.yml", self.folder / "secret.yml"):
             self.model(path)
             found = self.lint(code=1)
             self.assertIn("lies outside of the project; --allow-outside reads it", found)
@@ -48,12 +48,12 @@ class Confine(cli.CliTest):
 
     def test_a_repository_is_the_project(self):
         (self.folder / ".git").mkdir()
-        self.model("../../secret.yml")
+        self.model("../../../../secret.yml")
         self.assertNotIn("outside", self.lint(code=1))
 
     def test_packages_are_allowed(self):
         self.write("elsewhere/meshes/box.stl", "solid a\nendsolid a\n")
-        self.write("project/r.urdf", URDF.replace(
+        self.write("a/b/project/r.urdf", URDF.replace(
             '<link name="a"/>', '<link name="a"><visual><geometry><mesh filename="package://p/meshes/box.stl"/>'
             "</geometry></visual></link>"))
         found = self.expect(None, "--isolated", "--format", "concise", "--package", f"p={self.folder / 'elsewhere'}",
@@ -62,7 +62,7 @@ class Confine(cli.CliTest):
 
     def test_device_files_and_loops(self):
         for path in ("/dev/zero", "/dev/stdin", "/proc/self/environ", "loop.yml"):
-            self.write("project/smurf/x", "")
+            self.write("a/b/project/smurf/x", "")
             loop = self.project / "smurf/loop.yml"
             if not loop.is_symlink():
                 loop.symlink_to("loop.yml")

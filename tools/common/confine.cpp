@@ -22,7 +22,7 @@ fs::path project_of(const fs::path& folder) {
     if (has(at, ".git") || has(at, ".hg") || has(at, ".svn")) return at;
     if (package.empty() && has(at, "package.xml")) package = at;
   }
-  return package.empty() ? folder.parent_path() : package.parent_path();
+  return package.empty() ? folder.parent_path().parent_path() : package.parent_path();
 }
 
 void allow_project(ConfinedFiles& files, const std::string& input) {

@@ -14,8 +14,8 @@ namespace smurf::tools {
 Option allow_outside_option(bool& allow_outside);
 
 /// Lets these files be read: those of the current folder; of the project around each input, which
-/// is its repository, else the folder above its package, else the folder above its own; of the
-/// packages; and configurations and ignore files in all folders above. Everything when
+/// is its repository, else the folder above its package, else two folders above its own (scenes
+/// name `../../models/...`); of the packages; and configurations and ignore files in all folders above. Everything when
 /// `allow_outside`.
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside);
