@@ -7,14 +7,14 @@ import { readFileSync } from "node:fs";
 const [modules, file, ...named] = process.argv.slice(2);
 const { default: load } = await import(`${modules}/@mujoco/mujoco/mujoco.js`);
 const mujoco = await load();
-mujoco.FS.mkdirTree("/work/scene");
+mujoco.FS.mkdirTree("/model/scene");
 for (const path of named) {
-  const target = join("/work/scene", path);
+  const target = join("/model/scene", path);
   mujoco.FS.mkdirTree(dirname(target));
   mujoco.FS.writeFile(target, readFileSync(join(dirname(file), path)));
 }
-mujoco.FS.writeFile("/work/scene/scene.xml", readFileSync(file));
-const model = mujoco.MjModel.from_xml_path("/work/scene/scene.xml");
+mujoco.FS.writeFile("/model/scene/scene.xml", readFileSync(file));
+const model = mujoco.MjModel.from_xml_path("/model/scene/scene.xml");
 const data = new mujoco.MjData(model);
 if (model.nkey > 0) mujoco.mj_resetDataKeyframe(model, data, 0);
 mujoco.mj_forward(model, data);

@@ -15,8 +15,8 @@ Option allow_outside_option(bool& allow_outside);
 
 /// Lets these files be read: those of the current folder; of the project around each input, which
 /// is its repository, else the folder above its package, else two folders above its own (scenes
-/// name `../../models/...`); of the packages; and configurations and ignore files in all folders above. Everything when
-/// `allow_outside`.
+/// name `../../models/...`); of the packages; and configurations and ignore files in all folders
+/// above. Everything when `allow_outside`.
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside);
 

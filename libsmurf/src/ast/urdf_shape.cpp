@@ -67,6 +67,8 @@ class ShapeChecker {
       }
     }
     if (required_attributes(element, spec, absent, foreign)) return;
+    // An empty geometry is reported as that (SML1110).
+    if (element.name() == "geometry" && element.begin() == element.end()) return;
     for (const xml::Attribute* attribute : foreign) {
       add_foreign(rules::sml1107_unknown_attribute, attribute->name_span,
                   quoted(attribute->name) + " is no attribute of " + quoted(element.name()));
