@@ -207,7 +207,7 @@ bool gazebo_says(const Sensor& sensor, std::string_view key) {
   const auto says = [key](Keys keys) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
-  const std::string_view type = sensor.type.value_or("");
+  const std::string type = sensor.type.value_or("");
   if (says({"name", "type", "link", "rate"})) return true;
   if (type == "CameraSensor") {
     return says({"width", "height", "opening_width", "opening_angle", "position_offset",
