@@ -15,25 +15,27 @@ namespace smurf {
 namespace {
 
 /// What a byte may be in a plain scalar.
-enum CharClass : std::uint8_t {
-  kForeign = 0,   ///< tabs, carriage returns, control bytes: left to yaml-cpp
-  kPlain = 1,     ///< always content
-  kNoStart = 2,   ///< content, but not as the first byte
-  kFlowSign = 3,  ///< content outside of brackets only
-  kEnding = 4,    ///< blank, line end, colon, number sign: depends on what is beside it
+enum class CharClass : std::uint8_t {
+  foreign,    ///< tabs, carriage returns, control bytes: left to yaml-cpp
+  plain,      ///< always content
+  no_start,   ///< content, but not as the first byte
+  flow_sign,  ///< content outside of brackets only
+  ending,     ///< blank, line end, colon, number sign: depends on what is beside it
 };
 
-constexpr std::array<std::uint8_t, 256> char_classes() {
-  std::array<std::uint8_t, 256> classes{};
-  for (std::size_t c = 0x21; c < 256; ++c) classes[c] = c == 0x7f ? kForeign : kPlain;
+constexpr std::array<CharClass, 256> char_classes() {
+  std::array<CharClass, 256> classes{};
+  for (std::size_t c = 0x21; c < 256; ++c)
+    classes[c] = c == 0x7f ? CharClass::foreign : CharClass::plain;
   for (const char c : std::string_view("&*!|>'\"%@`-"))
-    classes[static_cast<unsigned char>(c)] = kNoStart;
+    classes[static_cast<unsigned char>(c)] = CharClass::no_start;
   for (const char c : std::string_view(",[]{}?"))
-    classes[static_cast<unsigned char>(c)] = kFlowSign;
-  for (const char c : std::string_view(" \n:#")) classes[static_cast<unsigned char>(c)] = kEnding;
+    classes[static_cast<unsigned char>(c)] = CharClass::flow_sign;
+  for (const char c : std::string_view(" \n:#"))
+    classes[static_cast<unsigned char>(c)] = CharClass::ending;
   return classes;
 }
-constexpr std::array<std::uint8_t, 256> kClasses = char_classes();
+constexpr std::array<CharClass, 256> kClasses = char_classes();
 
 /// yaml-cpp takes a longer text for a value, not for a key.
 constexpr std::uint32_t kLongestKey = 1000;
@@ -74,7 +76,7 @@ class Scanner {
     return peek(ahead) == ' ' || peek(ahead) == '\n';
   }
   bool is_dash() const { return peek() == '-' && is_end_of_word(1); }
-  std::uint8_t char_class() const { return kClasses[static_cast<unsigned char>(peek())]; }
+  CharClass char_class() const { return kClasses[static_cast<unsigned char>(peek())]; }
 
   YAML::Mark mark_of(std::uint32_t at) const {
     YAML::Mark mark;
@@ -287,16 +289,17 @@ class Scanner {
 
   /// Up to what ends a plain scalar on its line; blanks at its end do not belong to it.
   std::optional<Scalar> read_plain(bool in_flow) {
-    if (char_class() != kPlain && (peek() != '-' || in_flow_stop(1) || is_end_of_word(1))) {
+    if (char_class() != CharClass::plain &&
+        (peek() != '-' || in_flow_stop(1) || is_end_of_word(1))) {
       return std::nullopt;
     }
     const std::uint32_t begin = at_;
     std::uint32_t end = at_;
     for (; at_ < size(); ++at_) {
-      const std::uint8_t kind = char_class();
-      if (kind == kForeign) return std::nullopt;
-      if (kind == kFlowSign && in_flow) break;
-      if (kind == kEnding) {
+      const CharClass kind = char_class();
+      if (kind == CharClass::foreign) return std::nullopt;
+      if (kind == CharClass::flow_sign && in_flow) break;
+      if (kind == CharClass::ending) {
         const char c = peek();
         if (c == '\n') break;
         if (c == ' ') continue;
