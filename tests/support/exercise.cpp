@@ -84,7 +84,7 @@ Exercise exercise(const FileReader& files, const std::string& path,
     const LinkedModel model = load_model(path, context);
     lint_model(model, {}, sink);
     judge(model);
-    if (options.converts && !result.has_errors) convert(model, sources, result);
+    if (options.converts && !result.has_errors && model.robot) convert(model, sources, result);
   }
   result.findings = diagnostics.size();
   if (options.renders && result.broken.empty()) render_all(diagnostics, sources, result);
