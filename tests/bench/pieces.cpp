@@ -67,7 +67,7 @@ BENCHMARK(urdf_load);
 
 void urdf_urdfdom(benchmark::State& state) {
   const std::string text = text_of("urdf/m.urdf");
-  for (auto step : state) benchmark::DoNotOptimize(urdf::parseURDF(text));
+  for (auto step : state) benchmark::DoNotOptimize(::urdf::parseURDF(text));
 }
 BENCHMARK(urdf_urdfdom);
 

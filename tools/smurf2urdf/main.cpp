@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
   if (!model) return conversion.fail();
   const ExitCode verdict = conversion.report(*model);
   if (verdict == kFailed) return kFailed;
-  if (!model->robot) return kFindings;
+  if (!model->robot) return verdict == kDone ? conversion.refuse("has no URDF") : kFindings;
   if (verdict != kDone && !options.force) return conversion.refuse("has errors; see --force");
 
   UrdfExport& wanted = options.conversion;
