@@ -4,7 +4,6 @@
 #include <benchmark/benchmark.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
-#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/parser.h>
 
 #include <cstdlib>
@@ -13,6 +12,7 @@
 #include "smurf/flatten.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
+#include "support/null_events.hpp"
 #include "syntax/plain_yaml.hpp"
 #include "syntax/yaml_reader.hpp"
 
@@ -39,22 +39,6 @@ LinkedModel load(const std::string& file, SourceMap& sources, DiagnosticSink& si
   LoadContext context{sources, files, sink, {}, {}};
   return load_model(path_of(file), context);
 }
-
-class NullHandler final : public YAML::EventHandler {
- public:
-  void OnDocumentStart(const YAML::Mark&) override {}
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                const std::string&) override {}
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                       YAML::EmitterStyle::value) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                  YAML::EmitterStyle::value) override {}
-  void OnMapEnd() override {}
-};
 
 void urdf_load(benchmark::State& state) {
   for (auto step : state) {
@@ -94,7 +78,7 @@ void yaml_yaml_cpp_events(benchmark::State& state) {
   const std::string text = text_of("smurf/m_motors.yml");
   for (auto step : state) {
     std::istringstream stream(text);
-    NullHandler handler;
+    test::NullEvents handler;
     YAML::Parser(stream).HandleNextDocument(handler);
   }
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
@@ -116,7 +100,7 @@ BENCHMARK_CAPTURE(yaml_tree, scanner_first, YamlEngine::scanner_first);
 void yaml_scanner_events(benchmark::State& state) {
   const std::string text = text_of("smurf/m_motors.yml");
   for (auto step : state) {
-    NullHandler handler;
+    test::NullEvents handler;
     if (!scan_plain_yaml(text, handler)) state.SkipWithError("not plain");
   }
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));

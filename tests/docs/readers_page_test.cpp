@@ -3,24 +3,14 @@
 // SMURF_UPDATE_SNAPSHOTS=1 writes it.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
+#include "docs/page.hpp"
 #include "smurf/readers.hpp"
 
-namespace fs = std::filesystem;
 using namespace smurf;
 
 namespace {
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// "[SML1408](rules.md#bounds-equal)", or "SML18xx" for a whole family.
 std::string link_to(std::string_view id) {
@@ -73,10 +63,5 @@ std::string readers_page() {
 }  // namespace
 
 TEST_CASE("docs/readers.md is what the table of readers says") {
-  const fs::path path = fs::path(SMURF_FIXTURES) / ".." / "docs" / "readers.md";
-  const std::string page = readers_page();
-  if (std::getenv("SMURF_UPDATE_SNAPSHOTS") != nullptr) {
-    std::ofstream(path, std::ios::binary) << page;
-  }
-  CHECK_MESSAGE(read(path) == page, "docs/readers.md is stale: run with SMURF_UPDATE_SNAPSHOTS=1");
+  test::check_page("readers.md", readers_page());
 }

@@ -3,25 +3,17 @@
 // SMURF_UPDATE_SNAPSHOTS=1 writes it.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 
+#include "docs/page.hpp"
 #include "smurf/diagnostic.hpp"
 
 namespace fs = std::filesystem;
 using namespace smurf;
 
 namespace {
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::string family_title(std::string_view id) {
   static const std::map<char, std::string> kTitles = {
@@ -63,9 +55,9 @@ std::string rules_page() {
            << tolerance.unit << ": " << tolerance.meaning << "\n";
     }
     page << "\n**Sources.** " << rule->sources << "\n";
-    const std::string example =
-        read(fs::path(SMURF_FIXTURES) / "rules" /
-             (std::string(rule->id) + "-" + std::string(rule->name)) / "bad.expected.txt");
+    const std::string example = test::read_page(
+        fs::path(SMURF_FIXTURES) / "rules" /
+        (std::string(rule->id) + "-" + std::string(rule->name)) / "bad.expected.txt");
     if (!example.empty()) {
       // The first diagnostic is example enough.
       const std::size_t second = example.find("\n\n");
@@ -78,10 +70,5 @@ std::string rules_page() {
 }  // namespace
 
 TEST_CASE("docs/rules.md is what the rule table says") {
-  const fs::path path = fs::path(SMURF_FIXTURES) / ".." / "docs" / "rules.md";
-  const std::string page = rules_page();
-  if (std::getenv("SMURF_UPDATE_SNAPSHOTS") != nullptr) {
-    std::ofstream(path, std::ios::binary) << page;
-  }
-  CHECK_MESSAGE(read(path) == page, "docs/rules.md is stale: run with SMURF_UPDATE_SNAPSHOTS=1");
+  test::check_page("rules.md", rules_page());
 }

@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "support/described_yaml.hpp"
+#include "support/null_events.hpp"
 #include "syntax/plain_yaml.hpp"
 #include "unit/random.hpp"
 
@@ -19,25 +20,9 @@ using smurf::test::Random;
 
 namespace {
 
-class Ignore final : public YAML::EventHandler {
- public:
-  void OnDocumentStart(const YAML::Mark&) override {}
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                const std::string&) override {}
-  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                       YAML::EmitterStyle::value) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                  YAML::EmitterStyle::value) override {}
-  void OnMapEnd() override {}
-};
-
 bool is_plain(const std::string& text) {
-  Ignore ignore;
-  return scan_plain_yaml(text, ignore);
+  test::NullEvents events;
+  return scan_plain_yaml(text, events);
 }
 
 /// True when the scanner accepted the text.

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pages of docs/ that are made from tables: a test fails when one is stale, and writes it when
+// SMURF_UPDATE_SNAPSHOTS is set.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace smurf::test {
+
+/// "" when there is no such file.
+inline std::string read_page(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// `name` is that of a file in docs/.
+inline void check_page(const std::string& name, const std::string& page) {
+  const std::filesystem::path path = std::filesystem::path(SMURF_FIXTURES) / ".." / "docs" / name;
+  if (std::getenv("SMURF_UPDATE_SNAPSHOTS") != nullptr) {
+    std::ofstream(path, std::ios::binary) << page;
+  }
+  CHECK_MESSAGE(read_page(path) == page,
+                "docs/" << name << " is stale: run with SMURF_UPDATE_SNAPSHOTS=1");
+}
+
+}  // namespace smurf::test
