@@ -6,6 +6,7 @@ import math
 import pathlib
 import re
 import sys
+import xml.etree.ElementTree
 import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -272,6 +273,34 @@ class OldScenes(FlattenTest):
         self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
         done = self.run_tool("old.smurfs", "--quiet")
         self.assertEqual(json.loads(done.stdout)["lights"], [{"name": "sun"}])
+
+    def test_lights_shine_in_other_formats(self):
+        light = ("lightlist: [{name: sun, type: 2, angle: 60, position: {x: 1, y: 2, z: 3},"
+                 " diffuse: {r: 1, g: 0.5, b: 0, a: 1}}]\n")
+        self.write("old.yml", OLD_YAML.replace("lightlist: [{name: sun}]\n", light))
+        self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
+        sdf = xml.etree.ElementTree.fromstring(self.run_tool("old.smurfs", "--format", "sdf").stdout)
+        light = sdf.find("world/light")
+        self.assertEqual((light.get("name"), light.get("type"), light.findtext("diffuse")),
+                         ("sun", "spot", "1 0.5 0 1"))
+        self.assertTrue(light.findtext("pose").startswith("1 2 3"), light.findtext("pose"))
+        done = self.run_tool("old.smurfs", "--format", "urdf")
+        self.assertIn("1 light of `Old` is not in the URDF", done.stderr)
+        # Flattened once more, a light is still one light.
+        self.write("flat.smurfs", self.run_tool("old.smurfs", "--format", "smurfs").stdout)
+        self.assertEqual(len(self.flat("flat.smurfs")["lights"]), 1)
+
+    def test_what_does_not_come_along_is_named(self):
+        moving = OLD_YAML.replace("name: a,", "name: a, movable: true,").replace(
+            "{name: c, index: 3, filename: rock.obj}", "{name: c, index: 3, movable: false}")
+        self.write("old.yml", moving + "jointlist: [{index: 1}, {index: 2}]\nmotorlist: [{index: 1}]\n")
+        self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
+        done = self.run_tool("old.smurfs", "--format", "mjcf", "--report", "json")
+        found = {(d["id"], d["message"]) for d in json.loads(done.stderr)["diagnostics"]}
+        for loss in [("SML8209", "what moves in `Old` stands still in the MJCF: `a`"),
+                     ("SML8205", "what `Old` has without a shape of its own, `c`, is not in the MJCF"),
+                     ("SML8207", "more of `Old` is not in the MJCF: 2 joints, 1 motor")]:
+            self.assertIn(loss, found)
 
     def test_broken(self):
         for data, reason in [(b"PK no", "is no zip archive"),
