@@ -9,6 +9,7 @@
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
+#include "link/drawn_scene.hpp"
 #include "link/read_file.hpp"
 #include "link/scene_link.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -61,7 +62,11 @@ class SceneExpander {
     const auto source = read_source(path, reference, missing, context_);
     if (source) {
       file.source = *source;
-      file.document = parse_yaml(context_.sources, *source, context_.limits, context_.sink);
+      if (!is_drawing(path)) {
+        file.document = parse_yaml(context_.sources, *source, context_.limits, context_.sink);
+      } else if (!read_drawn_scene(file, scene_.data_files, context_)) {
+        lose_scene();
+      }
       auto scene = file.document ? read_scene(*file.document, context_.sink) : std::nullopt;
       if (scene) file.scene = std::move(*scene);
       if (!scene) lose_scene();

@@ -66,6 +66,10 @@ class Reader {
 
   Placed place(const Entity& entity, const SceneUse& around, const Placed* frame) const {
     Placed placed;
+    if (scene_.file(around).drawing) {
+      placed.refusal = "reads no drawings";
+      return placed;
+    }
     if (frame != nullptr && !frame->refusal.empty()) return *frame;
     if (entity.list != list_of(around)) {
       placed.refusal = "reads one of the lists `entities`, `smurfa`, `smurfs` only";
