@@ -335,6 +335,58 @@ class Archives(FlattenTest):
                               "own name", "a.zsmurfs")
 
 
+    def test_entities_in_archives(self):
+        """A model, a scene, and an archive in an archive, each read where it lies."""
+        model = archive({"box.smurf": "modelname: box\nfiles: [urdf/box.urdf]\n",
+                         "urdf/box.urdf": BOX})
+        self.write("parts/box.zsmurf", model)
+        self.write("cell.zsmurfs", archive({
+            "cell.smurfs": "entities:\n- {name: In, file: deep/box.zsmurf, position: [0, 0, 1]}\n",
+            "deep/box.zsmurf": model}))
+        self.write("top.smurfs", """entities:
+- {name: A, file: parts/box.zsmurf, position: [1, 2, 3]}
+- {name: B, type: zsmurf, file: parts/box.zsmurf, parent: 'A::lid'}
+- {name: C, file: cell.zsmurfs, position: [5, 0, 0]}
+""")
+        flat = self.flat("top.smurfs", "--quiet")
+        self.assertEqual({i["path"]: i["position"] for i in flat["instances"]},
+                         {"A": [1, 2, 3], "B": [1, 2, 3.1], "C/In": [5, 0, 1]})
+        self.assertEqual([m["urdf"] for m in flat["models"]],
+                         ["parts/box.zsmurf/urdf/box.urdf",
+                          "cell.zsmurfs/deep/box.zsmurf/urdf/box.urdf"])
+        self.assertEqual(flat["instances"][2]["source"],
+                         {"file": "cell.zsmurfs/cell.smurfs", "line": 2})
+        done = self.run_tool("top.smurfs")
+        self.assertEqual(done.stderr.count("SML5011"), 4, done.stderr)
+        done = self.run_tool("top.smurfs", "--dialect", "mars", "--quiet")
+        self.assertEqual(json.loads(done.stdout)["instances"], [])
+
+    def test_what_is_wrong_inside_is_shown_inside(self):
+        self.write("top.smurfs", "entities:\n- {name: A, file: box.zsmurf}\n")
+        self.write("box.zsmurf", archive({"box.smurf": "modelname: box\nfiles: [box.urdf]\n",
+                                          "box.urdf": BOX.replace('"fixed"', '"fixt"')}))
+        done = self.run_tool("top.smurfs")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("--> box.zsmurf/box.urdf:", done.stderr)
+        for content, reason in [(b"no", "it is no zip archive"), (archive({"a": ""}), "it holds no .smurf")]:
+            self.write("box.zsmurf", content)
+            done = self.run_tool("top.smurfs")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"cannot read `box.zsmurf`: {reason}", done.stderr)
+            self.assertNotIn("SML5011", done.stderr)
+            self.assertIn("top.smurfs:2:19", done.stderr)
+        (self.folder / "box.zsmurf").unlink()
+        self.assertIn("there is no file `box.zsmurf`", self.run_tool("top.smurfs").stderr)
+
+    def test_an_archive_of_itself_ends(self):
+        """Each level names the archive around it."""
+        self.write("a.zsmurfs", archive({"a.smurfs": "entities: [{name: A, file: ../a.zsmurfs}]\n"}))
+        self.write("top.smurfs", "entities: [{name: T, file: a.zsmurfs}]\n")
+        done = self.run_tool("top.smurfs")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("SML5020", done.stderr)
+
+
 class Assets(FlattenTest):
     MESH = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n" \
            "vertex 0 1 0\nendloop\nendfacet\nendsolid s\n"

@@ -159,6 +159,8 @@ class Reader {
   static constexpr const char* kNotFromDrawing =
       "does not load entities of this type from a drawing";
 
+  static constexpr const char* kNotFromArchive = "loads nothing from an archive";
+
   bool is_drawn(UseIndex use) const {
     return scene_.file(scene_.uses[to_size(use)]).drawing.has_value();
   }
@@ -167,6 +169,7 @@ class Reader {
     if (!use.outer) return {};
     const Entity& entity = *scene_.entity(use);
     Keys keys = readings::keys_of(entity);
+    if (is_archive_type(entity_type(entity))) keys.refusal = kNotFromArchive;
     if (is_drawn(*use.outer)) keys.refusal = kNotFromDrawing;
     if (scene_.uses[to_size(*use.outer)].outer) include(keys, entity, outer[to_size(*use.outer)]);
     return keys;
@@ -176,6 +179,7 @@ class Reader {
     const Entity& entity = scene_.entity(instance);
     Keys keys = readings::keys_of(entity);
     const bool is_nested = scene_.use(instance).outer.has_value();
+    if (is_archive_type(instance.type)) keys.refusal = kNotFromArchive;
     if (is_drawn(instance.use)) {
       if (kind_of(instance.type) == EntityKind::model || is_old_scene(instance.type)) {
         keys.refusal = kNotFromDrawing;
