@@ -6,6 +6,7 @@ import math
 import pathlib
 import re
 import sys
+import xml.etree.ElementTree
 import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -273,6 +274,34 @@ class OldScenes(FlattenTest):
         done = self.run_tool("old.smurfs", "--quiet")
         self.assertEqual(json.loads(done.stdout)["lights"], [{"name": "sun"}])
 
+    def test_lights_shine_in_other_formats(self):
+        light = ("lightlist: [{name: sun, type: 2, angle: 60, position: {x: 1, y: 2, z: 3},"
+                 " diffuse: {r: 1, g: 0.5, b: 0, a: 1}}]\n")
+        self.write("old.yml", OLD_YAML.replace("lightlist: [{name: sun}]\n", light))
+        self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
+        sdf = xml.etree.ElementTree.fromstring(self.run_tool("old.smurfs", "--format", "sdf").stdout)
+        light = sdf.find("world/light")
+        self.assertEqual((light.get("name"), light.get("type"), light.findtext("diffuse")),
+                         ("sun", "spot", "1 0.5 0 1"))
+        self.assertTrue(light.findtext("pose").startswith("1 2 3"), light.findtext("pose"))
+        done = self.run_tool("old.smurfs", "--format", "urdf")
+        self.assertIn("1 light of `Old` is not in the URDF", done.stderr)
+        # Flattened once more, a light is still one light.
+        self.write("flat.smurfs", self.run_tool("old.smurfs", "--format", "smurfs").stdout)
+        self.assertEqual(len(self.flat("flat.smurfs")["lights"]), 1)
+
+    def test_what_does_not_come_along_is_named(self):
+        moving = OLD_YAML.replace("name: a,", "name: a, movable: true,").replace(
+            "{name: c, index: 3, filename: rock.obj}", "{name: c, index: 3, movable: false}")
+        self.write("old.yml", moving + "jointlist: [{index: 1}, {index: 2}]\nmotorlist: [{index: 1}]\n")
+        self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
+        done = self.run_tool("old.smurfs", "--format", "mjcf", "--report", "json")
+        found = {(d["id"], d["message"]) for d in json.loads(done.stderr)["diagnostics"]}
+        for loss in [("SML8209", "what moves in `Old` stands still in the MJCF: `a`"),
+                     ("SML8205", "what `Old` has without a shape of its own, `c`, is not in the MJCF"),
+                     ("SML8207", "more of `Old` is not in the MJCF: 2 joints, 1 motor")]:
+            self.assertIn(loss, found)
+
     def test_broken(self):
         for data, reason in [(b"PK no", "is no zip archive"),
                              (archive({"other.scene": OLD_XML}), "holds no `old.scene`"),
@@ -304,6 +333,58 @@ class Archives(FlattenTest):
         self.write("a.zsmurfs", archive({"x.smurfs": "", "y.smurfs": ""}))
         self.expect_complaint("cannot read 'a.zsmurfs': it holds several .smurfs and none of its "
                               "own name", "a.zsmurfs")
+
+
+    def test_entities_in_archives(self):
+        """A model, a scene, and an archive in an archive, each read where it lies."""
+        model = archive({"box.smurf": "modelname: box\nfiles: [urdf/box.urdf]\n",
+                         "urdf/box.urdf": BOX})
+        self.write("parts/box.zsmurf", model)
+        self.write("cell.zsmurfs", archive({
+            "cell.smurfs": "entities:\n- {name: In, file: deep/box.zsmurf, position: [0, 0, 1]}\n",
+            "deep/box.zsmurf": model}))
+        self.write("top.smurfs", """entities:
+- {name: A, file: parts/box.zsmurf, position: [1, 2, 3]}
+- {name: B, type: zsmurf, file: parts/box.zsmurf, parent: 'A::lid'}
+- {name: C, file: cell.zsmurfs, position: [5, 0, 0]}
+""")
+        flat = self.flat("top.smurfs", "--quiet")
+        self.assertEqual({i["path"]: i["position"] for i in flat["instances"]},
+                         {"A": [1, 2, 3], "B": [1, 2, 3.1], "C/In": [5, 0, 1]})
+        self.assertEqual([m["urdf"] for m in flat["models"]],
+                         ["parts/box.zsmurf/urdf/box.urdf",
+                          "cell.zsmurfs/deep/box.zsmurf/urdf/box.urdf"])
+        self.assertEqual(flat["instances"][2]["source"],
+                         {"file": "cell.zsmurfs/cell.smurfs", "line": 2})
+        done = self.run_tool("top.smurfs")
+        self.assertEqual(done.stderr.count("SML5011"), 4, done.stderr)
+        done = self.run_tool("top.smurfs", "--dialect", "mars", "--quiet")
+        self.assertEqual(json.loads(done.stdout)["instances"], [])
+
+    def test_what_is_wrong_inside_is_shown_inside(self):
+        self.write("top.smurfs", "entities:\n- {name: A, file: box.zsmurf}\n")
+        self.write("box.zsmurf", archive({"box.smurf": "modelname: box\nfiles: [box.urdf]\n",
+                                          "box.urdf": BOX.replace('"fixed"', '"fixt"')}))
+        done = self.run_tool("top.smurfs")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("--> box.zsmurf/box.urdf:", done.stderr)
+        for content, reason in [(b"no", "it is no zip archive"), (archive({"a": ""}), "it holds no .smurf")]:
+            self.write("box.zsmurf", content)
+            done = self.run_tool("top.smurfs")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"cannot read `box.zsmurf`: {reason}", done.stderr)
+            self.assertNotIn("SML5011", done.stderr)
+            self.assertIn("top.smurfs:2:19", done.stderr)
+        (self.folder / "box.zsmurf").unlink()
+        self.assertIn("there is no file `box.zsmurf`", self.run_tool("top.smurfs").stderr)
+
+    def test_an_archive_of_itself_ends(self):
+        """Each level names the archive around it."""
+        self.write("a.zsmurfs", archive({"a.smurfs": "entities: [{name: A, file: ../a.zsmurfs}]\n"}))
+        self.write("top.smurfs", "entities: [{name: T, file: a.zsmurfs}]\n")
+        done = self.run_tool("top.smurfs")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("SML5020", done.stderr)
 
 
 class Assets(FlattenTest):

@@ -114,9 +114,8 @@ Command make_command(Options& options) {
       "pose in the world.";
   command.operands = "SCENE";
   command.details =
-      "SCENE is a .smurfs or .smurfa file, or a .zsmurfs archive of one; a .smurf or .urdf counts "
-      "as a scene of one model. Poses "
-      "are those of the URDF root links, in metres and unit quaternions; a parent link is taken in "
+      "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive of one, or a drawing (.svg) whose "
+      "groups are entities; a .smurf or .urdf counts as a scene of one model. Poses are those of the URDF root links, in metres and unit quaternions; a parent link is taken in "
       "the joint pose that its entity names. A scene with errors is refused.";
   command.options = converter_options(options.common, "Write the result to FILE; without it, or "
                                                       "with '-', to standard output.");
@@ -220,7 +219,8 @@ int main(int argc, char** argv) {
                          .sources = conversion.sources(),
                          .losses = conversion.sink(),
                          .links = options.links,
-                         .form = *form});
+                         .form = *form,
+                         .meshes = mesh_source(flattening, copies, conversion.files())});
     is_complete = !has_losses(conversion.sink());
     scene->instances = documented;
   }

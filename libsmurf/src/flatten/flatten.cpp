@@ -136,14 +136,15 @@ class Flattener {
     if (options_.old_scenes == nullptr) return;
     const auto file = options_.old_scenes->find(instance.file);
     if (file == options_.old_scenes->end()) return;
-    OldSceneContent content =
-        old_scene_content(file->second, instance.file, !instance.name.empty());
+    OldSceneContent content = old_scene_content(file->second, instance);
+    content.rest.instance = flat_.instances.size();
+    const Span place = place_of(scene_.entity(instance));
+    for (Light& lamp : content.rest.lamps) lamp.span = lamp.name.span = place;
+    flat_.old_scenes.push_back(std::move(content.rest));
     for (FlatShape& shape : content.shapes) {
       if (auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) mesh->file = relative(mesh->file);
     }
     flat.shapes = std::move(content.shapes);
-    // Lights are in the world frame, wherever their scene is placed.
-    for (Value& light : content.lights) flat_.lights.push_back(std::move(light));
   }
 
   void add_joints(const Instance& instance, const LinkedModel& model, FlatInstance& flat) {

@@ -35,6 +35,14 @@ void point(Diagnostic& diagnostic, const xml::Document& document, xml::XPaths& p
   diagnostic.named_pointer = diagnostic.pointer;
 }
 
+void locate_in(const xml::Document& document, std::span<Diagnostic> diagnostics) {
+  xml::XPaths paths(document);
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (!diagnostic.named_pointer.empty() || diagnostic.span.source != document.source) continue;
+    point(diagnostic, document, paths);
+  }
+}
+
 void locate_in(const yaml::Document& document, std::span<Diagnostic> diagnostics) {
   for (Diagnostic& diagnostic : diagnostics) {
     if (!diagnostic.named_pointer.empty() || diagnostic.span.source != document.source) continue;
@@ -60,7 +68,11 @@ void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
   for (const SceneFile& file : scene.scenes) {
-    if (file.document) locate_in(*file.document, diagnostics);
+    if (file.drawing) {
+      locate_in(*file.drawing, diagnostics);
+    } else if (file.document) {
+      locate_in(*file.document, diagnostics);
+    }
   }
   for (const DataFile& file : scene.data_files) locate_in(file.document, diagnostics);
   for (const LinkedModel& model : scene.models) locate(model, diagnostics);

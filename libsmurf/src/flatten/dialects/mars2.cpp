@@ -54,6 +54,7 @@ class Reader {
 
   EntityReading read(const Instance& instance) const {
     const Entity& entity = scene_.entity(instance);
+    if (scene_.scenes.front().drawing) return left_out("reads no drawings");
     if (entity.list != EntityList::entities) return left_out("reads no list but `entities`");
     const std::size_t outermost = outermost_entity(instance);
     if (stop_ && outermost == *stop_) return left_out(why_stopped_);

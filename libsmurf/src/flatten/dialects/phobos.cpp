@@ -66,7 +66,15 @@ class Reader {
 
   Placed place(const Entity& entity, const SceneUse& around, const Placed* frame) const {
     Placed placed;
+    if (scene_.file(around).drawing) {
+      placed.refusal = "reads no drawings";
+      return placed;
+    }
     if (frame != nullptr && !frame->refusal.empty()) return *frame;
+    if (is_archive_type(entity_type(entity))) {
+      placed.refusal = "reads no archives";
+      return placed;
+    }
     if (entity.list != list_of(around)) {
       placed.refusal = "reads one of the lists `entities`, `smurfa`, `smurfs` only";
       return placed;
@@ -104,7 +112,7 @@ class Reader {
     const Placed* frame = around.outer ? &uses_[to_size(instance.use)] : nullptr;
     const Entity& entity = scene_.entity(instance);
     Placed placed = place(entity, around, frame);
-    const std::string extension = path::to_lower(path::extension(instance.file));
+    const std::string extension = path::to_lower(path::extension(entity.file.value_or({})));
     if (placed.refusal.empty() && extension != ".smurf" && extension != ".urdf") {
       placed.refusal = "reads models and scenes only, and tells them by the name of their `file`";
     }
