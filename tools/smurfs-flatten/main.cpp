@@ -204,9 +204,14 @@ int main(int argc, char** argv) {
   if (is_sound && options.compare_dialects) {
     text = compare_dialects(*scene, conversion.sources(), options.format == "json");
   } else if (is_sound && options.explained.empty()) {
-    // The rules, which run later, judge the scene as documented.
-    const std::vector<Instance> documented = scene->instances;
-    apply_dialect(*find_dialect(options.dialect), *scene, conversion.sink());
+    // The rules, which run later, judge the scene as documented, which is the first dialect.
+    const Dialect* dialect = find_dialect(options.dialect);
+    const bool is_documented = dialect == dialects().front();
+    std::vector<Instance> documented;
+    if (!is_documented) {
+      documented = scene->instances;
+      apply_dialect(*dialect, *scene, conversion.sink());
+    }
     const OldScenes old_scenes = conversion.load_old_scenes(*scene);
     FlattenOptions flattening = flatten_options(options);
     flattening.old_scenes = &old_scenes;
@@ -222,7 +227,7 @@ int main(int argc, char** argv) {
                          .form = *form,
                          .meshes = mesh_source(flattening, copies, conversion.files())});
     is_complete = !has_losses(conversion.sink());
-    scene->instances = documented;
+    if (!is_documented) scene->instances = std::move(documented);
   }
   if (const ExitCode verdict = conversion.report(*scene); verdict == kFailed)
     return kFailed;

@@ -93,6 +93,7 @@ class SceneExpander {
 
   void expand(UseIndex use) {
     const std::size_t count = scene_.file(scene_.uses[to_size(use)]).scene.entities.size();
+    if (scene_.instances.empty()) scene_.instances.reserve(count);
     for (std::size_t i = 0; i < count && !is_full_; ++i) {
       if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
         is_full_ = true;
