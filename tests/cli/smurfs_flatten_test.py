@@ -200,9 +200,21 @@ class Dialects(FlattenTest):
         self.assertEqual(json.loads(spec.stdout)["instances"][0]["anchor"], "world")
         self.assertEqual(json.loads(mars.stdout)["instances"][0]["anchor"], "none")
 
-    def test_explanations_are_of_the_documented_scene(self):
-        self.expect_complaint("--explain does not go with --dialect mars",
-                              "scene.smurfs", "--explain", "B", "--dialect", "mars")
+    def test_explanations(self):
+        def explain(dialect, name="A", scene="differ.smurfs"):
+            done = self.run_tool(scene, "--explain", name, "--dialect", dialect, "--quiet")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            return done.stdout.splitlines()
+        self.assertEqual(explain("mars"), explain("spec"))
+        *_, world, note = explain("phobos")
+        self.assertTrue(world.endswith("xyz 1 2 3  rpy 0 0 40.1070457 deg"), world)
+        self.assertEqual(note, "phobos takes the angles for radians")
+        steps = explain("mars", "in/A", "outer.smurfs")
+        self.assertEqual([s.split()[1] for s in steps[:2]], ["include", "entity"])
+        self.assertEqual(steps[-1], "mars loses the anchor")
+        self.expect_complaint("'C' is not in the scene of the dialect mars2, which stops at a `file` "
+                              "that is no .smurf, .smurfs or .yml",
+                              "differ.smurfs", "--explain", "C", "--dialect", "mars2", "--quiet")
 
 
 OLD_XML = """<?xml version="1.0"?>

@@ -99,7 +99,9 @@ void add_options(Command& command, Options& options) {
        .set = set_text(options.assets)});
   add({.name = "explain",
        .metavar = "NAME",
-       .help = "Write nothing but the chain of transforms that leads to an instance.",
+       .help =
+           "Write nothing but the chain of transforms that leads to an instance, as the dialect "
+           "has it.",
        .set = set_text(options.explained)});
   add({.name = "strict",
        .help = "Refuse to write what the format cannot say completely.",
@@ -138,7 +140,7 @@ FlattenOptions flatten_options(const Options& options) {
           .current_folder = std::filesystem::current_path().generic_string()};
 }
 
-int explain_instance(const LinkedScene& scene, const SourceMap& sources, const Options& options) {
+int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options& options) {
   const auto instance = find_instance(scene, options.explained);
   if (!instance) {
     std::vector<std::string_view> known;
@@ -147,7 +149,17 @@ int explain_instance(const LinkedScene& scene, const SourceMap& sources, const O
                         did_you_mean(options.explained, known));
     return kFailed;
   }
-  const std::string text = describe_chain(scene, sources, *instance);
+  const Dialect& dialect = *find_dialect(options.dialect);
+  const EntityReading reading = dialect.read(scene)[to_size(*instance)];
+  if (!reading.X_WE) {
+    complain(kTool, "'" + options.explained + "' is not in the scene of the dialect " +
+                        options.dialect + ", which " + reading.note);
+    return kFailed;
+  }
+  DiagnosticSink about_others;
+  apply_dialect(dialect, scene, about_others);
+  std::string text = describe_chain(scene, sources, *instance, dialect);
+  if (!reading.note.empty()) text += options.dialect + " " + reading.note + "\n";
   return write_output(kTool, options.common.output, text) ? kDone : kFailed;
 }
 
@@ -158,11 +170,8 @@ bool check_options(const Options& options) {
     complain(kTool, "--copy-assets copies what models name, and needs --form expand");
     return false;
   }
-  if (options.dialect == "spec") return true;
-  const bool explains = !options.explained.empty();
-  if (!explains && !options.compare_dialects) return true;
-  complain(kTool, std::string(explains ? "--explain" : "--compare-dialects") +
-                      " does not go with --dialect " + options.dialect);
+  if (options.dialect == "spec" || !options.compare_dialects) return true;
+  complain(kTool, "--compare-dialects does not go with --dialect " + options.dialect);
   return false;
 }
 
