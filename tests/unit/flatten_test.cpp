@@ -87,6 +87,18 @@ TEST_CASE("anchors, parents, joints and properties") {
         "{\"deep\":{\"er\":1000}}],\"text\":\"tab\\t quote\\\" \\u0001\"}");
 }
 
+TEST_CASE("types that are not known keep all their keys") {
+  LoadedScene loaded;
+  loaded.load_text(R"(entities:
+- {name: R, type: rainbow, pose: wide, root: true, poses: [{name: wide}], URI: x.yml, a: {b: [1]}}
+- {name: B, file: box.urdf, root: true, a: 1}
+)");
+  const Json flat = to_json(loaded, {});
+  CHECK(flat["instances"][0]["properties"].dump() ==
+        R"({"pose":"wide","root":true,"poses":[{"name":"wide"}],"URI":"x.yml","a":{"b":[1]}})");
+  CHECK(flat["instances"][1]["properties"].dump() == R"({"a":1})");
+}
+
 TEST_CASE("the outer scene's world wins, an assembly's does not count") {
   LoadedScene loaded;
   loaded.files.add("in.smurfs", R"(
