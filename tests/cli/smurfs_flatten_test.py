@@ -112,6 +112,21 @@ class Output(FlattenTest):
         self.assertIn("broken.smurfs:3:44", done.stderr)
         self.assertIn("did you mean `A::lid`?", done.stderr)
 
+    def test_errors_that_leave_poses_known_can_be_passed_over(self):
+        self.write("heavy.urdf", '<robot name="r"><link name="l"><inertial><mass value="-1"/><inertia '
+                   'ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>')
+        self.write("heavy.smurfs", "entities: [{name: H, file: heavy.urdf, position: [1, 2, 3]}]\n")
+        done = self.run_tool("heavy.smurfs")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'heavy.smurfs' has errors; see --force; nothing was written", done.stderr)
+        done = self.run_tool("heavy.smurfs", "--force")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("error[SML15", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["instances"][0]["position"], [1, 2, 3])
+        done = self.run_tool("broken.smurfs", "--force")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'broken.smurfs' has errors; nothing was written", done.stderr)
+
     def test_warnings_do_not_refuse_unless_told(self):
         done = self.run_tool("outer.smurfs")
         self.assertEqual(done.returncode, 0)
