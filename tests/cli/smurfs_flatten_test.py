@@ -112,6 +112,21 @@ class Output(FlattenTest):
         self.assertIn("broken.smurfs:3:44", done.stderr)
         self.assertIn("did you mean `A::lid`?", done.stderr)
 
+    def test_errors_that_leave_poses_known_can_be_passed_over(self):
+        self.write("heavy.urdf", '<robot name="r"><link name="l"><inertial><mass value="-1"/><inertia '
+                   'ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>')
+        self.write("heavy.smurfs", "entities: [{name: H, file: heavy.urdf, position: [1, 2, 3]}]\n")
+        done = self.run_tool("heavy.smurfs")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'heavy.smurfs' has errors; see --force; nothing was written", done.stderr)
+        done = self.run_tool("heavy.smurfs", "--force")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("error[SML15", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["instances"][0]["position"], [1, 2, 3])
+        done = self.run_tool("broken.smurfs", "--force")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'broken.smurfs' has errors; nothing was written", done.stderr)
+
     def test_warnings_do_not_refuse_unless_told(self):
         done = self.run_tool("outer.smurfs")
         self.assertEqual(done.returncode, 0)
@@ -200,9 +215,21 @@ class Dialects(FlattenTest):
         self.assertEqual(json.loads(spec.stdout)["instances"][0]["anchor"], "world")
         self.assertEqual(json.loads(mars.stdout)["instances"][0]["anchor"], "none")
 
-    def test_explanations_are_of_the_documented_scene(self):
-        self.expect_complaint("--explain does not go with --dialect mars",
-                              "scene.smurfs", "--explain", "B", "--dialect", "mars")
+    def test_explanations(self):
+        def explain(dialect, name="A", scene="differ.smurfs"):
+            done = self.run_tool(scene, "--explain", name, "--dialect", dialect, "--quiet")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            return done.stdout.splitlines()
+        self.assertEqual(explain("mars"), explain("spec"))
+        *_, world, note = explain("phobos")
+        self.assertTrue(world.endswith("xyz 1 2 3  rpy 0 0 40.1070457 deg"), world)
+        self.assertEqual(note, "phobos takes the angles for radians")
+        steps = explain("mars", "in/A", "outer.smurfs")
+        self.assertEqual([s.split()[1] for s in steps[:2]], ["include", "entity"])
+        self.assertEqual(steps[-1], "mars loses the anchor")
+        self.expect_complaint("'C' is not in the scene of the dialect mars2, which stops at a `file` "
+                              "that is no .smurf, .smurfs or .yml",
+                              "differ.smurfs", "--explain", "C", "--dialect", "mars2", "--quiet")
 
 
 OLD_XML = """<?xml version="1.0"?>

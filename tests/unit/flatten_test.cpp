@@ -87,6 +87,18 @@ TEST_CASE("anchors, parents, joints and properties") {
         "{\"deep\":{\"er\":1000}}],\"text\":\"tab\\t quote\\\" \\u0001\"}");
 }
 
+TEST_CASE("types that are not known keep all their keys") {
+  LoadedScene loaded;
+  loaded.load_text(R"(entities:
+- {name: R, type: rainbow, pose: wide, root: true, poses: [{name: wide}], URI: x.yml, a: {b: [1]}}
+- {name: B, file: box.urdf, root: true, a: 1}
+)");
+  const Json flat = to_json(loaded, {});
+  CHECK(flat["instances"][0]["properties"].dump() ==
+        R"({"pose":"wide","root":true,"poses":[{"name":"wide"}],"URI":"x.yml","a":{"b":[1]}})");
+  CHECK(flat["instances"][1]["properties"].dump() == R"({"a":1})");
+}
+
 TEST_CASE("the outer scene's world wins, an assembly's does not count") {
   LoadedScene loaded;
   loaded.files.add("in.smurfs", R"(
@@ -236,22 +248,29 @@ TEST_CASE("MARS leaves models out of drawings, MARS 2 and Phobos read none") {
   CHECK(loads("phobos") == "00");
 }
 
-TEST_CASE("the steps of an explanation multiply to the pose") {
+TEST_CASE("the steps of an explanation multiply to the pose, in every dialect") {
   for (const char* path :
        {"example/example.smurfs", "nested/outer.smurfs", "showcase/showcase.smurfs"}) {
-    LoadedScene loaded;
-    loaded.load(kScenes + path);
-    for (std::size_t i = 0; i < loaded.scene.instances.size(); ++i) {
-      const Instance& instance = loaded.scene.instances[i];
-      CAPTURE(instance.path);
-      const auto steps = explain(loaded.scene, InstanceIndex{static_cast<std::uint32_t>(i)});
-      Matrix product = translation(0, 0, 0);
-      for (const TransformStep& step : steps) {
-        product = product * to_matrix4(step.X_step);
-        CHECK(difference(product, to_matrix4(step.X_W)) < 1e-12);
-        CHECK(!loaded.sources.text(step.span).empty());
+    for (const Dialect* dialect : dialects()) {
+      LoadedScene loaded;
+      loaded.load(kScenes + path);
+      apply_dialect(*dialect, loaded.scene, loaded.sink);
+      for (std::size_t i = 0; i < loaded.scene.instances.size(); ++i) {
+        const Instance& instance = loaded.scene.instances[i];
+        CAPTURE(dialect->name);
+        CAPTURE(instance.path);
+        const auto steps =
+            explain(loaded.scene, InstanceIndex{static_cast<std::uint32_t>(i)}, *dialect);
+        CHECK(steps.empty() == !instance.X_WE);
+        if (steps.empty()) continue;
+        Matrix product = translation(0, 0, 0);
+        for (const TransformStep& step : steps) {
+          product = product * to_matrix4(step.X_step);
+          CHECK(difference(product, to_matrix4(step.X_W)) < 1e-12);
+          CHECK(!loaded.sources.text(step.span).empty());
+        }
+        CHECK(difference(product, to_matrix4(*instance.X_WE)) < 1e-12);
       }
-      CHECK(difference(product, to_matrix4(*instance.X_WE)) < 1e-12);
     }
   }
 }

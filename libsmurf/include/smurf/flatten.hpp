@@ -17,6 +17,8 @@
 
 namespace smurf {
 
+struct Dialect;
+
 struct ValueMember;
 
 /// Data that is carried along: what YAML and JSON have in common. Numbers keep their text's value.
@@ -116,7 +118,9 @@ struct TransformStep {
 };
 
 /// The chain of transforms of an instance, from the world on; empty when the instance has no pose.
-std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex instance);
+/// `scene` is as loaded, or as apply_dialect() left it with this dialect.
+std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex instance,
+                                   const Dialect& dialect);
 
 /// An instance by its path, else the first by its name.
 std::optional<InstanceIndex> find_instance(const LinkedScene& scene, std::string_view name);

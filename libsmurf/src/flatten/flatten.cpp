@@ -120,9 +120,7 @@ class Flattener {
     flat.X_WE = instance.X_WE;
     flat.anchor = flat_attachment(instance.placement.anchor);
     flat.parent = flat_attachment(instance.placement.parent);
-    for (const CustomSection& key : entity.extra) {
-      flat.properties.push_back({key.name.value, to_value({*file.document, key.node})});
-    }
+    flat.properties = properties(instance, entity, file);
     if (!instance.model) flat.shapes = shapes_of(flat, entity.position.written);
     if (is_old_scene(instance.type)) add_old_scene(instance, flat);
     if (const LinkedModel* model = scene_.model(instance)) {
@@ -130,6 +128,26 @@ class Flattener {
       if (options_.links) add_links(instance, *model, flat);
     }
     return flat;
+  }
+
+  /// The keys that the rest of an instance does not show. What `pose` or `root` are to a type that
+  /// is not known is not known either.
+  static Value::Object properties(const Instance& instance, const Entity& entity,
+                                  const SceneFile& file) {
+    Value::Object kept;
+    if (instance.model) {
+      for (const CustomSection& key : entity.extra) {
+        kept.push_back({key.name.value, to_value({*file.document, key.node})});
+      }
+      return kept;
+    }
+    constexpr std::string_view kShown[] = {"name",     "file",   "type",  "position",
+                                           "rotation", "parent", "anchor"};
+    kept = to_object({*file.document, entity.node});
+    std::erase_if(kept, [&](const ValueMember& member) {
+      return std::find(std::begin(kShown), std::end(kShown), member.key) != std::end(kShown);
+    });
+    return kept;
   }
 
   void add_old_scene(const Instance& instance, FlatInstance& flat) {

@@ -328,6 +328,10 @@ std::vector<EntityReading> read(const LinkedScene& scene) { return Reader(scene)
 }  // namespace
 
 extern constinit const Dialect mars{
-    .name = "mars", .help = "as MARS reads it, accidents included", .read = read};
+    .name = "mars",
+    .help = "as MARS reads it, accidents included",
+    .read = read,
+    .pose_of = documented_pose,
+    .is_moved_by_include = [](const Entity& entity) { return !keys_of(entity).is_relative(); }};
 
 }  // namespace smurf::readings

@@ -96,6 +96,10 @@ std::vector<EntityReading> read(const LinkedScene& scene) { return Reader(scene)
 
 }  // namespace
 
-extern constinit const Dialect mars2{.name = "mars2", .help = "as MARS 2 reads it", .read = read};
+extern constinit const Dialect mars2{.name = "mars2",
+                                     .help = "as MARS 2 reads it",
+                                     .read = read,
+                                     .pose_of = documented_pose,
+                                     .is_moved_by_include = [](const Entity&) { return false; }};
 
 }  // namespace smurf::readings
