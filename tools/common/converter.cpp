@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "archive/zip.hpp"
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/confine.hpp"
 #include "common/input.hpp"
@@ -18,6 +19,7 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
           stdin_filename_option(options.stdin_filename),
           package_option(options.packages),
           allow_outside_option(options.allow_outside),
+          limit_option(options.limits),
           color_option(options.color),
           quiet_option(options.quiet, "Say nothing but errors.")};
 }
@@ -41,7 +43,9 @@ std::optional<std::string> Conversion::open(const std::string& path) {
   path_ = path;
   const std::string named = path == "-" ? options_.stdin_filename : path;
   confine(disk_, std::span(&named, 1), options_.packages, options_.allow_outside);
-  if (path == "-") return read_standard_input(tool_, options_.stdin_filename, files_);
+  if (path == "-") {
+    return read_standard_input(tool_, options_.stdin_filename, options_.limits, files_);
+  }
   if (const auto reason = why_unreadable(path, files_)) {
     complain(tool_, "cannot read '" + path + "': " + *reason);
     return std::nullopt;
@@ -85,8 +89,10 @@ OldScenes Conversion::load_old_scenes(const LinkedScene& scene) {
 }
 
 std::optional<std::string> Conversion::open_archive(const std::string& path) {
-  const std::uint64_t most = Limits{}.file_bytes;
-  Archive archive = read_zip(files_.read(path, most).text, most);
+  const FileContent content = files_.read(path, options_.limits.archive_bytes);
+  Archive archive = content.status == ReadStatus::ok
+                        ? read_zip(content.text, options_.limits)
+                        : Archive{{}, content.reason + "; " + raise_limit("archive-bytes")};
   std::vector<std::string> candidates;
   const std::string wanted = "." + std::string(path::extension(path).substr(2));
   for (ArchivedFile& file : archive.files) {

@@ -24,6 +24,7 @@ struct ConverterOptions {
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
   bool allow_outside = false;  ///< read what models name wherever it lies
+  Limits limits;
   bool quiet = false;
 };
 
@@ -66,7 +67,12 @@ class Conversion {
 
  private:
   LoadContext context() {
-    return {sources_, files_, sink_, {}, options_.packages, package_folders_of_environment()};
+    return {sources_,
+            files_,
+            sink_,
+            options_.limits,
+            options_.packages,
+            package_folders_of_environment()};
   }
   std::optional<std::string> open(const std::string& path);
   /// The path of what an archive is about, in it; none when there is none: that has been said.

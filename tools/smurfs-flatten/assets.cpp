@@ -8,7 +8,6 @@
 
 #include "base/path.hpp"
 #include "common/output.hpp"
-#include "smurf/limits.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -93,11 +92,12 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
   return redirection.take();
 }
 
-bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files) {
+bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
+                const Limits& limits) {
   for (const auto& [from, to] : copies) {
     std::error_code error;
     if (fs::equivalent(from, to, error)) continue;
-    const FileContent content = files.read(from, Limits{}.mesh_bytes);
+    const FileContent content = files.read(from, limits.mesh_bytes);
     if (content.status != ReadStatus::ok) {
       complain(tool, "cannot read '" + from + "': " + content.reason);
       return false;

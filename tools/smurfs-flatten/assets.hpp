@@ -9,6 +9,7 @@
 
 #include "smurf/file_reader.hpp"
 #include "smurf/flatten.hpp"
+#include "smurf/limits.hpp"
 
 namespace smurf::tools {
 
@@ -21,6 +22,7 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files);
 
 /// False when a file cannot be copied; that has been said.
-bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files);
+bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
+                const Limits& limits);
 
 }  // namespace smurf::tools

@@ -232,6 +232,6 @@ int main(int argc, char** argv) {
     return explain_instance(*scene, conversion.sources(), options);
   }
   if (!is_complete && options.strict) return conversion.refuse("has losses");
-  if (!copy_files(kTool, copies, conversion.files())) return kFailed;
+  if (!copy_files(kTool, copies, conversion.files(), options.common.limits)) return kFailed;
   return write_output(kTool, options.common.output, text) ? kDone : kFailed;
 }

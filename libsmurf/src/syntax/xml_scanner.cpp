@@ -8,6 +8,7 @@
 #include <charconv>
 #include <string>
 
+#include "base/limits.hpp"
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_prefixes.hpp"
@@ -64,6 +65,11 @@ class Scanner {
   Diagnostic& malformed(Span place, std::string message) {
     index_.well_formed = false;
     return sink_.report(rules::sml1001_xml_malformed, place, std::move(message));
+  }
+
+  void too_much(const Rule& rule, Span place, std::string message, std::string_view limit) {
+    index_.well_formed = false;
+    sink_.report(rule, place, std::move(message)).help = raise_limit(limit);
   }
 
   void markup() {
@@ -151,7 +157,22 @@ class Scanner {
           .fixes.push_back({Applicability::safe, {{span(begin, at_), ""}}});
     }
     has_declaration_ = has_declaration_ || is_declaration;
-    if (!index_.well_formed || is_prolog_) return;
+    if (!index_.well_formed) return;
+    const auto close = static_cast<std::uint32_t>(text_.find('>', begin));
+    if (close + 1 < at_) {
+      malformed(span(close, close + 1),
+                "urdfdom (TinyXML) takes the processing instruction for closed by this `>`, and "
+                "finds no robot behind it")
+          .help = "delete the instruction, or this character";
+      return;
+    }
+    if (const auto place = find_unsound(text_.substr(begin, at_ - begin))) {
+      const auto at = static_cast<std::uint32_t>(begin + *place);
+      malformed(span(at, at + 1), "this is no attribute of the XML declaration").help =
+          "write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`";
+      return;
+    }
+    if (is_prolog_) return;
     malformed(span(begin, at_), "a processing instruction that does not stand at the start of the "
                                 "file; sdformat, MuJoCo and Bullet (tinyxml2) refuse it");
   }
@@ -229,10 +250,15 @@ class Scanner {
       return;
     }
     if (open_.size() >= limits_.xml_depth) {
-      index_.well_formed = false;
-      sink_.report(rules::sml0014_nesting_too_deep, element.name_span,
-                   "elements are nested deeper than " + std::to_string(limits_.xml_depth) +
-                       " levels");
+      too_much(rules::sml0014_nesting_too_deep, element.name_span,
+               "elements are nested deeper than " + std::to_string(limits_.xml_depth) + " levels",
+               "xml-depth");
+      return;
+    }
+    if (index_.elements.size() >= limits_.xml_elements) {
+      too_much(rules::sml0002_file_too_large, element.name_span,
+               "the file holds more than " + std::to_string(limits_.xml_elements) + " elements",
+               "xml-elements");
       return;
     }
     element.first_attribute = static_cast<std::uint32_t>(index_.attributes.size());
@@ -331,8 +357,10 @@ class Scanner {
     const std::string_view name = name_of(attribute.name_span);
     const std::size_t count = index_.attributes.size() - element.first_attribute;
     if (count >= limits_.xml_attributes) {
-      malformed(element.name_span, "the element " + quoted(element.name_span) + " has more than " +
-                                       std::to_string(limits_.xml_attributes) + " attributes");
+      too_much(rules::sml0002_file_too_large, element.name_span,
+               "the element " + quoted(element.name_span) + " has more than " +
+                   std::to_string(limits_.xml_attributes) + " attributes",
+               "xml-attributes");
       return false;
     }
     for (std::size_t i = element.first_attribute; i < index_.attributes.size(); ++i) {
