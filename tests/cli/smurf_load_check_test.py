@@ -3,10 +3,7 @@
 import csv
 import io
 import json
-import os
 import pathlib
-import pty
-import subprocess
 import sys
 import xml.etree.ElementTree
 
@@ -225,23 +222,6 @@ class Options(LoadCheckTest):
         report = self.report(1, ".")
         self.assertEqual({c["verdict"] for c in report["checks"]}, {"pass", "fail"})
         jsonschema.validate(report, schema)
-
-    def test_progress_is_for_terminals(self):
-        shown, terminal = pty.openpty()
-        self.addCleanup(os.close, shown)
-        done = subprocess.run([cli.TOOL, "."], cwd=self.folder, stderr=terminal,
-                              stdout=subprocess.PIPE, check=False)
-        os.close(terminal)
-        text = b""
-        try:
-            while part := os.read(shown, 4096):
-                text += part
-        except OSError:  # so ends a terminal on Linux
-            pass
-        self.assertEqual(done.returncode, 1)
-        self.assertIn(b"checked 1 of 3", text)
-        self.assertTrue(text.endswith(b"\r\x1b[K"), text)
-        self.assertEqual(self.expect(1, ".").stdout.encode(), done.stdout)
 
     def test_tables_fit_a_terminal(self):
         for line in self.expect(1, ".").stdout.splitlines():

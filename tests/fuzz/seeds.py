@@ -4,8 +4,10 @@
 A model or scene of several files becomes one text, with a line `%%% NAME` before each file.
 """
 import hashlib
+import io
 import pathlib
 import sys
+import zipfile
 
 LARGEST = 20000  # bytes; libFuzzer gets nowhere with large inputs
 YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
@@ -13,7 +15,7 @@ YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
 
 def main() -> None:
     fixtures, out = map(pathlib.Path, sys.argv[1:3])
-    for target in ("yaml", "urdf", "model", "scene", "config", "fixes"):
+    for target in ("yaml", "urdf", "model", "scene", "config", "fixes", "archives"):
         (out / target).mkdir(parents=True, exist_ok=True)
 
     def add(target: str, data: bytes) -> None:
@@ -35,6 +37,18 @@ def main() -> None:
             add("fixes", bundled)
         elif path.suffix == ".smurfs":
             add("scene", bundle(path, path.parent, "s.smurfs"))
+            for method in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+                add("archives", archive(path.parent, method))
+
+
+def archive(folder: pathlib.Path, method: int) -> bytes:
+    """The texts of a folder; always the same bytes."""
+    target = io.BytesIO()
+    with zipfile.ZipFile(target, "w", method) as zipped:
+        for path in sorted(folder.rglob("*")):
+            if path.is_file() and path.suffix in YAML | {".urdf"}:
+                zipped.writestr(zipfile.ZipInfo(str(path.relative_to(folder))), path.read_bytes(), method)
+    return target.getvalue()
 
 
 def bundle(entry: pathlib.Path, folder: pathlib.Path, name: str) -> bytes:

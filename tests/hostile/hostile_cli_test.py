@@ -1,123 +1,99 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tools on files that nobody means well with: a verdict, in bounded time and memory.
+"""The tools on files that nobody means well with: a verdict, in bounded time and memory, and no
+output unless all of it.
 
-Called with the tools: hostile_cli_test.py TOOL...
+hostile_cli_test.py [--quick] FOLDER_OF_TOOLS     --quick: every seventh case
 """
+import itertools
 import os
 import pathlib
+import re
+import shutil
 import sys
 import tempfile
 
-MANY = 100_000
-URDF = '<robot name="r"><link name="a"/></robot>'
-ALIAS_BOMB = "a0: &a0 [" + ",".join("x" * 9) + "]\n" + "".join(
-    f"a{i}: &a{i} [" + ",".join([f"*a{i - 1}"] * 9) + "]\n" for i in range(1, 10)
-)
-ATTRIBUTES = "".join(f" a{i}='1'" for i in range(20_000))
+import inputs
 
-YAML_TEXTS = {
-    "empty": b"",
-    "zeros": bytes(MANY),
-    "every byte": bytes(range(256)) * 64,
-    "brackets": b"[" * MANY,
-    "braces": b"{a: " * MANY,
-    "a megabyte of brackets": b"[" * (1 << 20),
-    "dashes": b"- " * MANY,
-    "alias bomb": ALIAS_BOMB.encode(),
-    "one line": b"a: " + b"x " * (1 << 19),
-    "one key": b"a: 1\n" * 20_000,
-    "a list of lists": b"motors: [" + b"[[]]," * 5_000 + b"]",
-}
-XML_TEXTS = {
-    "empty": b"",
-    "zeros": bytes(MANY),
-    "every byte": bytes(range(256)) * 64,
-    "elements": b"<a>" * MANY,
-    "links": b"<robot name='r'>" + b"<link>" * MANY,
-    "attributes": f"<robot{ATTRIBUTES}/>".encode(),
-    "one line": b"<robot name='" + b"x" * (1 << 20) + b"'",
-    "a number": b"<robot name='r'><link name='a'/><joint><origin xyz='" + b"1 " * (1 << 19) + b"'/></joint>",
-    "entities": b"<!DOCTYPE a [<!ENTITY a '&b;&b;'><!ENTITY b '&a;&a;'>]><robot name='&a;'/>",
-    "printf": b"<robot name='%s%n'><link name='%s%n'><inertial><mass value='%s%n'/></inertial></link></robot>",
+SECONDS = 2
+MEGABYTES = 300
+# What each tool is asked for; {} is the input. What is written goes to `out`.
+COMMANDS = {
+    "smurf-lint": ["{}"],
+    "smurf2urdf": ["{}", "-o", "out/robot.urdf"],
+    "urdf2smurf": ["{}", "-o", "out/model"],
+    "smurfs-flatten": ["{}", "-o", "out/scene.json"],
+    "smurf-load-check": ["{}", "--time", "0.01", "--time-limit", "1"],
 }
 
 
-def has_sanitizer(tool):
-    return b"__asan_init" in pathlib.Path(tool).read_bytes()
+class Run:
+    """A run of a tool in a folder of its own: how it ended, and what it took and wrote."""
+
+    def __init__(self, arguments, folder):
+        said = folder / "said"
+        with open(said, "wb") as stream:
+            child = os.posix_spawn(
+                "/usr/bin/env", ["env", "-C", str(folder), *arguments], {"PATH": "/nonexistent"},
+                file_actions=[(os.POSIX_SPAWN_OPEN, 0, "/dev/null", os.O_RDONLY, 0),
+                              (os.POSIX_SPAWN_DUP2, stream.fileno(), 1),
+                              (os.POSIX_SPAWN_DUP2, stream.fileno(), 2)])
+            _, status, usage = os.wait4(child, 0)
+        self.code = os.waitstatus_to_exitcode(status)  # negative: a signal
+        self.seconds = usage.ru_utime + usage.ru_stime
+        self.megabytes = usage.ru_maxrss / 1024
+        with open(said, "rb") as stream:
+            self.said = stream.read(1 << 16)
 
 
-def run(tool, path, folder):
-    """Exit code (negative: signal), CPU seconds, memory in MB, and the first bytes it wrote."""
-    output = folder / "output"
-    with open(output, "wb") as stream:
-        child = os.posix_spawn(
-            tool, [tool, str(path)], {"PATH": "/nonexistent"},
-            file_actions=[(os.POSIX_SPAWN_OPEN, 0, "/dev/null", os.O_RDONLY, 0),
-                          (os.POSIX_SPAWN_DUP2, stream.fileno(), 1),
-                          (os.POSIX_SPAWN_DUP2, stream.fileno(), 2)])
-        _, status, usage = os.wait4(child, 0)
-    seconds = usage.ru_utime + usage.ru_stime
-    with open(output, "rb") as stream:
-        return os.waitstatus_to_exitcode(status), seconds, usage.ru_maxrss / 1024, stream.read(4096)
-
-
-def cases(folder):
-    """(title, path) of every bad input; the files lie in folders of their own."""
-    def write(title, files, main):
-        place = folder / title.replace(" ", "_")
-        place.mkdir()
-        for name, data in files.items():
-            (place / name).write_bytes(data if isinstance(data, bytes) else data.encode())
-        return title, place / main
-
-    for title, data in YAML_TEXTS.items():
-        yield write(f"annotations {title}", {
-            "r.smurf": "files: [r.urdf, a.yml]\n", "r.urdf": URDF, "a.yml": data}, "r.smurf")
-        yield write(f"model {title}", {"r.smurf": data}, "r.smurf")
-        yield write(f"scene {title}", {"s.smurfs": data}, "s.smurfs")
-    for title, data in XML_TEXTS.items():
-        yield write(f"urdf {title}", {"r.smurf": "files: [r.urdf]\n", "r.urdf": data}, "r.smurf")
-        yield write(f"alone {title}", {"r.urdf": data}, "r.urdf")
-    (folder / "folder.smurf").mkdir()
-    yield "a folder called like a model", folder / "folder.smurf"
-    os.mkfifo(folder / "pipe.smurf")
-    yield "a pipe", folder / "pipe.smurf"
-    (folder / "loop.smurf").symlink_to("loop.smurf")
-    yield "a link to itself", folder / "loop.smurf"
-    yield "a missing file", folder / "missing.smurf"
-    yield "a device", pathlib.Path("/dev/zero")
-    yield "a long name", folder / ("x" * 5000 + ".smurf")
-    yield write("a scene in itself", {
-        "s.smurfs": "entities: [{name: a, file: s.smurfs}]\n"}, "s.smurfs")
-
-
-def faults(tool, title, path, folder, is_slow):
-    code, seconds, memory, output = run(tool, path, folder)
-    # A scene may be of odd keys and still be one, without entities.
-    if code not in ((0, 1, 2) if title.startswith("scene") else (1, 2)):
-        yield f"ended with {code}"
-    if not output.strip():
+def faults(case, run, folder, has_sanitizer):
+    written = sorted(str(path.relative_to(folder)) for path in (folder / "out").rglob("*") if path.is_file())
+    if run.code not in case.codes:
+        yield f"ended with {run.code}"
+    if run.code != 0 and not run.said.strip():
         yield "said nothing"
-    if seconds > (30 if is_slow else 2):
-        yield f"took {seconds:.1f} s"
-    if memory > 300 and not is_slow:
-        yield f"took {memory:.0f} MB"
+    if run.code != 0 and written:
+        yield f"wrote {written[:3]}"
+    if any(".smurf-" in path for path in written):
+        yield "left a temporary file"
+    if re.search(rb"[\x00-\x08\x0b-\x1f\x7f]", run.said):
+        yield "wrote a control character"
+    scale = case.scale * (15 if has_sanitizer else 1)
+    if run.seconds > SECONDS * scale:
+        yield f"took {run.seconds:.1f} s"
+    if run.megabytes > MEGABYTES * case.scale and not has_sanitizer:
+        yield f"took {run.megabytes:.0f} MB"
 
 
 def main():
+    arguments = [argument for argument in sys.argv[1:] if argument != "--quick"]
+    step = 7 if len(arguments) < len(sys.argv) - 1 else 1
+    tools = pathlib.Path(arguments[0]).resolve()
+    has_sanitizer = {tool: b"__asan_init" in (tools / tool).read_bytes() for tool in COMMANDS}
     count = 0
     failures = []
+    slowest = largest = ("", 0)
     with tempfile.TemporaryDirectory(prefix="smurf-hostile-") as name:
         folder = pathlib.Path(name)
-        everything = list(cases(folder))
-        for tool in sys.argv[1:]:
-            is_slow = has_sanitizer(tool)
-            for title, path in everything:
+        for number, case in enumerate(itertools.islice(inputs.cases(), 0, None, step)):
+            place = folder / str(number)
+            case.write(place)
+            for tool, words in COMMANDS.items():
+                if case.tools and tool not in case.tools:
+                    continue
+                (place / "out").mkdir()
+                words = [tool_word for word in (case.words or words)
+                         for tool_word in ([str(case.main)] if word == "{}" else [word])]
+                run = Run([str(tools / tool), *words], place)
                 count += 1
-                failures += [f"{pathlib.Path(tool).name}: {title}: {fault}"
-                             for fault in faults(tool, title, path, folder, is_slow)]
+                title = f"{tool}: {case.title}"
+                failures += [f"{title}: {fault}" for fault in faults(case, run, place, has_sanitizer[tool])]
+                slowest = max(slowest, (title, run.seconds / case.scale), key=lambda one: one[1])
+                largest = max(largest, (title, run.megabytes / case.scale), key=lambda one: one[1])
+                shutil.rmtree(place / "out")
+            case.remove(place)
     print("\n".join(failures))
+    print(f"slowest: {slowest[0]} ({slowest[1]:.2f} s); largest: {largest[0]} ({largest[1]:.0f} MB)")
     print(f"{count} runs, {len(failures)} failures")
     return 1 if failures or count == 0 else 0
 

@@ -46,7 +46,7 @@ struct Built {
     PlacedModel placed{&model, "", X_WR, positions, {}};
     placed.base.kind = base;
     plan = make_plan({placed});
-    add_shapes(plan, sink);
+    add_shapes(plan, {disk}, sink);
     REQUIRE(sink.diagnostics().empty());
   }
 };

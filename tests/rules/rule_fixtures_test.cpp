@@ -59,7 +59,7 @@ struct Case {
     Config config;
     const std::string config_path(kConfigName);
     if (files.is_file(config_path)) config = read_config(config_path, sources, files, sink);
-    const ArchiveFiles archives(files, Limits{}.file_bytes);
+    const ArchiveFiles archives(files, Limits{});
     LoadContext context{sources, archives, sink, {}, {}, {}, &meshes, &config.schemas};
     Suppressions suppressions;
     const std::string drawing = "scene.svg";

@@ -17,7 +17,7 @@ struct LoadedScene {
   SourceMap sources;
   DiskFiles disk;
   MemoryFiles files{&disk};
-  ArchiveFiles archives{files, Limits{}.file_bytes};
+  ArchiveFiles archives{files, Limits{}};
   DiagnosticSink sink;
   Limits limits;
   LinkedScene scene;

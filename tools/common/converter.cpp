@@ -17,6 +17,7 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
           stdin_filename_option(options.stdin_filename),
           package_option(options.packages),
           allow_outside_option(options.allow_outside),
+          limit_option(options.limits),
           color_option(options.color),
           quiet_option(options.quiet, "Say nothing but errors.")};
 }
@@ -40,7 +41,9 @@ std::optional<std::string> Conversion::open(const std::string& path) {
   path_ = path;
   const std::string named = path == "-" ? options_.stdin_filename : path;
   confine(disk_, std::span(&named, 1), options_.packages, options_.allow_outside);
-  if (path == "-") return read_standard_input(tool_, options_.stdin_filename, files_);
+  if (path == "-") {
+    return read_standard_input(tool_, options_.stdin_filename, options_.limits, files_);
+  }
   if (const auto reason = why_unreadable(path, files_)) {
     complain(tool_, "cannot read '" + path + "': " + *reason);
     return std::nullopt;

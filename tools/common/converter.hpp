@@ -25,6 +25,7 @@ struct ConverterOptions {
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
   bool allow_outside = false;  ///< read what models name wherever it lies
+  Limits limits;
   bool quiet = false;
 };
 
@@ -67,7 +68,12 @@ class Conversion {
 
  private:
   LoadContext context() {
-    return {sources_, files_, sink_, {}, options_.packages, package_folders_of_environment()};
+    return {sources_,
+            files_,
+            sink_,
+            options_.limits,
+            options_.packages,
+            package_folders_of_environment()};
   }
   std::optional<std::string> open(const std::string& path);
   ExitCode write_reports(std::vector<Diagnostic> diagnostics, std::size_t models,
@@ -76,7 +82,7 @@ class Conversion {
   std::string_view tool_;
   const ConverterOptions& options_;
   ConfinedFiles disk_;
-  ArchiveFiles archives_{disk_, Limits{}.file_bytes};
+  ArchiveFiles archives_{disk_, options_.limits};
   MemoryFiles files_{&archives_};
   SourceMap sources_;
   DiagnosticSink sink_;

@@ -10,17 +10,17 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/output.hpp"
-#include "smurf/limits.hpp"
 
 namespace smurf::tools {
 namespace {
 
 constexpr std::string_view kXmlName = "stdin.urdf";
 
-/// 0 or an errno; EFBIG above the limit for files.
-int read_all(std::string& text) {
+/// 0 or an errno; EFBIG above `most` bytes.
+int read_all(std::string& text, std::uint64_t most) {
   std::array<char, 65536> buffer{};
   while (true) {
     const ssize_t count = ::read(0, buffer.data(), buffer.size());
@@ -28,7 +28,7 @@ int read_all(std::string& text) {
     if (count < 0) return errno;
     if (count == 0) return 0;
     text.append(buffer.data(), static_cast<std::size_t>(count));
-    if (text.size() > Limits{}.file_bytes) return EFBIG;
+    if (text.size() > most) return EFBIG;
   }
 }
 
@@ -68,10 +68,13 @@ InputKind kind_of(std::string_view path) {
 }
 
 std::optional<std::string> read_standard_input(std::string_view tool, const std::string& filename,
-                                               MemoryFiles& files) {
+                                               const Limits& limits, MemoryFiles& files) {
   std::string text;
-  if (const int error = read_all(text); error != 0) {
-    complain(tool, "cannot read standard input: " + std::generic_category().message(error));
+  if (const int error = read_all(text, limits.file_bytes); error != 0) {
+    complain(tool, "cannot read standard input: " +
+                       (error == EFBIG ? "it has more than " + std::to_string(limits.file_bytes) +
+                                             " bytes; " + raise_limit("file-bytes")
+                                       : std::generic_category().message(error)));
     return std::nullopt;
   }
   std::string name = filename;
@@ -85,8 +88,9 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
 }
 
 std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files) {
-  const FileContent content = files.read(path, Limits{}.file_bytes);
-  // A file that is too large is a finding: it can be named, and other readers may load it.
+  // Nothing of the content is wanted. A file that is too large is a finding: it can be named, and
+  // other readers may load it.
+  const FileContent content = files.read(path, 0);
   if (content.status == ReadStatus::ok || content.status == ReadStatus::too_large) {
     return std::nullopt;
   }

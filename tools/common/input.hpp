@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "smurf/file_reader.hpp"
+#include "smurf/limits.hpp"
 
 namespace smurf::tools {
 
@@ -21,7 +22,7 @@ InputKind kind_of(std::string_view path);
 /// Reads standard input into `files` under the name `filename`, or under one made up when that is
 /// "" and the text is XML. Returns the name; complains and returns none when it cannot.
 std::optional<std::string> read_standard_input(std::string_view tool, const std::string& filename,
-                                               MemoryFiles& files);
+                                               const Limits& limits, MemoryFiles& files);
 
 /// Why the user's path cannot be checked: "No such file or directory", "is not a regular file".
 /// None when it can be read.

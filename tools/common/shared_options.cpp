@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/shared_options.hpp"
 
+#include <algorithm>
+
+#include "base/numbers.hpp"
+
 namespace smurf::tools {
 namespace {
 
@@ -13,6 +17,39 @@ Setter set_package(std::map<std::string, std::string>& packages) {
     packages[std::string(value.substr(0, equals))] = value.substr(equals + 1);
     return std::nullopt;
   };
+}
+
+std::optional<std::string> set_limit(std::string_view item, Limits& limits) {
+  const std::size_t equals = std::min(item.find('='), item.size());
+  const std::string_view name = item.substr(0, equals);
+  const auto* info = std::find_if(kLimits.begin(), kLimits.end(),
+                                  [&](const LimitInfo& one) { return one.name == name; });
+  if (info == kLimits.end()) {
+    std::vector<std::string_view> names;
+    for (const LimitInfo& one : kLimits) names.push_back(one.name);
+    return none_of(name, names);
+  }
+  if (equals == item.size()) return "'" + std::string(item) + "' is not NAME=N";
+  const std::string_view text = item.substr(equals + 1);
+  const std::optional<std::int64_t> number = parse_integer(text);
+  if (!number || *number < 1 || static_cast<std::uint64_t>(*number) > info->most) {
+    return "'" + std::string(text) + "' is no whole number from 1 to " + std::to_string(info->most);
+  }
+  limits.*info->value = static_cast<std::uint64_t>(*number);
+  return std::nullopt;
+}
+
+std::string_view limit_help() {
+  static const std::string help = [] {
+    std::string text =
+        "Another bound on what files may demand, such as yaml-depth=200. The usual ones:";
+    for (const LimitInfo& info : kLimits) {
+      text.append(" ").append(info.name).append("=").append(std::to_string(Limits{}.*info.value));
+      text.append(&info == &kLimits.back() ? "." : ",");
+    }
+    return text;
+  }();
+  return help;
 }
 
 }  // namespace
@@ -78,6 +115,19 @@ Option package_option(std::map<std::string, std::string>& packages) {
           .metavar = "NAME=DIR",
           .help = "The folder that package://NAME/ stands for; may be repeated.",
           .set = set_package(packages)};
+}
+
+Option limit_option(Limits& limits) {
+  return {.group = "Input",
+          .name = "limit",
+          .metavar = "NAME=N",
+          .help = limit_help(),
+          .set = [&limits](std::string_view list) -> std::optional<std::string> {
+            for (const std::string_view item : split_items(list)) {
+              if (auto wrong = set_limit(item, limits)) return wrong;
+            }
+            return std::nullopt;
+          }};
 }
 
 Option jobs_option(std::optional<int>& jobs) {

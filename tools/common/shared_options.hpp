@@ -8,6 +8,7 @@
 #include "common/command.hpp"
 #include "common/output.hpp"
 #include "common/report.hpp"
+#include "smurf/limits.hpp"
 
 namespace smurf::tools {
 
@@ -21,6 +22,8 @@ Option fail_on_option(Threshold& threshold);
 Option stdin_filename_option(std::string& path);
 /// NAME=DIR, for package:// addresses.
 Option package_option(std::map<std::string, std::string>& packages);
+/// NAME=N, for the limits on what a file may demand.
+Option limit_option(Limits& limits);
 Option jobs_option(std::optional<int>& jobs);
 
 }  // namespace smurf::tools

@@ -11,6 +11,7 @@
 #include "base/rules.hpp"
 #include "common/input.hpp"
 #include "common/parallel.hpp"
+#include "common/progress.hpp"
 #include "common/repository.hpp"
 #include "smurf/config.hpp"
 #include "smurf/load.hpp"
@@ -51,15 +52,16 @@ struct Outcome {
 /// Checks one file after the other.
 class Worker {
  public:
-  Worker(const FileReader& files, const std::vector<std::string>& package_folders)
-      : files_(files), package_folders_(package_folders) {}
+  Worker(const FileReader& files, const Limits& limits,
+         const std::vector<std::string>& package_folders)
+      : files_(files), limits_(limits), package_folders_(package_folders) {}
 
   /// `sources` are those of the configurations.
   Outcome check(const std::string& path, const Group& group, const SourceMap& sources) {
     Outcome outcome;
     outcome.sources = sources;
     DiagnosticSink sink;
-    LoadContext context{outcome.sources,         files_,           sink,     {},
+    LoadContext context{outcome.sources,         files_,           sink,     limits_,
                         group.settings.packages, package_folders_, &meshes_, &group.config.schemas};
     const InputKind kind = kind_of(path);
     if (kind == InputKind::scene || kind == InputKind::drawing) {
@@ -107,6 +109,7 @@ class Worker {
   }
 
   const FileReader& files_;
+  const Limits& limits_;
   const std::vector<std::string>& package_folders_;
   MeshLibrary meshes_;
 };
@@ -117,7 +120,7 @@ class Checker {
       : options_(options),
         files_(files),
         checked_(checked),
-        workers_(count_of_jobs(options.jobs), Worker(files, package_folders_)) {}
+        workers_(count_of_jobs(options.jobs), Worker(files, options.limits, package_folders_)) {}
 
   void configure(const std::vector<std::string>& paths) {
     const std::vector<std::string_view> formats = report_format_names();
@@ -138,15 +141,20 @@ class Checker {
     config_sources_ = checked_.sources;
   }
 
-  void check_all(const std::vector<PlannedFile>& planned) {
+  void check_all(const std::vector<PlannedFile>& planned, Progress& progress) {
     std::vector<const PlannedFile*> left;
     for (const PlannedFile& file : planned) {
-      if (!read_.contains(identity(file.path))) left.push_back(&file);
+      if (!read_.contains(identity(file.path))) {
+        left.push_back(&file);
+      } else {
+        progress.advance();
+      }
     }
     std::vector<Outcome> outcomes(left.size());
     for_each_parallel(left.size(), workers_.size(), [&](std::size_t worker, std::size_t i) {
       const Group& group = groups_[left[i]->config];
       outcomes[i] = workers_[worker].check(left[i]->path, group, config_sources_);
+      progress.advance();
     });
     for (std::size_t i = 0; i < left.size(); ++i) {
       take(std::move(outcomes[i]), groups_[left[i]->config]);
@@ -195,7 +203,7 @@ class Checker {
     const RuleSelection& selection = groups_.front().settings.selection;
     const std::string& path = checked_.run.baseline;
     DiagnosticSink sink;
-    const FileContent content = files_.read(path, Limits{}.file_bytes);
+    const FileContent content = files_.read(path, options_.limits.file_bytes);
     if (content.status != ReadStatus::ok) {
       sink.report(rules::sml9002_wrong_setting, checked_.run.baseline_place,
                   "cannot read `" + path + "`: " + content.reason)
@@ -205,7 +213,7 @@ class Checker {
     }
     Baseline baseline(relative_to_folder_of(path));
     const SourceId source = checked_.sources.add(path, content.text);
-    if (const auto document = parse_yaml(checked_.sources, source, {}, sink)) {
+    if (const auto document = parse_yaml(checked_.sources, source, options_.limits, sink)) {
       baseline.read(*document, sink);
     }
     const std::size_t count = baseline.apply(found, checked_.sources);
@@ -241,9 +249,11 @@ Checked check(const LintOptions& options, const Plan& plan, const FileReader& fi
   Checked checked;
   Checker checker(options, files, checked);
   checker.configure(plan.configs);
-  checker.check_all(plan.scenes);
-  checker.check_all(plan.models);
-  checker.check_all(plan.strays);
+  Progress progress("checked", plan.scenes.size() + plan.models.size() + plan.strays.size(),
+                    options.quiet);
+  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
+    checker.check_all(*planned, progress);
+  }
   checker.finish_all();
   return checked;
 }

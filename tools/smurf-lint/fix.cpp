@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "smurf/fix.hpp"
-#include "smurf/limits.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -78,7 +77,7 @@ Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, 
     for (FixedText& file : applied.texts) {
       const auto [change, is_new] = fixed.changes.try_emplace(file.path);
       if (is_new) {
-        change->second.before = files.read(file.path, Limits{}.file_bytes).text;
+        change->second.before = files.read(file.path, options.limits.file_bytes).text;
       }
       change->second.after = file.text;
       files.add(file.path, std::move(file.text));

@@ -11,7 +11,6 @@
 #include "smurf-lint/options.hpp"
 #include "smurf-lint/show_config.hpp"
 #include "smurf/archive_files.hpp"
-#include "smurf/limits.hpp"
 #include "smurf/suppress.hpp"
 
 using namespace smurf;
@@ -92,7 +91,7 @@ ExitCode fix(const LintOptions& options, const Plan& plan, MemoryFiles& files, C
   if (options.diff) return show_diff(options, fixed);
   if (!write_changes(fixed, plan)) return kFailed;
   if (!plan.standard_input.empty()) {
-    const std::string text = files.read(plan.standard_input, Limits{}.file_bytes).text;
+    const std::string text = files.read(plan.standard_input, options.limits.file_bytes).text;
     if (!write_output(kTool, "-", text)) return kFailed;
   }
   return options.fix_only ? kDone : report(options, plan, fixed.checked, fixed.count);
@@ -131,7 +130,7 @@ ExitCode list_files(const LintOptions& options, const Plan& plan) {
 ExitCode merge_reports(const LintOptions& options) {
   std::vector<NamedText> reports;
   for (const std::string& path : options.paths) {
-    FileContent content = DiskFiles().read(path, Limits{}.file_bytes);
+    FileContent content = DiskFiles().read(path, options.limits.file_bytes);
     if (content.status != ReadStatus::ok) {
       complain(kTool, "cannot read '" + path + "': " + content.reason);
       return kFailed;
@@ -155,7 +154,7 @@ ExitCode run(const LintOptions& options) {
   confine(disk, std::array{options.stdin_filename, options.config}, {}, options.allow_outside);
   disk.allow(options.config);
   disk.allow(options.baseline);
-  const ArchiveFiles archives(disk, Limits{}.file_bytes);
+  const ArchiveFiles archives(disk, options.limits);
   MemoryFiles files(&archives);
   if (!options.baseline.empty() && !options.generate_baseline) {
     if (const auto reason = why_unreadable(options.baseline, files)) {

@@ -287,6 +287,7 @@ Command lint_command(LintOptions& options) {
   command.options.push_back(stdin_filename_option(options.stdin_filename));
   command.options.push_back(package_option(options.packages));
   command.options.push_back(allow_outside_option(options.allow_outside));
+  command.options.push_back(limit_option(options.limits));
   command.options.push_back(color_option(options.color));
   command.options.push_back(quiet_option(options.quiet, "Show findings only, no summary."));
   command.options.push_back(jobs_option(options.jobs));

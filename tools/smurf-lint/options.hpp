@@ -10,6 +10,7 @@
 #include "common/command.hpp"
 #include "common/output.hpp"
 #include "common/report.hpp"
+#include "smurf/limits.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf::tools {
@@ -26,6 +27,7 @@ struct LintOptions {
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
   bool allow_outside = false;  ///< read what models name wherever it lies
+  Limits limits;
 
   std::string config;       ///< "": the nearest one
   bool isolated = false;    ///< read no configuration

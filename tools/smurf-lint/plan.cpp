@@ -159,7 +159,7 @@ class Planner {
   }
 
   void add_standard_input() {
-    const auto name = read_standard_input(kTool, options_.stdin_filename, files_);
+    const auto name = read_standard_input(kTool, options_.stdin_filename, options_.limits, files_);
     if (!name) {
       plan_.has_failed = true;
       return;

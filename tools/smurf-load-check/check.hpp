@@ -8,6 +8,7 @@
 
 #include "smurf-load-check/bounds.hpp"
 #include "smurf-load-check/result.hpp"
+#include "smurf-load-check/shape_files.hpp"
 #include "smurf/linked.hpp"
 
 namespace smurf::load_check {
@@ -27,12 +28,12 @@ using OnStage = std::function<void(Stage)>;
 
 /// One model on its own: BUILD, POSE0, STILL, HANG, DROP. A stage that fails is the last that is
 /// run. Precondition: the model has a robot with one root.
-CheckResult check_model(const LinkedModel& model, const CheckOptions& options,
-                        const OnStage& on_stage);
+CheckResult check_model(const LinkedModel& model, const ShapeFiles& files,
+                        const CheckOptions& options, const OnStage& on_stage);
 
 /// A scene as a whole, all entities in their places: BUILD, POSE0, ANCHOR. Gravity and step are the
 /// scene's. Precondition: every model of an instance has a robot with one root.
-CheckResult check_scene(const LinkedScene& scene, const SourceMap& sources,
+CheckResult check_scene(const LinkedScene& scene, const SourceMap& sources, const ShapeFiles& files,
                         const CheckOptions& options, const OnStage& on_stage);
 
 }  // namespace smurf::load_check

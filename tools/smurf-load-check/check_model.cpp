@@ -22,8 +22,9 @@ constexpr double kStep = 1e-3;        // s
 
 class ModelCheck {
  public:
-  ModelCheck(const LinkedModel& model, const CheckOptions& options, const OnStage& on_stage)
-      : model_(model), run_(options, on_stage) {}
+  ModelCheck(const LinkedModel& model, const ShapeFiles& files, const CheckOptions& options,
+             const OnStage& on_stage)
+      : model_(model), files_(files), run_(options, on_stage) {}
 
   CheckResult run() {
     run_.stage(Stage::build, [&](StageResult& result) { build(result); });
@@ -55,7 +56,7 @@ class ModelCheck {
     is_free_ = free.bodies.front().mass.mass > 0;
     whole_ = is_free_ ? std::move(free) : fixed_;
     result.figures = check_bodies(whole_, run_.options().bounds, run_.sink());
-    result.note = summary(add_shapes(whole_, run_.sink()));
+    result.note = summary(add_shapes(whole_, files_, run_.sink()));
   }
 
   std::string summary(const ShapeCount& count) const {
@@ -212,6 +213,7 @@ class ModelCheck {
   }
 
   const LinkedModel& model_;
+  const ShapeFiles& files_;
   StageRun run_;
   Plan fixed_;  ///< the root held, without shapes
   Plan whole_;  ///< with shapes; the root free when it can be
@@ -221,9 +223,9 @@ class ModelCheck {
 
 }  // namespace
 
-CheckResult check_model(const LinkedModel& model, const CheckOptions& options,
-                        const OnStage& on_stage) {
-  return ModelCheck(model, options, on_stage).run();
+CheckResult check_model(const LinkedModel& model, const ShapeFiles& files,
+                        const CheckOptions& options, const OnStage& on_stage) {
+  return ModelCheck(model, files, options, on_stage).run();
 }
 
 }  // namespace smurf::load_check

@@ -26,9 +26,9 @@ struct Anchor {
 
 class SceneCheck {
  public:
-  SceneCheck(const LinkedScene& scene, const SourceMap& sources, const CheckOptions& options,
-             const OnStage& on_stage)
-      : scene_(scene), flat_(flatten(scene, sources, {})), run_(options, on_stage) {}
+  SceneCheck(const LinkedScene& scene, const SourceMap& sources, const ShapeFiles& files,
+             const CheckOptions& options, const OnStage& on_stage)
+      : scene_(scene), flat_(flatten(scene, sources, {})), files_(files), run_(options, on_stage) {}
 
   CheckResult run() {
     run_.stage(Stage::build, [&](StageResult& result) { build(result); });
@@ -58,13 +58,13 @@ class SceneCheck {
     // What a model does wrong is reported where the model is checked on its own.
     DiagnosticSink of_models;
     result.figures = check_bodies(plan_, run_.options().bounds, of_models);
-    add_shapes(plan_, of_models);
+    add_shapes(plan_, files_, of_models);
     if (of_models.has_errors()) {
       result.verdict = Verdict::fail;
       result.note = "a model cannot be built; see its own check";
       return;
     }
-    const std::size_t left_out = add_environment(scene_, flat_, plan_, run_.sink());
+    const std::size_t left_out = add_environment(scene_, flat_, plan_, files_, run_.sink());
     result.note = count_of(plan_.models.size(), "model", "models") + ", " +
                   count_of(plan_.bodies.size(), "moving body", "moving bodies") + ", " +
                   count_of(plan_.shapes.size(), "shape", "shapes");
@@ -182,6 +182,7 @@ class SceneCheck {
 
   const LinkedScene& scene_;
   FlatScene flat_;
+  const ShapeFiles& files_;
   StageRun run_;
   Plan plan_;
   std::vector<std::size_t> instance_of_;  ///< instances of the scene by model of the plan
@@ -190,9 +191,9 @@ class SceneCheck {
 
 }  // namespace
 
-CheckResult check_scene(const LinkedScene& scene, const SourceMap& sources,
+CheckResult check_scene(const LinkedScene& scene, const SourceMap& sources, const ShapeFiles& files,
                         const CheckOptions& options, const OnStage& on_stage) {
-  return SceneCheck(scene, sources, options, on_stage).run();
+  return SceneCheck(scene, sources, files, options, on_stage).run();
 }
 
 }  // namespace smurf::load_check

@@ -32,8 +32,9 @@ HeightfieldShape to_heightfield(const FlatHeightmap& map, const HeightImage& ima
 
 class EnvironmentBuilder {
  public:
-  EnvironmentBuilder(const LinkedScene& scene, Plan& plan, DiagnosticSink& sink)
-      : scene_(scene), plan_(plan), sink_(sink) {}
+  EnvironmentBuilder(const LinkedScene& scene, Plan& plan, const ShapeFiles& files,
+                     DiagnosticSink& sink)
+      : scene_(scene), plan_(plan), files_(files), sink_(sink) {}
 
   /// False when it is left out.
   bool add(const Instance& instance, const FlatInstance& flat) {
@@ -71,7 +72,7 @@ class EnvironmentBuilder {
   }
 
   std::optional<Shape> heights(const FlatHeightmap& map, const Instance& instance) {
-    const auto image = read_height_image(instance.file);
+    const auto image = read_height_image(instance.file, files_);
     if (const auto* found = std::get_if<HeightImage>(&image)) return to_heightfield(map, *found);
     const Entity& entity = scene_.entity(instance);
     sink_
@@ -84,14 +85,15 @@ class EnvironmentBuilder {
 
   const LinkedScene& scene_;
   Plan& plan_;
+  const ShapeFiles& files_;
   DiagnosticSink& sink_;
 };
 
 }  // namespace
 
 std::size_t add_environment(const LinkedScene& scene, const FlatScene& flat, Plan& plan,
-                            DiagnosticSink& sink) {
-  EnvironmentBuilder builder(scene, plan, sink);
+                            const ShapeFiles& files, DiagnosticSink& sink) {
+  EnvironmentBuilder builder(scene, plan, files, sink);
   std::size_t left_out = 0;
   for (std::size_t i = 0; i < flat.instances.size(); ++i) {
     if (flat.instances[i].model) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/shape_files.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/flatten.hpp"
 
@@ -11,6 +12,6 @@ namespace smurf::load_check {
 /// Adds what stands still around the models. Returns the number of entities that are left out:
 /// those that move, and those of unknown types. Reads image files.
 std::size_t add_environment(const LinkedScene& scene, const FlatScene& flat, Plan& plan,
-                            DiagnosticSink& sink);
+                            const ShapeFiles& files, DiagnosticSink& sink);
 
 }  // namespace smurf::load_check

@@ -3,29 +3,26 @@
 
 #include <png.h>
 
-#include <algorithm>
 #include <csetjmp>
-#include <cstdio>
-#include <memory>
+#include <cstring>
+#include <string_view>
+
+#include "base/limits.hpp"
 
 namespace smurf::load_check {
 namespace {
 
-/// More would take all memory that a check may have.
-constexpr std::size_t kMostPixels = 25'000'000;
-
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
 /// libpng leaves by a jump, which runs no destructor: everything with one lives in here.
 struct Reading {
-  File file{nullptr, std::fclose};
+  std::string_view left;  ///< to be read
+  std::uint64_t most_pixels = 0;
   png_structp png = nullptr;
   png_infop info = nullptr;
   std::string fault;
   std::vector<png_byte> bytes;
   std::vector<png_bytep> rows;
 
-  explicit Reading(const std::string& path) : file(std::fopen(path.c_str(), "rb"), std::fclose) {
+  Reading(std::string_view file, std::uint64_t most) : left(file), most_pixels(most) {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
     info = png_create_info_struct(png);
   }
@@ -38,6 +35,13 @@ struct Reading {
     png_longjmp(png, 1);
   }
   static void on_warning(png_structp, png_const_charp) {}
+
+  static void read(png_structp png, png_bytep to, std::size_t size) {
+    std::string_view& left = static_cast<Reading*>(png_get_io_ptr(png))->left;
+    if (size > left.size()) png_error(png, "the file is cut short");
+    std::memcpy(to, left.data(), size);
+    left.remove_prefix(size);
+  }
 };
 
 std::size_t rows_of(const Reading& reading) {
@@ -46,7 +50,7 @@ std::size_t rows_of(const Reading& reading) {
 
 /// One grey value of 16 bits a pixel, the more significant byte first.
 void decode(Reading& reading) {
-  png_init_io(reading.png, reading.file.get());
+  png_set_read_fn(reading.png, &reading, Reading::read);
   png_read_info(reading.png, reading.info);
   png_set_expand_16(reading.png);
   png_set_strip_alpha(reading.png);
@@ -56,9 +60,9 @@ void decode(Reading& reading) {
   }
   png_set_interlace_handling(reading.png);
   png_read_update_info(reading.png, reading.info);
-  const std::size_t pixels =
-      std::size_t{png_get_image_width(reading.png, reading.info)} * rows_of(reading);
-  if (pixels > kMostPixels) png_error(reading.png, "it has more than 25 million pixels");
+  const std::uint64_t pixels =
+      std::uint64_t{png_get_image_width(reading.png, reading.info)} * rows_of(reading);
+  if (pixels > reading.most_pixels) png_error(reading.png, "it has too many pixels");
   const std::size_t stride = png_get_rowbytes(reading.png, reading.info);
   reading.bytes.resize(stride * rows_of(reading));
   for (std::size_t row = 0; row < rows_of(reading); ++row) {
@@ -76,10 +80,19 @@ bool read_grey(Reading& reading) {
 
 }  // namespace
 
-std::variant<HeightImage, std::string> read_height_image(const std::string& path) {
-  Reading reading(path);
-  if (reading.file == nullptr) return std::string("the file cannot be opened");
-  if (!read_grey(reading)) return reading.fault;
+std::variant<HeightImage, std::string> read_height_image(const std::string& path,
+                                                         const ShapeFiles& from) {
+  const FileContent content = from.files.read(path, from.limits.mesh_bytes);
+  if (content.status != ReadStatus::ok) return content.reason;
+  const std::uint64_t most = from.limits.image_pixels;
+  Reading reading(content.text, most);
+  if (!read_grey(reading)) {
+    const std::uint64_t pixels =
+        std::uint64_t{png_get_image_width(reading.png, reading.info)} * rows_of(reading);
+    if (pixels <= most) return reading.fault;
+    return "it has " + std::to_string(pixels) + " pixels, more than " + std::to_string(most) +
+           "; " + raise_limit("image-pixels");
+  }
   HeightImage image;
   image.columns = png_get_image_width(reading.png, reading.info);
   image.rows = rows_of(reading);

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "smurf-load-check/shape_files.hpp"
+
 namespace smurf::load_check {
 
 struct HeightImage {
@@ -14,6 +16,7 @@ struct HeightImage {
 };
 
 /// The grey values of a PNG file, or why there are none.
-std::variant<HeightImage, std::string> read_height_image(const std::string& path);
+std::variant<HeightImage, std::string> read_height_image(const std::string& path,
+                                                         const ShapeFiles& from);
 
 }  // namespace smurf::load_check

@@ -67,7 +67,8 @@ class Loader {
   void find(const std::string& path, std::vector<std::string>& files) {
     std::error_code ignored;
     if (path == "-") {
-      const auto name = read_standard_input(kTool, options_.stdin_filename, inputs_.files);
+      const auto name =
+          read_standard_input(kTool, options_.stdin_filename, options_.limits, inputs_.files);
       inputs_.has_failed = inputs_.has_failed || !name;
       if (name) files.push_back(*name);
     } else if (std::filesystem::is_directory(path, ignored)) {
@@ -90,8 +91,8 @@ class Loader {
   void load(const std::string& file) {
     if (!done_.insert(identity(file)).second) return;
     DiagnosticSink sink;
-    LoadContext context{inputs_.sources,   inputs_.files,   sink, {},
-                        options_.packages, package_folders_};
+    LoadContext context{inputs_.sources, inputs_.files,     sink,
+                        options_.limits, options_.packages, package_folders_};
     const LinkedScene& scene = inputs_.scenes.emplace_back(load_scene(file, context));
     for (const LinkedModel& model : scene.models) {
       lint_model(model, building_rules(), sink);
@@ -138,6 +139,9 @@ class Loader {
 
 }  // namespace
 
-void load_inputs(const InputOptions& options, Inputs& inputs) { Loader(options, inputs).run(); }
+void load_inputs(const InputOptions& options, Inputs& inputs) {
+  inputs.limits = options.limits;
+  Loader(options, inputs).run();
+}
 
 }  // namespace smurf::load_check

@@ -26,6 +26,7 @@ struct Inputs {
   SourceMap sources;
   ConfinedFiles disk;
   MemoryFiles files{&disk};
+  Limits limits;
   std::deque<LinkedScene> scenes;  ///< what the jobs point into
   std::vector<Job> jobs;
   bool has_failed = false;  ///< a path could not be read; that has been said
@@ -36,6 +37,7 @@ struct InputOptions {
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
   bool allow_outside = false;  ///< read what models name wherever it lies
+  Limits limits;
 };
 
 /// Fills `inputs`. Folders are searched as smurf-lint does; scenes come before models, and a model

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-load-check: whether models and scenes stand, hang and drop in ODE.
-#include <unistd.h>
-
 #include <iterator>
 
+#include "common/progress.hpp"
 #include "smurf-load-check/options.hpp"
 #include "smurf-load-check/report.hpp"
 #include "smurf-load-check/trace.hpp"
@@ -25,17 +24,6 @@ Summary summary_of(const Inputs& inputs, std::span<const Diagnostic> diagnostics
   }
   for (const Job& job : inputs.jobs) ++(job.model != nullptr ? summary.models : summary.scenes);
   return summary;
-}
-
-/// One line that is written over and over.
-std::function<void(std::size_t)> progress(std::size_t count, bool quiet) {
-  if (quiet || count < 2 || ::isatty(2) != 1) return [](std::size_t) {};
-  return [count](std::size_t done) {
-    const bool is_last = done == count;
-    write_error(
-        "\r\x1b[K" +
-        (is_last ? "" : "checked " + std::to_string(done) + " of " + std::to_string(count)));
-  };
 }
 
 bool write_curves(const Options& options, std::span<const Checked> checked) {
@@ -94,8 +82,10 @@ int main(int argc, char** argv) {
   options.check.poses = !options.trace.empty();
   options.check.samples = options.check.poses || !options.plot.empty();
   const RunOptions run{options.check, options.limits, options.jobs.value_or(1)};
-  const std::vector<Checked> checked =
-      run_checks(inputs, run, progress(inputs.jobs.size(), options.quiet));
+  const std::vector<Checked> checked = [&] {
+    Progress progress("checked", inputs.jobs.size(), options.quiet);
+    return run_checks(inputs, run, [&](std::size_t done) { progress.set(done); });
+  }();
 
   Report report{
       checked, all_diagnostics(checked, inputs.sources), inputs.sources, {}, options.quiet};

@@ -1,16 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-load-check/mesh.hpp"
 
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <memory>
 
 namespace smurf::load_check {
+namespace {
 
-std::variant<TriangleShape, std::string> read_mesh(const std::string& path) {
+/// What assimp sees of the disk, for the mesh and for the files that it names in turn.
+class ReadableFiles final : public Assimp::IOSystem {
+ public:
+  explicit ReadableFiles(const ShapeFiles& from) : from_(from) {}
+
+  bool Exists(const char* path) const override { return from_.files.is_file(path); }
+  char getOsSeparator() const override { return '/'; }
+
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    if (mode == nullptr || mode[0] != 'r') return nullptr;
+    const FileContent content = from_.files.read(path, from_.limits.mesh_bytes);
+    if (content.status != ReadStatus::ok) return nullptr;
+    auto bytes = std::make_unique<std::uint8_t[]>(content.text.size());
+    std::copy(content.text.begin(), content.text.end(), bytes.get());
+    return new Assimp::MemoryIOStream(bytes.release(), content.text.size(), true);
+  }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
+
+ private:
+  const ShapeFiles& from_;
+};
+
+}  // namespace
+
+std::variant<TriangleShape, std::string> read_mesh(const std::string& path,
+                                                   const ShapeFiles& from) {
   Assimp::Importer importer;
+  importer.SetIOHandler(new ReadableFiles(from));  // which the importer deletes
   // Points and lines become meshes of their own, which are then left out.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);

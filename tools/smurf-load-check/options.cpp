@@ -152,6 +152,7 @@ tools::Command command_of(Options& options) {
   command.options.push_back(tools::stdin_filename_option(options.input.stdin_filename));
   command.options.push_back(tools::package_option(options.input.packages));
   command.options.push_back(tools::allow_outside_option(options.input.allow_outside));
+  command.options.push_back(tools::limit_option(options.input.limits));
   command.options.push_back(tools::jobs_option(options.jobs));
   command.options.push_back(tools::color_option(options.color));
   command.options.push_back(

@@ -7,6 +7,7 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "common/command.hpp"
+#include "render/printable.hpp"
 
 namespace smurf::load_check {
 namespace {
@@ -15,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 /// The folders are those of the diagnostics and of the headline; a table has no room for them.
 std::string place_text(Span place, const SourceMap& sources) {
-  return std::string(path::file_name(sources.path(place.source))) + ":" +
+  return render::escape(path::file_name(sources.path(place.source))) + ":" +
          std::to_string(sources.line_of(place.source, place.begin));
 }
 
@@ -80,7 +81,7 @@ std::string check_text(const Checked& checked, const SourceMap& sources, const T
   const Verdict verdict = checked.verdict();
   const std::string word =
       checked.result.stages.empty() ? "not run" : std::string(to_string(verdict));
-  std::string out = checked.job->path + ": " + painted(verdict, word, style) + "\n";
+  std::string out = render::escape(checked.job->path) + ": " + painted(verdict, word, style) + "\n";
   for (const StageResult& stage : checked.result.stages) out += stage_text(stage, sources, style);
   return out + "\n";
 }

@@ -22,13 +22,15 @@ void on_fault(const std::string& message) {
   end_child();
 }
 
-void run_job(const Job& job, const SourceMap& sources, const CheckOptions& options,
+void run_job(const Job& job, const Inputs& inputs, const CheckOptions& options,
              const Write& write) {
   fault_output = &write;
   start_engine(on_fault);
   const auto on_stage = [&](Stage stage) { write(encode_begin(stage)); };
-  write(encode(job.model != nullptr ? check_model(*job.model, options, on_stage)
-                                    : check_scene(*job.scene, sources, options, on_stage)));
+  const ShapeFiles files{inputs.files, inputs.limits};
+  write(encode(job.model != nullptr
+                   ? check_model(*job.model, files, options, on_stage)
+                   : check_scene(*job.scene, inputs.sources, files, options, on_stage)));
 }
 
 Span place_of(const Job& job) {
@@ -108,7 +110,7 @@ std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,
   const std::vector<ChildOutcome> outcomes = run_in_children(
       to_run.size(), options.jobs, options.limits,
       [&](std::size_t task, const Write& write) {
-        run_job(*checked[to_run[task]].job, inputs.sources, options.check, write);
+        run_job(*checked[to_run[task]].job, inputs, options.check, write);
       },
       on_finished);
   for (std::size_t i = 0; i < to_run.size(); ++i) {

@@ -21,7 +21,8 @@ Pose translated(const Pose& X_WA, const Eigen::Vector3d& p_AB) {
 
 class ShapeBuilder {
  public:
-  ShapeBuilder(Plan& plan, DiagnosticSink& sink) : plan_(plan), sink_(sink) {}
+  ShapeBuilder(Plan& plan, const ShapeFiles& files, DiagnosticSink& sink)
+      : plan_(plan), files_(files), sink_(sink) {}
 
   ShapeCount run() {
     for (const LinkPlan& link : plan_.links) {
@@ -170,10 +171,11 @@ class ShapeBuilder {
   const std::variant<TriangleShape, std::string>& read_once(const std::string& path) {
     const auto known = meshes_.find(path);
     if (known != meshes_.end()) return known->second;
-    return meshes_.emplace(path, read_mesh(path)).first->second;
+    return meshes_.emplace(path, read_mesh(path, files_)).first->second;
   }
 
   Plan& plan_;
+  const ShapeFiles& files_;
   DiagnosticSink& sink_;
   ShapeCount count_;
   std::map<std::string, std::variant<TriangleShape, std::string>> meshes_;
@@ -182,6 +184,8 @@ class ShapeBuilder {
 
 }  // namespace
 
-ShapeCount add_shapes(Plan& plan, DiagnosticSink& sink) { return ShapeBuilder(plan, sink).run(); }
+ShapeCount add_shapes(Plan& plan, const ShapeFiles& files, DiagnosticSink& sink) {
+  return ShapeBuilder(plan, files, sink).run();
+}
 
 }  // namespace smurf::load_check

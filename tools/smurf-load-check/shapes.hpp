@@ -3,6 +3,7 @@
 #pragma once
 
 #include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/shape_files.hpp"
 #include "smurf/diagnostic.hpp"
 
 namespace smurf::load_check {
@@ -13,6 +14,6 @@ struct ShapeCount {
 };
 
 /// Adds the shapes of all links and reports those that cannot be built. Reads mesh files.
-ShapeCount add_shapes(Plan& plan, DiagnosticSink& sink);
+ShapeCount add_shapes(Plan& plan, const ShapeFiles& files, DiagnosticSink& sink);
 
 }  // namespace smurf::load_check

@@ -8,7 +8,6 @@
 
 #include "base/path.hpp"
 #include "common/output.hpp"
-#include "smurf/limits.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -96,24 +95,25 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
 }
 
 MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
-                       const FileReader& files) {
+                       const FileReader& files, const Limits& limits) {
   std::map<std::string, std::string> origins;  // of copies that are not there yet
   for (const auto& [from, to] : copies) origins.emplace(to, from);
   const std::string output = path::join(options.current_folder, options.output_folder);
-  return [=, &files](const std::string& file) {
+  return [=, &files, &limits](const std::string& file) {
     const std::string absolute = path::normalize(path::join(output, file));
     const auto copy = origins.find(absolute);
     return read_triangles_of(
         copy != origins.end() ? copy->second : known_name(absolute, options.current_folder, files),
-        files, Limits{});
+        files, limits);
   };
 }
 
-bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files) {
+bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
+                const Limits& limits) {
   for (const auto& [from, to] : copies) {
     std::error_code error;
     if (fs::equivalent(from, to, error)) continue;
-    const FileContent content = files.read(from, Limits{}.mesh_bytes);
+    const FileContent content = files.read(from, limits.mesh_bytes);
     if (content.status != ReadStatus::ok) {
       complain(tool, "cannot read '" + from + "': " + content.reason);
       return false;

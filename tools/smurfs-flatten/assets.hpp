@@ -9,6 +9,7 @@
 
 #include "smurf/file_reader.hpp"
 #include "smurf/flatten.hpp"
+#include "smurf/limits.hpp"
 #include "smurf/write_scene.hpp"
 
 namespace smurf::tools {
@@ -21,12 +22,13 @@ using AssetCopies = std::vector<std::pair<std::string, std::string>>;
 AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files);
 
-/// Where previews get triangles from; what is a copy is read where it comes from. `files` must
-/// outlive the result.
+/// Where previews get triangles from; what is a copy is read where it comes from. `files` and
+/// `limits` must outlive the result.
 MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
-                       const FileReader& files);
+                       const FileReader& files, const Limits& limits);
 
 /// False when a file cannot be copied; that has been said.
-bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files);
+bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
+                const Limits& limits);
 
 }  // namespace smurf::tools

@@ -221,14 +221,14 @@ Result flatten_scene(Conversion& conversion, LinkedScene& scene, const Options& 
   if (!options.assets.empty()) {
     result.copies = redirect_assets(flat, options.assets, flattening, conversion.files());
   }
-  result.text =
-      format.write({.flat = flat,
-                    .scene = scene,
-                    .sources = conversion.sources(),
-                    .losses = conversion.sink(),
-                    .links = options.links,
-                    .form = form,
-                    .meshes = mesh_source(flattening, result.copies, conversion.files())});
+  result.text = format.write({.flat = flat,
+                              .scene = scene,
+                              .sources = conversion.sources(),
+                              .losses = conversion.sink(),
+                              .links = options.links,
+                              .form = form,
+                              .meshes = mesh_source(flattening, result.copies, conversion.files(),
+                                                    options.common.limits)});
   result.is_complete = !has_losses(conversion.sink());
   if (!is_documented) scene.instances = std::move(documented);
   return result;
@@ -266,6 +266,6 @@ int main(int argc, char** argv) {
     return explain_instance(*scene, conversion.sources(), options);
   }
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");
-  if (!copy_files(kTool, result.copies, conversion.files())) return kFailed;
+  if (!copy_files(kTool, result.copies, conversion.files(), options.common.limits)) return kFailed;
   return write_output(kTool, options.common.output, result.text) ? kDone : kFailed;
 }

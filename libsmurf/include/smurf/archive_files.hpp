@@ -3,7 +3,6 @@
 // one.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "smurf/file_reader.hpp"
+#include "smurf/limits.hpp"
 
 namespace smurf {
 
@@ -23,8 +23,8 @@ bool is_archive(std::string_view path);
 /// used by several threads.
 class ArchiveFiles final : public FileReader {
  public:
-  /// `behind` must outlive this. All archives together unpack to `max_bytes` and not more.
-  ArchiveFiles(const FileReader& behind, std::uint64_t max_bytes);
+  /// `behind` must outlive this. All archives together unpack to `archive_bytes` and not more.
+  ArchiveFiles(const FileReader& behind, const Limits& limits);
   ~ArchiveFiles() override;
 
   /// Everything in a broken archive is denied, with the reason.
@@ -44,7 +44,7 @@ class ArchiveFiles final : public FileReader {
 
   const FileReader& behind_;
   mutable std::mutex mutex_;
-  mutable std::uint64_t left_;
+  mutable Limits left_;  ///< of what archives may hold
   mutable std::map<std::string, std::unique_ptr<Opened>, std::less<>> opened_;
 };
 

@@ -2,19 +2,69 @@
 // Bounds on what a file may demand. Reaching one is a diagnostic, never a crash or a hang.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace smurf {
 
+/// What each of them means is said in kLimits.
 struct Limits {
-  std::uint64_t file_bytes = 256ULL << 20U;      ///< a text file that is read whole
-  std::uint64_t mesh_bytes = 128ULL << 20U;      ///< a mesh file; 2.7 million triangles of STL
-  std::uint32_t yaml_depth = 100;                ///< nested lists and mappings
-  std::uint64_t yaml_expanded_nodes = 20000000;  ///< nodes after aliases are followed
-  std::uint32_t xml_depth = 90;                  ///< nested elements; tinyxml2 stops at 99
-  std::uint32_t xml_attributes = 1000;           ///< attributes of one element
-  std::uint32_t include_depth = 64;              ///< scenes inside scenes
-  std::uint64_t instances = 1000000;             ///< entities after nested scenes are expanded
+  std::uint64_t file_bytes = 256ULL << 20U;
+  std::uint64_t mesh_bytes = 128ULL << 20U;
+  std::uint64_t image_pixels = 16'000'000;
+  std::uint64_t archive_bytes = 128ULL << 20U;
+  std::uint64_t archive_files = 10'000;
+  std::uint64_t yaml_depth = 100;
+  std::uint64_t yaml_nodes = 4'000'000;
+  std::uint64_t yaml_expanded_nodes = 20'000'000;
+  std::uint64_t xml_depth = 90;
+  std::uint64_t xml_elements = 4'000'000;
+  std::uint64_t xml_attributes = 1'000;
+  std::uint64_t include_depth = 64;
+  std::uint64_t instances = 250'000;
+};
+
+/// A limit as people know it: what `--limit` and docs/limits.md call it.
+struct LimitInfo {
+  std::string_view name;
+  std::uint64_t Limits::*value;
+  std::uint64_t most;           ///< what is still safe to ask for
+  std::string_view counts;      ///< "nested lists and mappings"
+  std::string_view diagnostic;  ///< the rule that tells of more; empty: a tool says so and ends
+  std::string_view reason;      ///< for the usual value, and for the most
+};
+
+inline constexpr std::array kLimits{
+    LimitInfo{"file-bytes", &Limits::file_bytes, 2047ULL << 20U, "bytes of a file of text",
+              "SML0002", "a model of 100,000 links has half of it; places in a file have 32 bits"},
+    LimitInfo{"mesh-bytes", &Limits::mesh_bytes, 2047ULL << 20U, "bytes of a mesh or an image",
+              "SML1644", "2.7 million triangles of STL"},
+    LimitInfo{"image-pixels", &Limits::image_pixels, 1'000'000'000, "pixels of a heightmap",
+              "SML6107", "a small file may say it has thousands of millions"},
+    LimitInfo{"archive-bytes", &Limits::archive_bytes, 2047ULL << 20U,
+              "bytes of all files in an archive, unpacked", "", "a small file may hold any number"},
+    LimitInfo{"archive-files", &Limits::archive_files, 1'000'000, "files in an archive", "",
+              "as for its bytes"},
+    LimitInfo{"yaml-depth", &Limits::yaml_depth, 240, "lists and mappings in each other", "SML0014",
+              "no section of SMURF has more than ten; yaml-cpp gives up at 250"},
+    LimitInfo{"yaml-nodes", &Limits::yaml_nodes, 1'000'000'000,
+              "texts, lists and mappings of a file", "SML0002",
+              "100,000 entities have half of them; each takes 130 bytes of memory"},
+    LimitInfo{"yaml-expanded-nodes", &Limits::yaml_expanded_nodes, 1'000'000'000,
+              "the same, with what aliases repeat counted again", "SML0015",
+              "nine aliases in nine levels stand for 400 million"},
+    LimitInfo{"xml-depth", &Limits::xml_depth, 98, "elements in each other", "SML0014",
+              "URDF has seven; tinyxml2 gives up at 99"},
+    LimitInfo{"xml-elements", &Limits::xml_elements, 1'000'000'000, "elements of a file", "SML0002",
+              "100,000 links have half of them; each takes 250 bytes of memory"},
+    LimitInfo{"xml-attributes", &Limits::xml_attributes, 10'000, "attributes of one element",
+              "SML0002", "URDF has six; each is compared with those before it"},
+    LimitInfo{"include-depth", &Limits::include_depth, 1'000, "scenes in each other", "SML5021",
+              "scenes that people write have three"},
+    LimitInfo{"instances", &Limits::instances, 100'000'000,
+              "entities of a scene, those of nested scenes included", "SML5022",
+              "scenes that name the next one twice reach it in 18 levels"},
 };
 
 }  // namespace smurf

@@ -4,13 +4,11 @@
 #include <algorithm>
 
 #include "archive/zip.hpp"
+#include "base/limits.hpp"
 #include "base/path.hpp"
 
 namespace smurf {
 namespace {
-
-/// Of an archive itself.
-constexpr std::uint64_t kMostPackedBytes = 256ULL << 20U;
 
 /// All files in a folder and the folders in it.
 void collect(const std::string& folder, const FileReader& files, int depth,
@@ -44,8 +42,8 @@ struct ArchiveFiles::Place {
   std::string inside;  ///< path in the archive; empty: the archive itself
 };
 
-ArchiveFiles::ArchiveFiles(const FileReader& behind, std::uint64_t max_bytes)
-    : behind_(behind), left_(max_bytes) {}
+ArchiveFiles::ArchiveFiles(const FileReader& behind, const Limits& limits)
+    : behind_(behind), left_(limits) {}
 ArchiveFiles::~ArchiveFiles() = default;
 
 const ArchiveFiles::Opened* ArchiveFiles::open(const std::string& path, const FileReader& around,
@@ -53,16 +51,18 @@ const ArchiveFiles::Opened* ArchiveFiles::open(const std::string& path, const Fi
   const auto known = opened_.find(path);
   if (known != opened_.end()) return known->second.get();
   if (!around.is_file(name)) return nullptr;
-  const FileContent content = around.read(name, kMostPackedBytes);
+  const FileContent content = around.read(name, left_.archive_bytes);
   Opened& opened = *(opened_[path] = std::make_unique<Opened>());
   if (content.status != ReadStatus::ok) {
     opened.reason = content.reason;
+    if (content.status == ReadStatus::too_large)
+      opened.reason += "; " + raise_limit("archive-bytes");
     return &opened;
   }
   Archive archive = read_zip(content.text, left_);
   opened.reason = archive.reason;
   for (ArchivedFile& file : archive.files) {
-    left_ -= file.text.size();
+    left_.archive_bytes -= file.text.size();
     opened.files.add(file.path, std::move(file.text));
   }
   return &opened;

@@ -8,12 +8,11 @@
 
 #include <minizip/unzip.h>
 
+#include "base/limits.hpp"
 #include "base/path.hpp"
 
 namespace smurf {
 namespace {
-
-constexpr std::size_t kMostFiles = 10'000;
 
 /// What minizip takes for a file.
 struct Memory {
@@ -64,7 +63,8 @@ bool is_inside(std::string_view path) {
 
 class Reader {
  public:
-  Reader(std::string_view bytes, std::uint64_t max_bytes) : file_{bytes}, left_(max_bytes) {}
+  Reader(std::string_view bytes, const Limits& limits)
+      : file_{bytes}, limits_(limits), left_(limits.archive_bytes) {}
 
   Archive run() {
     zlib_filefunc64_def functions{};
@@ -109,7 +109,10 @@ class Reader {
     name.resize(info.size_filename);
     if (name.ends_with('/')) return true;  // a folder
     if (!is_inside(name)) return refuse("holds the file '" + name + "', which is not inside it");
-    if (archive_.files.size() >= kMostFiles) return refuse("holds too many files");
+    if (archive_.files.size() >= limits_.archive_files) {
+      return refuse("holds more than " + std::to_string(limits_.archive_files) + " files; " +
+                    raise_limit("archive-files"));
+    }
     if ((info.flag & 1U) != 0) return refuse("is encrypted");
     std::string text;
     if (!read(zip, text)) return false;
@@ -123,7 +126,10 @@ class Reader {
     char buffer[1U << 16U];
     int count = 0;
     while ((count = unzReadCurrentFile(zip, buffer, sizeof buffer)) > 0) {
-      if (static_cast<std::uint64_t>(count) > left_) return refuse("unpacks to too much");
+      if (static_cast<std::uint64_t>(count) > left_) {
+        return refuse("unpacks to more than " + std::to_string(limits_.archive_bytes) + " bytes; " +
+                      raise_limit("archive-bytes"));
+      }
       left_ -= static_cast<std::uint64_t>(count);
       text.append(buffer, static_cast<std::size_t>(count));
     }
@@ -133,14 +139,15 @@ class Reader {
   }
 
   Memory file_;
-  std::uint64_t left_;
+  const Limits& limits_;
+  std::uint64_t left_;  ///< bytes that may still be unpacked
   Archive archive_;
 };
 
 }  // namespace
 
-Archive read_zip(std::string_view bytes, std::uint64_t max_bytes) {
-  return Reader(bytes, max_bytes).run();
+Archive read_zip(std::string_view bytes, const Limits& limits) {
+  return Reader(bytes, limits).run();
 }
 
 }  // namespace smurf

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "smurf/limits.hpp"
+
 namespace smurf {
 
 struct ArchivedFile {
@@ -19,8 +21,8 @@ struct Archive {
   std::string reason;               ///< why it cannot be read, for a person; empty when it can
 };
 
-/// Unpacks an archive whose files have `max_bytes` altogether and not more. What names a place
-/// outside of the archive, is encrypted or is broken makes all of it unreadable.
-Archive read_zip(std::string_view bytes, std::uint64_t max_bytes);
+/// Unpacks an archive within the limits for archives. What names a place outside of the archive, is
+/// encrypted or is broken makes all of it unreadable.
+Archive read_zip(std::string_view bytes, const Limits& limits);
 
 }  // namespace smurf

@@ -38,7 +38,7 @@ class OldSceneLoader {
     if (content.status != ReadStatus::ok) {
       return report(path, reference, content.reason.empty() ? "cannot be read" : content.reason);
     }
-    Archive archive = read_zip(content.text, context_.limits.file_bytes);
+    Archive archive = read_zip(content.text, context_.limits);
     if (!archive.reason.empty()) return report(path, reference, archive.reason);
     const std::string name = std::string(path::stem(path)) + ".scene";
     for (ArchivedFile& file : archive.files) {

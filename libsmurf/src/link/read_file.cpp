@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/read_file.hpp"
 
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
@@ -21,6 +22,7 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
       reported, reference, "cannot read `" + path::normalize(path) + "`: " + content.reason);
   if (is_too_large) {
     diagnostic.message += "; at most " + std::to_string(context.limits.file_bytes) + " are read";
+    diagnostic.help = raise_limit("file-bytes");
   }
   if (content.status != ReadStatus::not_found) return std::nullopt;
   diagnostic.message = "there is no file `" + path::normalize(path) + "`";
@@ -65,10 +67,10 @@ constinit const Rule sml0002_file_too_large{
     .id = "SML0002",
     .name = "file-too-large",
     .severity = Severity::error,
-    .summary = "A file is larger than the limit.",
+    .summary = "A file, or what it holds, is larger than a limit.",
     .why =
         "A text file of this size is not a robot model; reading it whole could exhaust the memory.",
-    .remedy = "Name another file.",
+    .remedy = "Name another file, or raise the limit (docs/limits.md).",
     .sources = "Limit of these tools."};
 
 }  // namespace rules

@@ -6,6 +6,7 @@
 
 #include "ast/keys.hpp"
 #include "ast/scene_reader.hpp"
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
@@ -98,10 +99,11 @@ class SceneExpander {
       if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
         is_full_ = true;
         lose_scene();
-        context_.sink.report(rules::sml5022_too_many_instances, place_of(entity(use, i)),
-                             "this is one entity too many: a scene holds at most " +
-                                 std::to_string(context_.limits.instances) +
-                                 ", nested ones included");
+        context_.sink
+            .report(rules::sml5022_too_many_instances, place_of(entity(use, i)),
+                    "this is one entity too many: a scene holds at most " +
+                        std::to_string(context_.limits.instances) + ", nested ones included")
+            .help = raise_limit("instances");
         return;
       }
       add_entity(use, i);
@@ -259,9 +261,11 @@ class SceneExpander {
     std::uint32_t depth = 0;
     for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer) ++depth;
     if (depth <= context_.limits.include_depth) return false;
-    context_.sink.report(rules::sml5021_nested_too_deep, file_of(entity).span,
-                         "scenes are nested more than " +
-                             std::to_string(context_.limits.include_depth) + " deep");
+    context_.sink
+        .report(rules::sml5021_nested_too_deep, file_of(entity).span,
+                "scenes are nested more than " + std::to_string(context_.limits.include_depth) +
+                    " deep")
+        .help = raise_limit("include-depth");
     return true;
   }
 

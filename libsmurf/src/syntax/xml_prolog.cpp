@@ -66,6 +66,33 @@ void check_encoding(std::string_view text, SourceId id, std::size_t begin, Diagn
 
 }  // namespace
 
+std::optional<std::size_t> find_unsound(std::string_view instruction) {
+  if (path::to_lower(instruction.substr(0, kDeclaration.size())) != kDeclaration) {
+    return std::nullopt;
+  }
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::string_view text = instruction.substr(0, instruction.size() - 2);
+  const auto skip_blanks = [&](std::size_t from) {
+    return std::min(text.find_first_not_of(kBlanks, from), text.size());
+  };
+  const auto is = [&](std::size_t at, std::string_view any) {
+    return at < text.size() && any.find(text[at]) != std::string_view::npos;
+  };
+  std::size_t at = std::min(text.find_first_of(kBlanks, kDeclaration.size()), text.size());
+  while ((at = skip_blanks(at)) < text.size()) {
+    const std::size_t name = at;
+    const std::size_t equals =
+        skip_blanks(std::min(text.find_first_of(" \t\r\n='\"", at), text.size()));
+    const std::size_t quote = is(equals, "=") ? skip_blanks(equals + 1) : text.size();
+    if (!is(quote, "'\"")) return name;
+    const std::size_t close = text.find(text[quote], quote + 1);
+    if (close == std::string_view::npos) return quote;
+    at = close + 1;
+    if (at < text.size() && !is(at, kBlanks)) return at;
+  }
+  return std::nullopt;
+}
+
 void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink) {
   const std::size_t begin = byte_order_mark_size(text);
   check_position(text, id, begin, sink);

@@ -2,6 +2,10 @@
 // What an XML file says of itself before its first element.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
 #include "smurf/diagnostic.hpp"
 
 namespace smurf {
@@ -9,5 +13,9 @@ namespace smurf {
 /// Reports an XML declaration that is not the first thing in the file (SML1005), or that names
 /// another encoding than that of the bytes, which are UTF-8 (SML1008).
 void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink);
+
+/// Where an XML declaration (`<?xml ...?>`, as TinyXML tells it) holds something else than
+/// attributes; none for a sound one and for every other instruction.
+std::optional<std::size_t> find_unsound(std::string_view instruction);
 
 }  // namespace smurf

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <string>
 
+#include "base/limits.hpp"
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_prefixes.hpp"
@@ -101,6 +102,11 @@ class Scanner {
     return sink_.report(rules::sml1001_xml_malformed, place, std::move(message));
   }
 
+  void too_much(const Rule& rule, Span place, std::string message, std::string_view limit) {
+    scanned_.well_formed = false;
+    sink_.report(rule, place, std::move(message)).help = raise_limit(limit);
+  }
+
   void markup() {
     if (looking_at("<!--")) return comment();
     if (looking_at("<![CDATA[")) return character_section();
@@ -189,7 +195,22 @@ class Scanner {
           .fixes.push_back({Applicability::safe, {{span(begin, at_), ""}}});
     }
     has_declaration_ = has_declaration_ || is_declaration;
-    if (!scanned_.well_formed || is_prolog_) return;
+    if (!scanned_.well_formed) return;
+    const auto close = static_cast<std::uint32_t>(text_.find('>', begin));
+    if (close + 1 < at_) {
+      malformed(span(close, close + 1),
+                "urdfdom (TinyXML) takes the processing instruction for closed by this `>`, and "
+                "finds no robot behind it")
+          .help = "delete the instruction, or this character";
+      return;
+    }
+    if (const auto place = find_unsound(text_.substr(begin, at_ - begin))) {
+      const auto at = static_cast<std::uint32_t>(begin + *place);
+      malformed(span(at, at + 1), "this is no attribute of the XML declaration").help =
+          "write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`";
+      return;
+    }
+    if (is_prolog_) return;
     malformed(span(begin, at_), "a processing instruction that does not stand at the start of the "
                                 "file; sdformat, MuJoCo and Bullet (tinyxml2) refuse it");
   }
@@ -266,10 +287,15 @@ class Scanner {
       return;
     }
     if (open_.size() >= limits_.xml_depth) {
-      scanned_.well_formed = false;
-      sink_.report(rules::sml0014_nesting_too_deep, element.name_span(),
-                   "elements are nested deeper than " + std::to_string(limits_.xml_depth) +
-                       " levels");
+      too_much(rules::sml0014_nesting_too_deep, element.name_span(),
+               "elements are nested deeper than " + std::to_string(limits_.xml_depth) + " levels",
+               "xml-depth");
+      return;
+    }
+    if (document_.elements.size() >= limits_.xml_elements) {
+      too_much(rules::sml0002_file_too_large, element.name_span(),
+               "the file holds more than " + std::to_string(limits_.xml_elements) + " elements",
+               "xml-elements");
       return;
     }
     element.first_attribute = static_cast<std::uint32_t>(document_.attributes.size());
@@ -381,9 +407,10 @@ class Scanner {
   bool add_attribute(const Element& element, const Attribute& attribute) {
     const std::size_t count = document_.attributes.size() - element.first_attribute;
     if (count >= limits_.xml_attributes) {
-      malformed(element.name_span(), "the element " + quoted(element.name_span()) +
-                                         " has more than " +
-                                         std::to_string(limits_.xml_attributes) + " attributes");
+      too_much(rules::sml0002_file_too_large, element.name_span(),
+               "the element " + quoted(element.name_span()) + " has more than " +
+                   std::to_string(limits_.xml_attributes) + " attributes",
+               "xml-attributes");
       return false;
     }
     for (std::size_t i = element.first_attribute; i < document_.attributes.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/limits.hpp"
 #include "base/rules.hpp"
 #include "syntax/yaml_spans.hpp"
 
@@ -181,20 +182,30 @@ NodeId TreeBuilder::add(Node& node, std::uint64_t size) {
     frame.has_key = false;
     frame.end = std::max(frame.end, node.span.end);
   }
+  if (document_.nodes.size() >= limits_.yaml_nodes) {
+    stop(rules::sml0002_file_too_large, {node.span.source, node.span.begin, node.span.begin},
+         "the file holds more than " + std::to_string(limits_.yaml_nodes) + " values",
+         "yaml-nodes");
+  }
   document_.nodes.push_back(node);
   sizes_.push_back(size);
   if (!frames_.empty()) grow(frames_.back().node, size);
   return id;
 }
 
+void TreeBuilder::stop(const Rule& rule, Span place, std::string message, std::string_view limit) {
+  sink_.report(rule, place, std::move(message)).help = raise_limit(limit);
+  throw StopParsing();
+}
+
 void TreeBuilder::grow(NodeId parent, std::uint64_t size) {
   std::uint64_t& total = sizes_[index(parent)];
   total += size;
   if (total <= limits_.yaml_expanded_nodes) return;
-  sink_.report(rules::sml0015_alias_expansion, at(parent).span,
-               "aliases make this value larger than " +
-                   std::to_string(limits_.yaml_expanded_nodes) + " nodes");
-  throw StopParsing();
+  stop(rules::sml0015_alias_expansion, at(parent).span,
+       "aliases make this value larger than " + std::to_string(limits_.yaml_expanded_nodes) +
+           " nodes",
+       "yaml-expanded-nodes");
 }
 
 void TreeBuilder::open(Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor,
@@ -204,10 +215,10 @@ void TreeBuilder::open(Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor,
   const std::uint32_t begin = skip_properties(text_, offset(mark));
   node.span = {document_.source, begin, begin + 1};
   if (frames_.size() >= limits_.yaml_depth) {
-    sink_.report(rules::sml0014_nesting_too_deep, node.span,
-                 "lists and mappings are nested deeper than " + std::to_string(limits_.yaml_depth) +
-                     " levels");
-    throw StopParsing();
+    stop(rules::sml0014_nesting_too_deep, node.span,
+         "lists and mappings are nested deeper than " + std::to_string(limits_.yaml_depth) +
+             " levels",
+         "yaml-depth");
   }
   Frame frame;
   frame.end = node.span.begin;

@@ -20,7 +20,7 @@ namespace smurf {
 /// Thrown through yaml-cpp to leave a document that exceeds a limit.
 struct StopParsing {};
 
-/// Reports SML0010-SML0012 and SML0014-SML0016 on the way.
+/// Reports SML0002, SML0010-SML0012 and SML0014-SML0016 on the way.
 class TreeBuilder final : public YAML::EventHandler {
  public:
   TreeBuilder(const SourceMap& sources, SourceId id, const Limits& limits, DiagnosticSink& sink)
@@ -111,6 +111,8 @@ class TreeBuilder final : public YAML::EventHandler {
   /// A key that something refers to: it has a node, but no place in the tree.
   yaml::NodeId add_unlinked(const yaml::Node& node);
   yaml::NodeId add(yaml::Node& node, std::uint64_t size);
+  /// Reports that a limit is reached, and leaves the document.
+  [[noreturn]] void stop(const Rule& rule, Span place, std::string message, std::string_view limit);
   void grow(yaml::NodeId parent, std::uint64_t size);
   void open(yaml::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor,
             YAML::EmitterStyle::value style);

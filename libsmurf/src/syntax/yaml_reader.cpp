@@ -187,23 +187,30 @@ bool is_too_deep(const SourceMap& sources, SourceId id, const Limits& limits,
   }
   for (const Diagnostic& diagnostic : found.diagnostics()) {
     if (diagnostic.rule != &rules::sml0014_nesting_too_deep) continue;
-    sink.report(*diagnostic.rule, diagnostic.span, diagnostic.message);
+    sink.report(*diagnostic.rule, diagnostic.span, {}) = diagnostic;
     return true;
   }
   return false;
 }
 
-std::optional<yaml::Document> parse_plain(const SourceMap& sources, SourceId id,
-                                          const Limits& limits, DiagnosticSink& sink) {
-  DiagnosticSink found;  // counts only when the whole text is plain
+bool has_too_many_nodes(const DiagnosticSink& found) {
+  const auto& all = found.diagnostics();
+  return !all.empty() && all.back().rule == &rules::sml0002_file_too_large;
+}
+
+/// True when the text is judged: it is plain, or so large that nobody reads it a second time.
+bool parse_plain(const SourceMap& sources, SourceId id, const Limits& limits, DiagnosticSink& sink,
+                 std::optional<yaml::Document>& document) {
+  DiagnosticSink found;  // counts only when the text is judged
   TreeBuilder builder(sources, id, limits, found);
   try {
-    if (!scan_plain_yaml(sources.text(id), builder)) return std::nullopt;
+    if (!scan_plain_yaml(sources.text(id), builder)) return false;
+    document = builder.take();
   } catch (const StopParsing&) {
-    return std::nullopt;
+    if (!has_too_many_nodes(found)) return false;
   }
   hand_on(found, sink);
-  return builder.take();
+  return true;
 }
 
 }  // namespace
@@ -228,7 +235,8 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
     return std::nullopt;
   }
   if (engine == YamlEngine::scanner_first) {
-    if (auto document = parse_plain(sources, id, limits, sink)) return document;
+    std::optional<yaml::Document> document;
+    if (parse_plain(sources, id, limits, sink, document)) return document;
   }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
   DiagnosticSink found;

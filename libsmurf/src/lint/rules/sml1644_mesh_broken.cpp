@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <set>
 
+#include "base/limits.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -18,8 +19,10 @@ void check(const LinkedModel& model, Findings& findings) {
     const MeshFacts& facts = file->facts;
     if (has_other_format(reference)) continue;
     if (file->status == ReadStatus::too_large) {
-      findings.report(reference.span, "the mesh " + file->reason + ", too many to be checked here")
-          .severity = Severity::warning;
+      Diagnostic& diagnostic = findings.report(reference.span, "the mesh " + file->reason +
+                                                                   ", too many to be checked here");
+      diagnostic.severity = Severity::warning;
+      diagnostic.help = raise_limit("mesh-bytes");
     } else if (file->status != ReadStatus::ok) {
       report(reference, file->reason, findings);
     } else if (facts.bytes == 0) {

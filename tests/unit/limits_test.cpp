@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every limit: what is just below it passes, what is just above it is told, and raising it helps.
+#include "smurf/limits.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "archive/zip.hpp"
+#include "smurf/lint.hpp"
+#include "smurf/load.hpp"
+#include "support/zip_writer.hpp"
+
+using namespace smurf;
+
+namespace {
+
+std::string repeat(std::string_view text, std::uint64_t times) {
+  std::string all;
+  for (std::uint64_t i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+/// Files that demand `amount` of something, and the one to load.
+struct Demand {
+  MemoryFiles files;
+  std::string entry;
+
+  Demand(std::string main, std::string text) : entry(std::move(main)) {
+    files.add(entry, std::move(text));
+  }
+};
+
+Demand of_file(std::uint64_t bytes) {
+  const std::string model = "files: []\n#";
+  return {"r.smurf", model + repeat("x", bytes - model.size())};
+}
+
+Demand of_mesh(std::uint64_t bytes) {
+  Demand demand("r.urdf",
+                "<robot name='r'><link name='a'><visual><geometry><mesh filename='m.stl'/>"
+                "</geometry></visual></link></robot>");
+  demand.files.add("m.stl", repeat(" ", bytes));
+  return demand;
+}
+
+Demand of_yaml_depth(std::uint64_t depth) {
+  return {"r.smurf", "x: " + repeat("[", depth - 1) + repeat("]", depth - 1) + "\n"};
+}
+
+/// The mapping and its keys' values.
+Demand of_yaml_nodes(std::uint64_t nodes) {
+  std::string text;
+  for (std::uint64_t i = 1; i < nodes; ++i) text += "x" + std::to_string(i) + ": y\n";
+  return {"r.smurf", text};
+}
+
+/// The mapping, two lists, an entry and what the aliases repeat.
+Demand of_expanded_nodes(std::uint64_t nodes) {
+  return {"r.smurf", "a: &a [x]\nb: [" + repeat("*a, ", (nodes - 4) / 2) +
+                         ((nodes - 4) % 2 == 0 ? "" : "y") + "]\n"};
+}
+
+Demand of_xml_depth(std::uint64_t depth) {
+  return {"r.urdf",
+          "<robot name='r'>" + repeat("<a>", depth - 1) + repeat("</a>", depth - 1) + "</robot>"};
+}
+
+Demand of_xml_elements(std::uint64_t elements) {
+  return {"r.urdf", "<robot name='r'>" + repeat("<a/>", elements - 1) + "</robot>"};
+}
+
+Demand of_xml_attributes(std::uint64_t attributes) {
+  std::string text = "<robot";
+  for (std::uint64_t i = 0; i < attributes; ++i) text += " a" + std::to_string(i) + "='1'";
+  return {"r.urdf", text + "/>"};
+}
+
+/// A scene in so many others.
+Demand of_include_depth(std::uint64_t depth) {
+  Demand demand("s0.smurfs", "entities: [{name: e, file: s1.smurfs}]\n");
+  for (std::uint64_t i = 1; i <= depth; ++i) {
+    const std::string next = "[{name: e, file: s" + std::to_string(i + 1) + ".smurfs}]";
+    demand.files.add("s" + std::to_string(i) + ".smurfs",
+                     "entities: " + (i == depth ? "[]" : next) + "\n");
+  }
+  return demand;
+}
+
+/// The scene itself counts.
+Demand of_instances(std::uint64_t instances) {
+  Demand demand("s.smurfs", "entities:\n" + repeat("- {type: urdf, file: r.urdf}\n", instances));
+  demand.files.add("r.urdf", "<robot name='r'><link name='a'/></robot>");
+  return demand;
+}
+
+struct LimitCase {
+  std::string_view name;
+  std::uint64_t amount;  ///< a small limit to try
+  std::function<Demand(std::uint64_t amount)> demand;
+};
+
+const LimitCase kCases[] = {{"file-bytes", 100, of_file},
+                            {"mesh-bytes", 100, of_mesh},
+                            {"yaml-depth", 20, of_yaml_depth},
+                            {"yaml-nodes", 20, of_yaml_nodes},
+                            {"yaml-expanded-nodes", 20, of_expanded_nodes},
+                            {"xml-depth", 20, of_xml_depth},
+                            {"xml-elements", 20, of_xml_elements},
+                            {"xml-attributes", 20, of_xml_attributes},
+                            {"include-depth", 20, of_include_depth},
+                            {"instances", 20, of_instances}};
+
+/// The findings of a rule.
+std::vector<Diagnostic> found(const Demand& demand, const Limits& limits, std::string_view rule) {
+  SourceMap sources;
+  DiagnosticSink sink;
+  MeshLibrary meshes;
+  LoadContext context{sources, demand.files, sink, limits, {}, {}, &meshes};
+  if (demand.entry.ends_with(".smurfs")) {
+    load_scene(demand.entry, context);
+  } else {
+    lint_model(load_model(demand.entry, context), {}, sink);
+  }
+  std::vector<Diagnostic> all = sink.take();
+  std::erase_if(all, [&](const Diagnostic& one) {
+    return one.rule->id != rule || one.help.find("--limit") == std::string::npos;
+  });
+  return all;
+}
+
+const LimitInfo& info_of(std::string_view name) {
+  const auto* info = std::find_if(kLimits.begin(), kLimits.end(),
+                                  [&](const LimitInfo& one) { return one.name == name; });
+  REQUIRE(info != kLimits.end());
+  return *info;
+}
+
+}  // namespace
+
+TEST_CASE("limits: the last that passes, the first that does not, and the same with a higher one") {
+  for (const LimitCase& one : kCases) {
+    CAPTURE(one.name);
+    const LimitInfo& info = info_of(one.name);
+    Limits limits;
+    limits.*info.value = one.amount;
+    CHECK(found(one.demand(one.amount), limits, info.diagnostic).empty());
+    const auto told = found(one.demand(one.amount + 1), limits, info.diagnostic);
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].help == "raise the limit with `--limit " + std::string(one.name) + "=N`");
+    limits.*info.value = one.amount + 1;
+    CHECK(found(one.demand(one.amount + 1), limits, info.diagnostic).empty());
+  }
+}
+
+TEST_CASE("limits: all of them hold at the most that can be asked for") {
+  // Those beyond the memory of a test are left out: their bounds are those of a number.
+  for (const std::string_view name :
+       {"yaml-depth", "xml-depth", "xml-attributes", "include-depth"}) {
+    CAPTURE(name);
+    const LimitInfo& info = info_of(name);
+    const auto one = std::find_if(std::begin(kCases), std::end(kCases),
+                                  [&](const LimitCase& tried) { return tried.name == name; });
+    Limits limits;
+    limits.*info.value = info.most;
+    SourceMap sources;
+    DiagnosticSink sink;
+    const Demand demand = one->demand(info.most);
+    LoadContext context{sources, demand.files, sink, limits, {}};
+    const bool is_read = demand.entry.ends_with(".smurfs")
+                             ? load_scene(demand.entry, context).is_complete
+                             : !load_model(demand.entry, context).files.empty();
+    CHECK(is_read);
+    for (const Diagnostic& diagnostic : sink.diagnostics()) {
+      const std::string id(diagnostic.rule->id);
+      CHECK_MESSAGE((id != "SML0010" && id != "SML0014" && id != "SML1001" && id != "SML5021"),
+                    diagnostic.message);
+    }
+  }
+}
+
+TEST_CASE("limits: those of archives") {
+  const std::string bytes = test::zip({{"a", "12345"}, {"b", "12345"}});
+  Limits limits;
+  limits.archive_bytes = 10;
+  limits.archive_files = 2;
+  CHECK(read_zip(bytes, limits).reason == "");
+  limits.archive_bytes = 9;
+  CHECK(read_zip(bytes, limits).reason ==
+        "unpacks to more than 9 bytes; raise the limit with `--limit archive-bytes=N`");
+  limits.archive_bytes = 10;
+  limits.archive_files = 1;
+  CHECK(read_zip(bytes, limits).reason ==
+        "holds more than 1 files; raise the limit with `--limit archive-files=N`");
+}
+
+TEST_CASE("limits: every row of the table has a name of its own, a usual value and a test") {
+  // Where the others are tested.
+  constexpr std::string_view kElsewhere[] = {"image-pixels", "archive-bytes", "archive-files"};
+  for (const LimitInfo& info : kLimits) {
+    CAPTURE(info.name);
+    CHECK(&info_of(info.name) == &info);
+    CHECK(Limits{}.*info.value <= info.most);
+    CHECK((info.diagnostic.empty() || find_rule(info.diagnostic) != nullptr));
+    const bool is_tested =
+        std::any_of(std::begin(kCases), std::end(kCases),
+                    [&](const LimitCase& one) { return one.name == info.name; }) ||
+        std::find(std::begin(kElsewhere), std::end(kElsewhere), info.name) != std::end(kElsewhere);
+    CHECK(is_tested);
+  }
+}
