@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every scene of the corpus flattens, or the report says at the token why not.
+"""Every scene of the corpus flattens, or the report says at the token why not. Models of the corpus,
+which count as scenes of one model, are written in every format; what does not come along is named.
 
 Called as scene_corpus_test.py TOOL CORPUS; ends with 77, which CTest shows as skipped, when there is
 no corpus.
@@ -9,8 +10,11 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as ElementTree
 
 SUFFIXES = {".smurfs", ".smurfa"}
+XML_FORMATS = ("svg", "sdf", "sdf1.6", "mjcf", "urdf")
+FORMATS = (*XML_FORMATS, "json", "tsv", "dot", "dmd", "gltf", "usda", "smurfs")
 
 
 def run(tool, *arguments):
@@ -45,6 +49,29 @@ def compare(tool, scene):
     return None
 
 
+def write_all(tool, model, report):
+    """What is wrong with a model in any of the formats. Faults of the model itself are passed over."""
+    for form in FORMATS:
+        done = run(tool, model, "--format", form, "--force", "--allow-outside", "--report",
+                   f"json={report}")
+        found = json.loads(report.read_text())["diagnostics"]
+        if done.returncode != 0:
+            # Only what cannot be understood keeps a scene from being written.
+            if done.returncode == 1 and not done.stdout and any(
+                    d["severity"] == "error" for d in found):
+                return None
+            return f"{form}: exit code {done.returncode}: {done.stderr[:300]}"
+        if form in XML_FORMATS:
+            ElementTree.fromstring(done.stdout)
+        elif form == "gltf":
+            json.loads(done.stdout)
+        unnamed = [d["message"] for d in found
+                   if d["id"].startswith("SML82") and (not d["file"] or "`" not in d["message"])]
+        if unnamed:
+            return f"{form}: losses without a name or place: {unnamed}"
+    return None
+
+
 def main():
     tool, corpus = sys.argv[1], pathlib.Path(sys.argv[2])
     scenes = sorted(p for p in corpus.rglob("*") if p.suffix in SUFFIXES) if corpus.is_dir() else []
@@ -54,9 +81,11 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         report = pathlib.Path(folder) / "report.json"
         failures = [(scene, reason) for scene in scenes if (reason := judge(tool, scene, report))]
+        models = [*sorted(corpus.rglob("*.smurf")), *sorted(corpus.rglob("*.urdf"))[::40]]
+        failures += [(m, reason) for m in models if (reason := write_all(tool, m, report))]
     for scene, reason in failures:
         print(f"{scene}: {reason}")
-    print(f"{len(scenes)} scenes, {len(failures)} failures")
+    print(f"{len(scenes)} scenes, {len(models)} models, {len(failures)} failures")
     return 1 if failures else 0
 
 

@@ -6,6 +6,7 @@ import math
 import pathlib
 import re
 import sys
+import xml.etree.ElementTree
 import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -111,6 +112,21 @@ class Output(FlattenTest):
         self.assertIn("broken.smurfs:3:44", done.stderr)
         self.assertIn("did you mean `A::lid`?", done.stderr)
 
+    def test_errors_that_leave_poses_known_can_be_passed_over(self):
+        self.write("heavy.urdf", '<robot name="r"><link name="l"><inertial><mass value="-1"/><inertia '
+                   'ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>')
+        self.write("heavy.smurfs", "entities: [{name: H, file: heavy.urdf, position: [1, 2, 3]}]\n")
+        done = self.run_tool("heavy.smurfs")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'heavy.smurfs' has errors; see --force; nothing was written", done.stderr)
+        done = self.run_tool("heavy.smurfs", "--force")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("error[SML15", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["instances"][0]["position"], [1, 2, 3])
+        done = self.run_tool("broken.smurfs", "--force")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'broken.smurfs' has errors; nothing was written", done.stderr)
+
     def test_warnings_do_not_refuse_unless_told(self):
         done = self.run_tool("outer.smurfs")
         self.assertEqual(done.returncode, 0)
@@ -199,9 +215,21 @@ class Dialects(FlattenTest):
         self.assertEqual(json.loads(spec.stdout)["instances"][0]["anchor"], "world")
         self.assertEqual(json.loads(mars.stdout)["instances"][0]["anchor"], "none")
 
-    def test_explanations_are_of_the_documented_scene(self):
-        self.expect_complaint("--explain does not go with --dialect mars",
-                              "scene.smurfs", "--explain", "B", "--dialect", "mars")
+    def test_explanations(self):
+        def explain(dialect, name="A", scene="differ.smurfs"):
+            done = self.run_tool(scene, "--explain", name, "--dialect", dialect, "--quiet")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            return done.stdout.splitlines()
+        self.assertEqual(explain("mars"), explain("spec"))
+        *_, world, note = explain("phobos")
+        self.assertTrue(world.endswith("xyz 1 2 3  rpy 0 0 40.1070457 deg"), world)
+        self.assertEqual(note, "phobos takes the angles for radians")
+        steps = explain("mars", "in/A", "outer.smurfs")
+        self.assertEqual([s.split()[1] for s in steps[:2]], ["include", "entity"])
+        self.assertEqual(steps[-1], "mars loses the anchor")
+        self.expect_complaint("'C' is not in the scene of the dialect mars2, which stops at a `file` "
+                              "that is no .smurf, .smurfs or .yml",
+                              "differ.smurfs", "--explain", "C", "--dialect", "mars2", "--quiet")
 
 
 OLD_XML = """<?xml version="1.0"?>
@@ -273,6 +301,34 @@ class OldScenes(FlattenTest):
         done = self.run_tool("old.smurfs", "--quiet")
         self.assertEqual(json.loads(done.stdout)["lights"], [{"name": "sun"}])
 
+    def test_lights_shine_in_other_formats(self):
+        light = ("lightlist: [{name: sun, type: 2, angle: 60, position: {x: 1, y: 2, z: 3},"
+                 " diffuse: {r: 1, g: 0.5, b: 0, a: 1}}]\n")
+        self.write("old.yml", OLD_YAML.replace("lightlist: [{name: sun}]\n", light))
+        self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
+        sdf = xml.etree.ElementTree.fromstring(self.run_tool("old.smurfs", "--format", "sdf").stdout)
+        light = sdf.find("world/light")
+        self.assertEqual((light.get("name"), light.get("type"), light.findtext("diffuse")),
+                         ("sun", "spot", "1 0.5 0 1"))
+        self.assertTrue(light.findtext("pose").startswith("1 2 3"), light.findtext("pose"))
+        done = self.run_tool("old.smurfs", "--format", "urdf")
+        self.assertIn("1 light of `Old` is not in the URDF", done.stderr)
+        # Flattened once more, a light is still one light.
+        self.write("flat.smurfs", self.run_tool("old.smurfs", "--format", "smurfs").stdout)
+        self.assertEqual(len(self.flat("flat.smurfs")["lights"]), 1)
+
+    def test_what_does_not_come_along_is_named(self):
+        moving = OLD_YAML.replace("name: a,", "name: a, movable: true,").replace(
+            "{name: c, index: 3, filename: rock.obj}", "{name: c, index: 3, movable: false}")
+        self.write("old.yml", moving + "jointlist: [{index: 1}, {index: 2}]\nmotorlist: [{index: 1}]\n")
+        self.write("old.smurfs", "entities:\n- {name: Old, file: old.yml}\n")
+        done = self.run_tool("old.smurfs", "--format", "mjcf", "--report", "json")
+        found = {(d["id"], d["message"]) for d in json.loads(done.stderr)["diagnostics"]}
+        for loss in [("SML8209", "what moves in `Old` stands still in the MJCF: `a`"),
+                     ("SML8205", "what `Old` has without a shape of its own, `c`, is not in the MJCF"),
+                     ("SML8207", "more of `Old` is not in the MJCF: 2 joints, 1 motor")]:
+            self.assertIn(loss, found)
+
     def test_broken(self):
         for data, reason in [(b"PK no", "is no zip archive"),
                              (archive({"other.scene": OLD_XML}), "holds no `old.scene`"),
@@ -304,6 +360,58 @@ class Archives(FlattenTest):
         self.write("a.zsmurfs", archive({"x.smurfs": "", "y.smurfs": ""}))
         self.expect_complaint("cannot read 'a.zsmurfs': it holds several .smurfs and none of its "
                               "own name", "a.zsmurfs")
+
+
+    def test_entities_in_archives(self):
+        """A model, a scene, and an archive in an archive, each read where it lies."""
+        model = archive({"box.smurf": "modelname: box\nfiles: [urdf/box.urdf]\n",
+                         "urdf/box.urdf": BOX})
+        self.write("parts/box.zsmurf", model)
+        self.write("cell.zsmurfs", archive({
+            "cell.smurfs": "entities:\n- {name: In, file: deep/box.zsmurf, position: [0, 0, 1]}\n",
+            "deep/box.zsmurf": model}))
+        self.write("top.smurfs", """entities:
+- {name: A, file: parts/box.zsmurf, position: [1, 2, 3]}
+- {name: B, type: zsmurf, file: parts/box.zsmurf, parent: 'A::lid'}
+- {name: C, file: cell.zsmurfs, position: [5, 0, 0]}
+""")
+        flat = self.flat("top.smurfs", "--quiet")
+        self.assertEqual({i["path"]: i["position"] for i in flat["instances"]},
+                         {"A": [1, 2, 3], "B": [1, 2, 3.1], "C/In": [5, 0, 1]})
+        self.assertEqual([m["urdf"] for m in flat["models"]],
+                         ["parts/box.zsmurf/urdf/box.urdf",
+                          "cell.zsmurfs/deep/box.zsmurf/urdf/box.urdf"])
+        self.assertEqual(flat["instances"][2]["source"],
+                         {"file": "cell.zsmurfs/cell.smurfs", "line": 2})
+        done = self.run_tool("top.smurfs")
+        self.assertEqual(done.stderr.count("SML5011"), 4, done.stderr)
+        done = self.run_tool("top.smurfs", "--dialect", "mars", "--quiet")
+        self.assertEqual(json.loads(done.stdout)["instances"], [])
+
+    def test_what_is_wrong_inside_is_shown_inside(self):
+        self.write("top.smurfs", "entities:\n- {name: A, file: box.zsmurf}\n")
+        self.write("box.zsmurf", archive({"box.smurf": "modelname: box\nfiles: [box.urdf]\n",
+                                          "box.urdf": BOX.replace('"fixed"', '"fixt"')}))
+        done = self.run_tool("top.smurfs")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("--> box.zsmurf/box.urdf:", done.stderr)
+        for content, reason in [(b"no", "it is no zip archive"), (archive({"a": ""}), "it holds no .smurf")]:
+            self.write("box.zsmurf", content)
+            done = self.run_tool("top.smurfs")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"cannot read `box.zsmurf`: {reason}", done.stderr)
+            self.assertNotIn("SML5011", done.stderr)
+            self.assertIn("top.smurfs:2:19", done.stderr)
+        (self.folder / "box.zsmurf").unlink()
+        self.assertIn("there is no file `box.zsmurf`", self.run_tool("top.smurfs").stderr)
+
+    def test_an_archive_of_itself_ends(self):
+        """Each level names the archive around it."""
+        self.write("a.zsmurfs", archive({"a.smurfs": "entities: [{name: A, file: ../a.zsmurfs}]\n"}))
+        self.write("top.smurfs", "entities: [{name: T, file: a.zsmurfs}]\n")
+        done = self.run_tool("top.smurfs")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("SML5020", done.stderr)
 
 
 class Assets(FlattenTest):

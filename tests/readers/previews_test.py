@@ -2,6 +2,7 @@
 """gltf and usda: previews, read by the validator of glTF and by an own small reader of USD."""
 import base64
 import json
+import math
 import pathlib
 import re
 import struct
@@ -26,7 +27,70 @@ def compose(a, b):
     return [x + y for x, y in zip(p, turned)], multiply(q, s)
 
 
+def rotate(q, v):
+    w, x, y, z = q
+    return multiply(multiply(q, [0, *v]), [w, -x, -y, -z])[1:]
+
+
+def bounds(points):
+    return [min(p[i] for p in points) for i in range(3)], \
+           [max(p[i] for p in points) for i in range(3)]
+
+
+# A wedge, far from the origin and with three sides of different lengths.
+WEDGE = [(1, 2, 3), (2.5, 2, 3), (1, 4, 3), (1, 2, 3.75)]
+FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+
+
+def binary_stl():
+    return b" " * 80 + struct.pack("<I", len(FACES)) + b"".join(
+        struct.pack("<12fH", 0, 0, 0, *(c for i in face for c in WEDGE[i]), 0) for face in FACES)
+
+
+def ascii_stl():
+    return "solid wedge\n" + "".join(
+        "facet normal 0 0 0\nouter loop\n" + "".join("vertex %g %g %g\n" % WEDGE[i] for i in face) +
+        "endloop\nendfacet\n" for face in FACES) + "endsolid wedge\n"
+
+
+def obj():
+    return "".join("v %g %g %g\n" % p for p in WEDGE) + \
+        "".join("f " + " ".join(str(i + 1) for i in face) + "\n" for face in FACES)
+
+
 class PreviewTest(reader.ReaderTest):
+    def write_meshes(self):
+        """Four visuals with meshes, two of them with one file, and one with what is not read."""
+        files = {"wedge.stl": binary_stl(), "text.stl": ascii_stl(), "wedge.obj": obj(),
+                 "part.dae": "<COLLADA/>"}
+        for name, content in files.items():
+            self.write("meshes/" + name, content)
+        visuals = [("wedge.stl", "1 1 1"), ("wedge.stl", "0.5 -2 3"), ("text.stl", "1 1 1"),
+                   ("wedge.obj", "2 2 2"), ("part.dae", "1 1 1")]
+        self.write("meshes.urdf", "<robot name='r'><link name='l'>" + "".join(
+            f"<visual><origin xyz='{i} 0 0' rpy='0 0 1.5707963267948966'/><geometry>"
+            f"<mesh filename='meshes/{file}' scale='{scale}'/></geometry></visual>"
+            for i, (file, scale) in enumerate(visuals)) + "</link></robot>")
+        self.write("meshes.smurfs", "entities:\n"
+                   "- {name: a, file: meshes.urdf, position: [0, 0, 10]}\n"
+                   "- {name: b, file: meshes.urdf, rotation: [0, 0, 0.7071067811865476, "
+                   "0.7071067811865476]}\n")
+        return visuals[:4]
+
+    def expected_bounds(self, entity, index, scale):
+        """In the world, from the source alone."""
+        x, y, z = map(float, scale.split())
+        poses = {"a": ([0, 0, 10], [1, 0, 0, 0]), "b": ([0, 0, 0], [0, 0, math.sqrt(0.5),
+                                                                    math.sqrt(0.5)])}
+        quarter = [math.sqrt(0.5), 0, 0, math.sqrt(0.5)]
+        p, q = compose(poses[entity], ([index, 0, 0], quarter))
+        return bounds([[a + b for a, b in zip(p, rotate(q, [v[0] * x, v[1] * y, v[2] * z]))]
+                       for v in WEDGE])
+
+    def assert_bounds(self, actual, expected):
+        for side, other in zip(actual, expected):
+            self.assertLess(math.dist(side, other), 1e-9)
+
     def assert_all(self, poses, scene):
         """Every entity, and every link of every model, is where the flat JSON has it."""
         count = 0
@@ -63,6 +127,49 @@ class Gltf(PreviewTest):
                         poses[entity["name"], link["name"]] = compose(pose(entity), pose(link))
             self.assert_all(poses, scene)
 
+    def buffer(self, document):
+        return base64.b64decode(document["buffers"][0]["uri"].split(",")[1])
+
+    def points(self, document, accessor):
+        accessor = document["accessors"][accessor]
+        start = document["bufferViews"][accessor["bufferView"]]["byteOffset"]
+        data = self.buffer(document)[start:start + 12 * accessor["count"]]
+        return list(struct.iter_unpack("<3f", data))
+
+    def test_meshes_fill_the_box_of_their_files(self):
+        visuals = self.write_meshes()
+        document = self.document("meshes.smurfs")
+        nodes = document["nodes"]
+        for entity in (n for n in nodes if n["name"] in ("a", "b")):
+            (link,) = (nodes[i] for i in entity["children"])
+            shapes = [nodes[i] for i in link["children"]]
+            self.assertEqual(len(shapes), len(visuals))
+            for index, (shape, (_, scale)) in enumerate(zip(shapes, visuals)):
+                poses = [(n.get("translation", [0, 0, 0]),
+                          [n.get("rotation", [0, 0, 0, 1])[k] for k in (3, 0, 1, 2)])
+                         for n in (entity, link, shape)]
+                p, q = compose(compose(poses[0], poses[1]), poses[2])
+                size = shape.get("scale", [1, 1, 1])
+                (primitive,) = document["meshes"][shape["mesh"]]["primitives"]
+                points = self.points(document, primitive["attributes"]["POSITION"])
+                self.assertEqual(len(points), 4)
+                placed = [[a + b for a, b in zip(p, rotate(q, [c * s for c, s in zip(v, size)]))]
+                          for v in points]
+                self.assert_bounds(bounds(placed),
+                                   self.expected_bounds(entity["name"], index, scale))
+        self.assertEqual(len(document["meshes"]), 3)  # one a file
+        done = self.run_tool("meshes.smurfs", "--format", "gltf")
+        self.assertIn("the mesh `meshes/part.dae`, which is COLLADA, of which no triangles are "
+                      "read, is not in the glTF", done.stderr)
+        self.assertEqual(done.stderr.count("not in the glTF"), 1)
+
+    def test_meshes_are_read_where_copies_come_from(self):
+        self.write_meshes()
+        plain = self.document("meshes.smurfs")
+        self.run_tool("meshes.smurfs", "--format", "gltf", "-o", "copied.gltf", "--quiet",
+                      "--copy-assets", "assets")
+        self.assertEqual(json.loads(self.read("copied.gltf")), plain)
+
     @reader.needs_npm("gltf-validator")
     def test_the_validator_finds_nothing(self):
         self.write("shapes.smurfs", "entities:\n" + "".join(
@@ -70,7 +177,8 @@ class Gltf(PreviewTest):
             "{diffuseColor: {r: 1, g: 0.5, b: 0, a: 0.5}}, extend: {x: 0.5, y: 1, z: 0.5}}\n"
             for shape in ("plane", "box", "sphere", "cylinder", "capsule")))
         self.write("empty.smurfs", "entities: []\n")
-        for scene in [*reader.SCENES.values(), "shapes.smurfs", "empty.smurfs"]:
+        self.write_meshes()
+        for scene in [*reader.SCENES.values(), "shapes.smurfs", "meshes.smurfs", "empty.smurfs"]:
             file = self.write_scene(scene, "gltf")
             report = json.loads(self.read_with("node", HERE / "gltf_report.mjs",
                                                reader.NODE_MODULES, file))
@@ -98,7 +206,7 @@ class Gltf(PreviewTest):
 
 
 class Usda(PreviewTest):
-    PRIM = re.compile(r'def (\w+) "(\w+)"$')
+    PRIM = re.compile(r'(?:def (\w+)|(class)) "(\w+)"(?: \(references = <(.*)>\))?$')
     NUMBERS = re.compile(r"\((.*)\)$")
 
     def prims(self, scene):
@@ -108,9 +216,9 @@ class Usda(PreviewTest):
         prims, path = {}, []
         for line in map(str.strip, lines[lines.index(")") + 1:]):
             if match := self.PRIM.match(line):
-                path.append(match[2])
+                path.append(match[3])
                 self.assertNotIn("/".join(path), prims)
-                prims["/".join(path)] = {"type": match[1]}
+                prims["/".join(path)] = {"type": match[1] or match[2], "references": match[4]}
             elif line == "}":
                 path.pop()
             elif line and line != "{":
@@ -136,6 +244,32 @@ class Usda(PreviewTest):
                     poses[json.loads(entity["smurf:path"]), json.loads(prim["smurf:link"])] = \
                         compose(self.pose(entity), self.pose(prim))
             self.assert_all(poses, scene)
+
+    def test_meshes_fill_the_box_of_their_files(self):
+        visuals = self.write_meshes()
+        prims = self.prims("meshes.smurfs")
+        numbers = re.compile(r"[-+.\de]+")
+        for entity in "ab":
+            for index, (_, scale) in enumerate(visuals):
+                shape = prims[f"World/{entity}/l/shape_{index + 1}"]
+                mesh = prims[shape["references"][1:]]
+                self.assertEqual((shape["type"], mesh["type"]), ("Mesh", "Mesh"))
+                values = [float(n) for n in numbers.findall(mesh["points"])]
+                points = list(zip(values[::3], values[1::3], values[2::3]))
+                extent = [float(n) for n in numbers.findall(mesh["extent"])]
+                self.assert_bounds((extent[:3], extent[3:]), bounds(points))
+                self.assertEqual(mesh["faceVertexCounts"], "[3, 3, 3, 3]")
+                indices = json.loads(mesh["faceVertexIndices"])
+                self.assertEqual((len(indices), sorted(set(indices))), (12, [0, 1, 2, 3]))
+                size = [float(n) for n in
+                        numbers.findall(shape.get("xformOp:scale", "(1, 1, 1)"))]
+                p, q = compose(compose(self.pose(prims[f"World/{entity}"]),
+                                       self.pose(prims[f"World/{entity}/l"])), self.pose(shape))
+                placed = [[a + b for a, b in zip(p, rotate(q, [c * s for c, s in zip(v, size)]))]
+                          for v in points]
+                self.assert_bounds(bounds(placed), self.expected_bounds(entity, index, scale))
+        self.assertEqual(prims["Meshes"]["type"], "class")
+        self.assertNotIn("World/a/l/shape_5", prims)  # the COLLADA file
 
     def test_world_and_shapes(self):
         prims = self.prims(reader.SCENES["showcase"])

@@ -235,6 +235,19 @@ class Urdf(SimulatorTest):
                                       lambda i, l: f"{safe(i)}__{l}")
             self.assertGreater(count, 3)
 
+    @reader.needs_built("dart_poses")
+    def test_links_stand_where_they_do_in_dart(self):
+        # To DART a joint that follows another is at zero as well.
+        self.write("zoo.urdf", ZOO.replace(' offset="0.25"', ""))
+        for scene in self.scenes:
+            straight = self.without_joint_poses(scene)
+            lines = self.lines(reader.BUILD / "dart_poses", self.write_scene(straight, "urdf"))
+            self.assertEqual((lines[0][0], lines[-1]), ("file", ["end"]))
+            flat = self.flat(straight)
+            count = self.assert_links(self.poses(lines), flat, lambda i, l: f"{safe(i)}__{l}")
+            self.assertEqual(count, sum(len(i.get("links", {})) for i in flat["instances"]))
+            self.assertGreater(count, 3)
+
     @reader.needs_program("check_urdf")
     def test_urdfdom_accepts_them(self):
         for scene in self.scenes:

@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 
+#include "smurf/archive_files.hpp"
 #include "smurf/config.hpp"
 #include "smurf/fix.hpp"
 #include "smurf/lint.hpp"
@@ -58,10 +59,13 @@ struct Case {
     Config config;
     const std::string config_path(kConfigName);
     if (files.is_file(config_path)) config = read_config(config_path, sources, files, sink);
-    LoadContext context{sources, files, sink, {}, {}, {}, &meshes, &config.schemas};
+    const ArchiveFiles archives(files, Limits{});
+    LoadContext context{sources, archives, sink, {}, {}, {}, &meshes, &config.schemas};
     Suppressions suppressions;
-    if (files.is_file("scene.smurfs")) {
-      const LinkedScene scene = load_scene("scene.smurfs", context);
+    const std::string drawing = "scene.svg";
+    if (files.is_file("scene.smurfs") || files.is_file(drawing)) {
+      const LinkedScene scene =
+          load_scene(files.is_file(drawing) ? drawing : "scene.smurfs", context);
       lint_scene(scene, selection, sink);
       for (const LinkedModel& one : scene.models) lint_model(one, selection, sink);
       suppressions.add(scene, sources);

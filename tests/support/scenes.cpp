@@ -50,7 +50,7 @@ LoadedScene::LoadedScene() {
 }
 
 void LoadedScene::load(const std::string& path) {
-  LoadContext context{sources, files, sink, limits, {}};
+  LoadContext context{sources, archives, sink, limits, {}};
   scene = load_scene(path, context);
   lint_scene(scene, {}, sink);
   for (const LinkedModel& model : scene.models) lint_model(model, {}, sink);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "smurf/archive_files.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
 
@@ -16,6 +17,7 @@ struct LoadedScene {
   SourceMap sources;
   DiskFiles disk;
   MemoryFiles files{&disk};
+  ArchiveFiles archives{files, Limits{}};
   DiagnosticSink sink;
   Limits limits;
   LinkedScene scene;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"
 #include "smurf/write.hpp"
 #include "support/scenes.hpp"
@@ -86,6 +87,18 @@ TEST_CASE("anchors, parents, joints and properties") {
         "{\"deep\":{\"er\":1000}}],\"text\":\"tab\\t quote\\\" \\u0001\"}");
 }
 
+TEST_CASE("types that are not known keep all their keys") {
+  LoadedScene loaded;
+  loaded.load_text(R"(entities:
+- {name: R, type: rainbow, pose: wide, root: true, poses: [{name: wide}], URI: x.yml, a: {b: [1]}}
+- {name: B, file: box.urdf, root: true, a: 1}
+)");
+  const Json flat = to_json(loaded, {});
+  CHECK(flat["instances"][0]["properties"].dump() ==
+        R"({"pose":"wide","root":true,"poses":[{"name":"wide"}],"URI":"x.yml","a":{"b":[1]}})");
+  CHECK(flat["instances"][1]["properties"].dump() == R"({"a":1})");
+}
+
 TEST_CASE("the outer scene's world wins, an assembly's does not count") {
   LoadedScene loaded;
   loaded.files.add("in.smurfs", R"(
@@ -131,22 +144,133 @@ TEST_CASE("a model or a URDF is a scene of one instance") {
   }
 }
 
-TEST_CASE("the steps of an explanation multiply to the pose") {
+TEST_CASE("a drawing is a scene: hand-computed poses, places in the drawing") {
+  LoadedScene loaded;
+  loaded.files.add("things/rock.yml", "type: rock_field\ncount: 12\n");
+  loaded.files.add("things/box.yml", "name: Box\nfile: ../box.urdf\ntype: urdf\norigin_z: 7\n");
+  loaded.files.add("page.svg", R"svg(<?xml version="1.0"?>
+<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd">
+<svg xmlns="http://www.w3.org/2000/svg" width="20" height="30">
+  <g transform="matrix(0.8,0.6,-0.6,0.8,3,4)">
+    <title>things/rock.yml</title>
+    <desc>origin_z: 0.5</desc>
+    <path d="m 1,2 3,0 0,3 z"/>
+  </g>
+  <g transform="translate(5, 6)">
+    <title> things/box.yml </title>
+    <desc>origin_z: -1</desc>
+    <path d="m 0,0 1,1"/>
+  </g>
+  <g transform="matrix(0,-1,1,0,0,0)">
+    <g transform="translate(2,1)">
+      <title>things/rock.yml</title>
+      <desc>the height of the one before stays</desc>
+      <path d="M 0,0 1,1"/>
+    </g>
+  </g>
+  <g>
+    <title>crane.smurf</title>
+    <desc>origin_z: 0</desc>
+    <path d="m 20,20"/>
+  </g>
+</svg>
+)svg");
+  loaded.load("page.svg");
+  CHECK(loaded.briefs() == "SML5012 page.svg:5:12\n"
+                           "SML5043 page.svg:14:4\n"
+                           "SML5012 page.svg:16:14\n"
+                           "SML5040 page.svg:17:13\n"
+                           "SML5012 page.svg:22:12\n"
+                           "SML5044 page.svg:22:12\n"
+                           "SML5044 things/box.yml:3:7\n");
+  const Json flat = to_json(loaded, {});
+  const auto check = [&](std::size_t i, Vector3 position, double yaw, int line) {
+    CAPTURE(i);
+    const Json& instance = flat["instances"][i];
+    CHECK(instance["source"]["file"] == "page.svg");
+    CHECK(instance["source"]["line"] == line);
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(std::fabs(instance["position"][k].get<double>() - position[k]) < 1e-12);
+    }
+    const Json& q = instance["orientation"];
+    CHECK(std::fabs(q["w"].get<double>() - std::cos(radians(yaw) / 2)) < 1e-12);
+    CHECK(std::fabs(q["z"].get<double>() - std::sin(radians(yaw) / 2)) < 1e-12);
+  };
+  // x = 3 + 0.8 * 1 - 0.6 * 2; y = 20 - (4 + 0.6 * 1 + 0.8 * 2), from the width.
+  check(0, {2.6, 13.8, 0.5}, -36.86989764584402, 4);
+  check(1, {5, 14, 7}, 0, 9);
+  // A page that turns (x, y) into (y, -x): (2, 1) is drawn at (1, -2).
+  check(2, {1, 22, -1}, 90, 15);
+  check(3, {20, 0, 0}, 0, 21);
+  CHECK(flat["instances"][0]["properties"].dump() ==
+        R"({"origin_x":2.5999999999999996,"origin_y":13.8,"origin_z":0.5,)"
+        R"("orientation_z":-36.86989764584402,"count":12})");
+  CHECK(flat["instances"][0]["type"] == "rock_field");
+  CHECK(flat["instances"][0]["file"] == "things/rock.yml");
+  CHECK(flat["instances"][1]["name"] == "Box");
+  CHECK(flat["models"][0]["file"] == "box.urdf");
+}
+
+TEST_CASE("groups of a drawing may share a file, but then they share a name") {
+  LoadedScene loaded;
+  loaded.files.add("rock.yml", "name: Rock\ntype: rock_field\n");
+  loaded.files.add("page.svg", R"svg(<svg width="1">
+<g><title>rock.yml</title><desc>origin_z: 0</desc><path d="m 0,0"/></g>
+<g><title>rock.yml</title><desc>origin_z: 0</desc><path d="m 1,0"/></g>
+<g><title>none.yml</title><desc>origin_z: 0</desc><path d="m 2,0"/></g>
+<g><title>none.yml</title><desc>origin_z: 0</desc><path d="m 3,0"/></g>
+</svg>)svg");
+  loaded.load("page.svg");
+  CHECK(loaded.briefs() == "SML5013 page.svg:3:2\nSML5006 page.svg:4:11\n");
+  REQUIRE(loaded.scene.instances.size() == 2);
+  CHECK(loaded.scene.instances[1].path == "Rock#2");
+  CHECK(loaded.scene.instances[1].X_WE->position == Vector3{1, 1, 0});
+}
+
+TEST_CASE("MARS leaves models out of drawings, MARS 2 and Phobos read none") {
+  LoadedScene loaded;
+  loaded.files.add("rock.yml", "type: rock_field\n");
+  loaded.files.add("page.svg", R"svg(<svg width="1">
+<g><title>rock.yml</title><desc>origin_z: 0</desc><path d="m 0,0"/></g>
+<g><title>box.urdf</title><desc>origin_z: 0</desc><path d="m 0,0"/></g>
+</svg>)svg");
+  loaded.load("page.svg");
+  const auto loads = [&](std::string_view dialect) {
+    std::string text;
+    for (const EntityReading& reading : find_dialect(dialect)->read(loaded.scene)) {
+      text += reading.X_WE ? '1' : '0';
+    }
+    return text;
+  };
+  CHECK(loads("spec") == "11");
+  CHECK(loads("mars") == "10");
+  CHECK(loads("mars2") == "00");
+  CHECK(loads("phobos") == "00");
+}
+
+TEST_CASE("the steps of an explanation multiply to the pose, in every dialect") {
   for (const char* path :
        {"example/example.smurfs", "nested/outer.smurfs", "showcase/showcase.smurfs"}) {
-    LoadedScene loaded;
-    loaded.load(kScenes + path);
-    for (std::size_t i = 0; i < loaded.scene.instances.size(); ++i) {
-      const Instance& instance = loaded.scene.instances[i];
-      CAPTURE(instance.path);
-      const auto steps = explain(loaded.scene, InstanceIndex{static_cast<std::uint32_t>(i)});
-      Matrix product = translation(0, 0, 0);
-      for (const TransformStep& step : steps) {
-        product = product * to_matrix4(step.X_step);
-        CHECK(difference(product, to_matrix4(step.X_W)) < 1e-12);
-        CHECK(!loaded.sources.text(step.span).empty());
+    for (const Dialect* dialect : dialects()) {
+      LoadedScene loaded;
+      loaded.load(kScenes + path);
+      apply_dialect(*dialect, loaded.scene, loaded.sink);
+      for (std::size_t i = 0; i < loaded.scene.instances.size(); ++i) {
+        const Instance& instance = loaded.scene.instances[i];
+        CAPTURE(dialect->name);
+        CAPTURE(instance.path);
+        const auto steps =
+            explain(loaded.scene, InstanceIndex{static_cast<std::uint32_t>(i)}, *dialect);
+        CHECK(steps.empty() == !instance.X_WE);
+        if (steps.empty()) continue;
+        Matrix product = translation(0, 0, 0);
+        for (const TransformStep& step : steps) {
+          product = product * to_matrix4(step.X_step);
+          CHECK(difference(product, to_matrix4(step.X_W)) < 1e-12);
+          CHECK(!loaded.sources.text(step.span).empty());
+        }
+        CHECK(difference(product, to_matrix4(*instance.X_WE)) < 1e-12);
       }
-      CHECK(difference(product, to_matrix4(*instance.X_WE)) < 1e-12);
     }
   }
 }

@@ -4,8 +4,10 @@
 
 #include <bit>
 #include <cmath>
+#include <tuple>
 
 #include "mesh/mesh_reader.hpp"
+#include "smurf/mesh_triangles.hpp"
 #include "unit/random.hpp"
 
 using namespace smurf;
@@ -181,6 +183,47 @@ TEST_CASE("mesh: one box in five formats") {
     CHECK(facts.box->low[i] == doctest::Approx(low[i]));
     CHECK(facts.box->high[i] == doctest::Approx(high[i]));
   }
+}
+
+TEST_CASE("mesh: triangles, on demand") {
+  for (const auto& [bytes, extension] :
+       {std::pair(binary_stl(), ".stl"), std::pair(ascii_stl(), ".stl"), std::pair(obj(), ".obj"),
+        std::pair(bobj(), ".bobj")}) {
+    const MeshTriangles mesh = read_triangles(bytes, extension);
+    CHECK(mesh.reason.empty());
+    CHECK(mesh.points.size() == 8);
+    REQUIRE(mesh.indices.size() == 36);
+    const MeshFacts facts = read_mesh(bytes, extension);
+    Box box{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+    double volume = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+      const auto& [a, b, c] =
+          std::tie(mesh.points[mesh.indices[i]], mesh.points[mesh.indices[i + 1]],
+                   mesh.points[mesh.indices[i + 2]]);
+      volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                 a[2] * (b[0] * c[1] - b[1] * c[0])) /
+                6;
+      for (const auto& point : {a, b, c}) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          box.low[k] = std::min(box.low[k], double{point[k]});
+          box.high[k] = std::max(box.high[k], double{point[k]});
+        }
+      }
+    }
+    CHECK(box == *facts.box);
+    CHECK(volume == doctest::Approx(*facts.volume));
+  }
+  const auto reason = [](const std::string& bytes, std::string_view extension) {
+    const MeshTriangles mesh = read_triangles(bytes, extension);
+    CHECK(mesh.points.empty());
+    CHECK(mesh.indices.empty());
+    return mesh.reason;
+  };
+  CHECK(reason(collada(), ".dae") == "is COLLADA, of which no triangles are read");
+  CHECK(reason("v 0 0 0\n", ".obj") == "has no triangles");
+  CHECK(reason("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n", ".obj") == "names points that come later");
+  CHECK(reason(binary_stl().substr(0, 100), ".stl").starts_with("is broken: "));
+  CHECK(reason("", ".stl") == "is of an unknown format");
 }
 
 TEST_CASE("mesh: the format is told from the bytes") {

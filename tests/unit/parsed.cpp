@@ -47,8 +47,8 @@ void add_lines(const SourceMap& sources, const yaml::View& view, Lines& lines) {
 void add_lines(const SourceMap& sources, const xml::View& view, Lines& lines) {
   const xml::Element& element = view.element();
   std::string line = xml::xpath(view.document(), view.id());
-  line.append(" ").append(slice(sources, element.name_span));
-  line.append(" tag ").append(slice(sources, element.tag_span));
+  line.append(" ").append(slice(sources, element.name_span()));
+  line.append(" tag ").append(slice(sources, element.tag_span()));
   line.append(" whole ").append(slice(sources, element.span));
   if (!element.text.empty()) {
     line.append(" text ").append(slice(sources, element.text_span));
@@ -57,7 +57,7 @@ void add_lines(const SourceMap& sources, const xml::View& view, Lines& lines) {
   }
   lines.push_back(std::move(line));
   for (const auto* a = view.attributes_begin(); a != view.attributes_end(); ++a) {
-    line = "  @" + std::string(a->name) + " " + slice(sources, a->name_span) + " " +
+    line = "  @" + std::string(a->name) + " " + slice(sources, a->name_span()) + " " +
            slice(sources, a->value_span) + " in " + slice(sources, a->span);
     if (a->value != sources.text(a->value_span)) line.append(" = ").append(visible(a->value));
     lines.push_back(std::move(line));

@@ -4,15 +4,12 @@
 // are compared.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "support/described_yaml.hpp"
 #include "support/null_events.hpp"
+#include "support/texts.hpp"
 #include "syntax/plain_yaml.hpp"
-#include "unit/random.hpp"
 
 using namespace smurf;
 using smurf::test::described_yaml;
@@ -35,24 +32,7 @@ bool compare(const std::string& text) {
   return true;
 }
 
-std::vector<std::string> yaml_files_below(const std::filesystem::path& folder) {
-  std::vector<std::string> texts;
-  if (!std::filesystem::exists(folder)) return texts;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    const std::string extension = entry.path().extension().string();
-    const bool is_yaml = extension == ".yml" || extension == ".yaml" || extension == ".smurf" ||
-                         extension == ".smurfs" || extension == ".smurfa";
-    if (!is_yaml || !entry.is_regular_file()) continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  }
-  return texts;
-}
-
-std::size_t case_count() {
-  const char* given = std::getenv("SMURF_TEST_CASES");
-  return given != nullptr ? std::strtoull(given, nullptr, 10) : 20000;
-}
+constexpr std::string_view kExtensions[] = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"};
 
 std::string random_token(Random& random) {
   static constexpr std::string_view kTokens[] = {"a",
@@ -118,32 +98,6 @@ std::string random_token(Random& random) {
   return std::string(kTokens[random.below(std::size(kTokens))]);
 }
 
-/// One to three places of a text replaced, doubled, cut or moved.
-std::string mutated(std::string text, Random& random) {
-  for (std::size_t i = 1 + random.below(3); i > 0 && !text.empty(); --i) {
-    const std::size_t at = random.below(text.size());
-    const std::size_t count = 1 + random.below(random.one_in(3) ? 20 : 2);
-    switch (random.below(4)) {
-    case 0: text.erase(at, count); break;
-    case 1: text.insert(at, random_token(random)); break;
-    case 2: text.insert(at, text.substr(random.below(text.size()), count)); break;
-    default: text.replace(at, std::min(count, text.size() - at), random_token(random)); break;
-    }
-  }
-  return text;
-}
-
-/// A few lines out of a text: small cases are read fast and fail legibly.
-std::string some_lines(const std::string& text, Random& random) {
-  std::size_t begin = text.rfind('\n', random.below(text.size() + 1));
-  begin = begin == std::string::npos ? 0 : begin + 1;
-  std::size_t end = begin;
-  for (std::size_t lines = 1 + random.below(8); lines > 0 && end < text.size(); --lines) {
-    end = std::min(text.find('\n', end), text.size() - 1) + 1;
-  }
-  return text.substr(begin, end - begin);
-}
-
 }  // namespace
 
 TEST_CASE("the scanner takes what people write, and gives up at everything else") {
@@ -195,7 +149,7 @@ TEST_CASE("the scanner takes what people write, and gives up at everything else"
 TEST_CASE("both read the files of the fixtures and of the corpus alike") {
   for (const std::string folder : {SMURF_FIXTURES, SMURF_SHARED "/corpus"}) {
     std::size_t accepted = 0;
-    const std::vector<std::string> texts = yaml_files_below(folder);
+    const std::vector<std::string> texts = test::texts_below(folder, kExtensions);
     for (const std::string& text : texts) accepted += compare(text) ? 1U : 0U;
     MESSAGE(folder << ": " << accepted << " of " << texts.size() << " files are plain");
     CHECK(accepted * 10 >= texts.size() * 8);
@@ -203,12 +157,12 @@ TEST_CASE("both read the files of the fixtures and of the corpus alike") {
 }
 
 TEST_CASE("both read mutated texts alike") {
-  std::vector<std::string> seeds = yaml_files_below(SMURF_FIXTURES);
+  std::vector<std::string> seeds = test::texts_below(SMURF_FIXTURES, kExtensions);
   std::erase_if(seeds, [](const std::string& text) { return text.empty() || text.size() > 20000; });
   REQUIRE(seeds.size() > 100);
   Random random;
   std::size_t accepted = 0;
-  const std::size_t count = case_count();
+  const std::size_t count = test::case_count();
   for (std::size_t i = 0; i < count; ++i) {
     std::string text;
     if (i % 2 == 0) {
@@ -216,7 +170,8 @@ TEST_CASE("both read mutated texts alike") {
         text += random_token(random);
       }
     } else {
-      text = mutated(some_lines(seeds[random.below(seeds.size())], random), random);
+      text = test::mutated(test::some_lines(seeds[random.below(seeds.size())], random),
+                           random_token, random);
     }
     accepted += compare(text) ? 1U : 0U;
   }

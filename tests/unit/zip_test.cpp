@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 #include <random>
 
+#include "smurf/archive_files.hpp"
 #include "support/zip_writer.hpp"
 
 using namespace smurf;
@@ -66,4 +67,39 @@ TEST_CASE("broken archives are refused, whatever is broken") {
     const Archive archive = read_zip(bytes, at_most(1000));
     CHECK((archive.reason.empty() || archive.files.empty()));
   }
+}
+
+TEST_CASE("archives as folders") {
+  const std::string inner = zip({{"a/b.txt", "inner"}});
+  MemoryFiles files;
+  files.add("x/outer.ZSMURFS", zip({{"top.txt", "outer"}, {"in/deep.zsmurf", inner}}));
+  files.add("broken.zsmurf", "PK no");
+  files.add("folder.zsmurf/plain.txt", "a folder, whatever it is called");
+  const ArchiveFiles archives(files, at_most(1000));
+  const auto read = [&](const std::string& path) { return archives.read(path, 1000); };
+
+  CHECK(read("x/outer.ZSMURFS/top.txt").text == "outer");
+  CHECK(read("x/./outer.ZSMURFS/in/../in/deep.zsmurf/a/b.txt").text == "inner");
+  CHECK(read("x/outer.ZSMURFS/in/deep.zsmurf").text == inner);
+  CHECK(read("folder.zsmurf/plain.txt").text.starts_with("a folder"));
+  CHECK(archives.is_file("x/outer.ZSMURFS"));
+  CHECK(archives.is_file("x/outer.ZSMURFS/in/deep.zsmurf/a/b.txt"));
+  CHECK(!archives.is_file("x/outer.ZSMURFS/in/deep.zsmurf/a"));
+  CHECK(read("x/outer.ZSMURFS/none").status == ReadStatus::not_found);
+  CHECK(archives.read("x/outer.ZSMURFS/top.txt", 2).status == ReadStatus::too_large);
+  CHECK(archives.list("x/outer.ZSMURFS") == std::vector<std::string>{"in", "top.txt"});
+  CHECK(archives.list("x/outer.ZSMURFS/in/deep.zsmurf/a") == std::vector<std::string>{"b.txt"});
+  CHECK(read("broken.zsmurf/a.smurf").status == ReadStatus::denied);
+  CHECK(read("broken.zsmurf/a.smurf").reason == "the archive is no zip archive");
+}
+
+TEST_CASE("all archives together unpack to a limit") {
+  MemoryFiles files;
+  files.add("a.zsmurf", zip({{"a.smurf", std::string(60, 'a')}}));
+  files.add("b.zsmurf", zip({{"b.smurf", std::string(60, 'b')}}));
+  const ArchiveFiles archives(files, at_most(100));
+  CHECK(archives.is_file("a.zsmurf/a.smurf"));
+  CHECK(!archives.is_file("b.zsmurf/b.smurf"));
+  CHECK(main_file_of_archive("a.zsmurf", archives).path == "a.zsmurf/a.smurf");
+  CHECK(main_file_of_archive("b.zsmurf", archives).reason == "unpacks to too much");
 }

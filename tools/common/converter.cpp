@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "archive/zip.hpp"
-#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/confine.hpp"
 #include "common/input.hpp"
@@ -74,11 +72,15 @@ std::optional<xml::Document> Conversion::load_xml(const std::string& path) {
 
 std::optional<LinkedScene> Conversion::load_scene(const std::string& path) {
   auto name = open(path);
-  const std::string_view extension = path::extension(path);
-  if (name && (extension == ".zsmurf" || extension == ".zsmurfs" || extension == ".zsmurfa")) {
-    name = open_archive(*name);
-  }
   if (!name) return std::nullopt;
+  if (is_archive(*name)) {
+    ArchivedMain main = main_file_of_archive(*name, files_);
+    if (main.path.empty()) {
+      complain(tool_, "cannot read '" + path + "': it " + main.reason);
+      return std::nullopt;
+    }
+    name = std::move(main.path);
+  }
   LoadContext loading = context();
   return smurf::load_scene(*name, loading);
 }
@@ -86,33 +88,6 @@ std::optional<LinkedScene> Conversion::load_scene(const std::string& path) {
 OldScenes Conversion::load_old_scenes(const LinkedScene& scene) {
   LoadContext loading = context();
   return smurf::load_old_scenes(scene, loading);
-}
-
-std::optional<std::string> Conversion::open_archive(const std::string& path) {
-  const FileContent content = files_.read(path, options_.limits.archive_bytes);
-  Archive archive = content.status == ReadStatus::ok
-                        ? read_zip(content.text, options_.limits)
-                        : Archive{{}, content.reason + "; " + raise_limit("archive-bytes")};
-  std::vector<std::string> candidates;
-  const std::string wanted = "." + std::string(path::extension(path).substr(2));
-  for (ArchivedFile& file : archive.files) {
-    const std::string inside = path + "/" + file.path;
-    if (path::extension(file.path) == wanted) candidates.push_back(inside);
-    files_.add(inside, std::move(file.text));
-  }
-  // One of the archive's own name, or the only one.
-  const auto is_namesake = [&](const std::string& name) {
-    return path::stem(name) == path::stem(path);
-  };
-  const auto namesake = std::find_if(candidates.begin(), candidates.end(), is_namesake);
-  if (namesake != candidates.end()) return *namesake;
-  if (candidates.size() == 1) return candidates.front();
-  const std::string reason = !archive.reason.empty() ? archive.reason
-                             : candidates.empty()
-                                 ? "holds no " + wanted
-                                 : "holds several " + wanted + " and none of its own name";
-  complain(tool_, "cannot read '" + path + "': it " + reason);
-  return std::nullopt;
 }
 
 ExitCode Conversion::report(const LinkedModel& model) {

@@ -10,6 +10,7 @@
 #include "common/command.hpp"
 #include "common/input.hpp"
 #include "common/report.hpp"
+#include "smurf/archive_files.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
 #include "smurf/old_scene.hpp"
@@ -75,15 +76,14 @@ class Conversion {
             package_folders_of_environment()};
   }
   std::optional<std::string> open(const std::string& path);
-  /// The path of what an archive is about, in it; none when there is none: that has been said.
-  std::optional<std::string> open_archive(const std::string& path);
   ExitCode write_reports(std::vector<Diagnostic> diagnostics, std::size_t models,
                          std::size_t scenes);
 
   std::string_view tool_;
   const ConverterOptions& options_;
   ConfinedFiles disk_;
-  MemoryFiles files_{&disk_};
+  ArchiveFiles archives_{disk_, options_.limits};
+  MemoryFiles files_{&archives_};
   SourceMap sources_;
   DiagnosticSink sink_;
   std::string path_;

@@ -55,6 +55,7 @@ InputKind kind_of(std::string_view path) {
   const std::string extension = path::to_lower(path::extension(path));
   if (extension == ".smurf") return InputKind::model;
   if (extension == ".smurfs" || extension == ".smurfa") return InputKind::scene;
+  if (extension == ".svg") return InputKind::drawing;
   if (extension == ".urdf") return InputKind::urdf;
   if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
     return InputKind::annotation;

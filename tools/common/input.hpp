@@ -12,8 +12,9 @@
 
 namespace smurf::tools {
 
-/// A resource is a mesh or an image that models refer to.
-enum class InputKind { model, scene, urdf, annotation, resource, other };
+/// A resource is a mesh or an image that models refer to. A drawing (.svg) is a scene when a user
+/// names it; most are none.
+enum class InputKind { model, scene, drawing, urdf, annotation, resource, other };
 
 /// By the extension.
 InputKind kind_of(std::string_view path);

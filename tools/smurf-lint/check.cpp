@@ -63,7 +63,8 @@ class Worker {
     DiagnosticSink sink;
     LoadContext context{outcome.sources,         files_,           sink,     limits_,
                         group.settings.packages, package_folders_, &meshes_, &group.config.schemas};
-    if (kind_of(path) == InputKind::scene) {
+    const InputKind kind = kind_of(path);
+    if (kind == InputKind::scene || kind == InputKind::drawing) {
       check_scene(path, group.settings.selection, context, outcome);
     } else {
       check_model(path, group.settings.selection, context, outcome);

@@ -10,6 +10,7 @@
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf-lint/show_config.hpp"
+#include "smurf/archive_files.hpp"
 #include "smurf/suppress.hpp"
 
 using namespace smurf;
@@ -153,7 +154,8 @@ ExitCode run(const LintOptions& options) {
   confine(disk, std::array{options.stdin_filename, options.config}, {}, options.allow_outside);
   disk.allow(options.config);
   disk.allow(options.baseline);
-  MemoryFiles files(&disk);
+  const ArchiveFiles archives(disk, options.limits);
+  MemoryFiles files(&archives);
   if (!options.baseline.empty() && !options.generate_baseline) {
     if (const auto reason = why_unreadable(options.baseline, files)) {
       complain(kTool, "cannot read '" + options.baseline + "': " + *reason);

@@ -275,10 +275,10 @@ Command lint_command(LintOptions& options) {
                     "misreads or silently ignores.";
   command.operands = "[PATH]...";
   command.details =
-      "A PATH is a .smurf, .smurfs, .smurfa or .urdf file, an annotation file (.yml), a folder to "
-      "search, or '-' for standard input; without one, the current folder is searched. A .urdf or "
-      ".yml file is checked as part of every model nearby that lists it, and alone when none does; "
-      "a mesh or texture stands for the models nearby that use it.";
+      "A PATH is a .smurf, .smurfs, .smurfa or .urdf file, a scene drawn as .svg, an annotation "
+      "file (.yml), a folder to search, or '-' for standard input; without one, the current folder "
+      "is searched. A .urdf or .yml file is checked as part of every model nearby that lists it, "
+      "and alone when none does; a mesh or texture stands for the models nearby that use it.";
   for (std::vector<Option>& group : std::vector<std::vector<Option>>{
            rule_options(options), ignore_options(options), fix_options(options),
            output_options(options), verdict_options(options), input_options(options)}) {

@@ -196,7 +196,8 @@ class Planner {
 
   void add_file(const std::string& path) {
     switch (kind_of(path)) {
-    case InputKind::scene: add(plan_.scenes, path); return;
+    case InputKind::scene:
+    case InputKind::drawing: add(plan_.scenes, path); return;
     case InputKind::model: add(plan_.models, path); return;
     case InputKind::urdf:
     case InputKind::annotation: add_part(path); return;
@@ -206,7 +207,7 @@ class Planner {
     const bool is_xacro = path::to_lower(path::extension(path)) == ".xacro";
     fail("cannot check '" + path + "': " +
          (is_xacro ? "expand it first: xacro FILE | smurf-lint -"
-                   : "it is no .smurf, .smurfs, .smurfa, .urdf or .yml file"));
+                   : "it is no .smurf, .smurfs, .smurfa, .svg, .urdf or .yml file"));
   }
 
   void add_part(const std::string& path) {

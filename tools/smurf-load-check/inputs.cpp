@@ -33,6 +33,8 @@ bool is_obstacle(const Diagnostic& diagnostic) {
          (family == "SML0" || family == "SML1" || family == "SML2" || family == "SML5");
 }
 
+bool is_scene(InputKind kind) { return kind == InputKind::scene || kind == InputKind::drawing; }
+
 class Loader {
  public:
   Loader(const InputOptions& options, Inputs& inputs) : options_(options), inputs_(inputs) {}
@@ -49,7 +51,7 @@ class Loader {
     // In the widest context first: scenes, models, then URDFs that no model has read.
     const auto rank = [](const std::string& file) {
       const InputKind kind = kind_of(file);
-      return kind == InputKind::scene ? 0 : kind == InputKind::model ? 1 : 2;
+      return is_scene(kind) ? 0 : kind == InputKind::model ? 1 : 2;
     };
     std::stable_sort(files.begin(), files.end(),
                      [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
@@ -79,7 +81,7 @@ class Loader {
     } else if (const auto reason = why_unreadable(path, inputs_.files)) {
       fail("cannot read '" + path + "': " + *reason);
     } else if (kind_of(path) == InputKind::annotation || kind_of(path) == InputKind::other) {
-      fail("cannot check '" + path + "': it is no .smurf, .smurfs, .smurfa or .urdf file");
+      fail("cannot check '" + path + "': it is no .smurf, .smurfs, .smurfa, .svg or .urdf file");
     } else {
       files.push_back(path);
     }
@@ -106,7 +108,7 @@ class Loader {
 
   /// An obstacle goes to the first job that it stands in the way of.
   void add_jobs(const std::string& file, const LinkedScene& scene, std::vector<Diagnostic> found) {
-    const bool is_scene = kind_of(file) == InputKind::scene;
+    const bool has_scene = is_scene(kind_of(file));
     const bool is_sound = found.empty();
     for (const LinkedModel& model : scene.models) {
       Job job{.path = model.path, .model = &model, .scene = nullptr, .obstacles = {}};
@@ -118,7 +120,7 @@ class Loader {
       found.erase(of_model, found.end());
       if (model.robot || !job.obstacles.empty()) inputs_.jobs.push_back(std::move(job));
     }
-    if (!is_scene && found.empty()) return;
+    if (!has_scene && found.empty()) return;
     Job job{.path = file, .model = nullptr, .scene = &scene, .obstacles = std::move(found)};
     if (is_sound || !job.obstacles.empty()) inputs_.jobs.push_back(std::move(job));
   }

@@ -138,8 +138,8 @@ tools::Command command_of(Options& options) {
       "stand, hang and drop.";
   command.operands = "[PATH]...";
   command.details =
-      "PATH is a .smurf, .urdf, .smurfs or .smurfa file, or a folder that is searched for them; '.' "
-      "unless given. Every model is checked on its own: BUILD makes bodies, joints and shapes; "
+      "PATH is a .smurf, .urdf, .smurfs, .smurfa or .svg file, or a folder that is searched for "
+      "models and scenes; '.' unless given. Every model is checked on its own: BUILD makes bodies, joints and shapes; "
       "POSE0 looks for shapes inside each other; STILL, without gravity, sees whether anything "
       "moves; HANG holds the root link; DROP lets the model fall by a millimetre. In a scene, "
       "ANCHOR sees whether anchors hold. A stage that fails is the last one. Meshes that stand still "

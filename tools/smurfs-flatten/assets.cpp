@@ -14,6 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Files of an archive go by the name that the archive was given.
+std::string known_name(const std::string& absolute, const std::string& current,
+                       const FileReader& files) {
+  return files.is_file(absolute) ? absolute : path::relative(absolute, current);
+}
+
 class Redirection {
  public:
   Redirection(const std::string& folder, const FlattenOptions& options, const FileReader& files)
@@ -24,7 +30,8 @@ class Redirection {
 
   /// What the file is called from now on; `file` is relative to the output's folder.
   std::string redirect(const std::string& file, const std::string& group) {
-    const std::string from = known_name(path::normalize(path::join(output_, file)));
+    const std::string from =
+        known_name(path::normalize(path::join(output_, file)), current_, files_);
     const auto [known, is_new] = copies_.try_emplace({group, from});
     if (is_new) {
       known->second = files_.is_file(from) ? path::relative(add(from, group), output_) : file;
@@ -44,11 +51,6 @@ class Redirection {
       list_.emplace_back(materials, path::join(path::parent(to), path::file_name(materials)));
     }
     return to;
-  }
-
-  /// Files of an archive go by the name that the archive was given.
-  std::string known_name(const std::string& absolute) const {
-    return files_.is_file(absolute) ? absolute : path::relative(absolute, current_);
   }
 
   static std::string with_extension(const std::string& file, std::string_view extension) {
@@ -90,6 +92,20 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
     }
   }
   return redirection.take();
+}
+
+MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
+                       const FileReader& files, const Limits& limits) {
+  std::map<std::string, std::string> origins;  // of copies that are not there yet
+  for (const auto& [from, to] : copies) origins.emplace(to, from);
+  const std::string output = path::join(options.current_folder, options.output_folder);
+  return [=, &files, &limits](const std::string& file) {
+    const std::string absolute = path::normalize(path::join(output, file));
+    const auto copy = origins.find(absolute);
+    return read_triangles_of(
+        copy != origins.end() ? copy->second : known_name(absolute, options.current_folder, files),
+        files, limits);
+  };
 }
 
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,

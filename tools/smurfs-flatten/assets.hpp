@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --copy-assets: a result that does not need the folders of its models.
+// The files that a result names: copied by --copy-assets, shown by previews.
 #pragma once
 
 #include <string>
@@ -10,6 +10,7 @@
 #include "smurf/file_reader.hpp"
 #include "smurf/flatten.hpp"
 #include "smurf/limits.hpp"
+#include "smurf/write_scene.hpp"
 
 namespace smurf::tools {
 
@@ -20,6 +21,11 @@ using AssetCopies = std::vector<std::pair<std::string, std::string>>;
 /// model. Files that do not exist keep their names. Nothing is copied yet.
 AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files);
+
+/// Where previews get triangles from; what is a copy is read where it comes from. `files` and
+/// `limits` must outlive the result.
+MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
+                       const FileReader& files, const Limits& limits);
 
 /// False when a file cannot be copied; that has been said.
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,

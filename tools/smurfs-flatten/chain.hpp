@@ -4,12 +4,14 @@
 
 #include <string>
 
+#include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"
 
 namespace smurf::tools {
 
 /// One line a transform, from the world to the instance, each with the place it is written at.
+/// Precondition: the instance has a pose; see explain().
 std::string describe_chain(const LinkedScene& scene, const SourceMap& sources,
-                           InstanceIndex instance);
+                           InstanceIndex instance, const Dialect& dialect);
 
 }  // namespace smurf::tools

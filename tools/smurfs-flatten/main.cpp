@@ -30,6 +30,7 @@ struct Options {
   std::string explained;
   std::string assets;  ///< folder
   bool links = false;
+  bool force = false;
   bool strict = false;
 };
 
@@ -99,8 +100,14 @@ void add_options(Command& command, Options& options) {
        .set = set_text(options.assets)});
   add({.name = "explain",
        .metavar = "NAME",
-       .help = "Write nothing but the chain of transforms that leads to an instance.",
+       .help =
+           "Write nothing but the chain of transforms that leads to an instance, as the dialect "
+           "has it.",
        .set = set_text(options.explained)});
+  add({.name = "force",
+       .help =
+           "Write in spite of errors that leave every pose known, such as an impossible inertia.",
+       .set = set_flag(options.force)});
   add({.name = "strict",
        .help = "Refuse to write what the format cannot say completely.",
        .set = set_flag(options.strict)});
@@ -114,9 +121,8 @@ Command make_command(Options& options) {
       "pose in the world.";
   command.operands = "SCENE";
   command.details =
-      "SCENE is a .smurfs or .smurfa file, or a .zsmurfs archive of one; a .smurf or .urdf counts "
-      "as a scene of one model. Poses "
-      "are those of the URDF root links, in metres and unit quaternions; a parent link is taken in "
+      "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive of one, or a drawing (.svg) whose "
+      "groups are entities; a .smurf or .urdf counts as a scene of one model. Poses are those of the URDF root links, in metres and unit quaternions; a parent link is taken in "
       "the joint pose that its entity names. A scene with errors is refused.";
   command.options = converter_options(options.common, "Write the result to FILE; without it, or "
                                                       "with '-', to standard output.");
@@ -139,7 +145,7 @@ FlattenOptions flatten_options(const Options& options) {
           .current_folder = std::filesystem::current_path().generic_string()};
 }
 
-int explain_instance(const LinkedScene& scene, const SourceMap& sources, const Options& options) {
+int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options& options) {
   const auto instance = find_instance(scene, options.explained);
   if (!instance) {
     std::vector<std::string_view> known;
@@ -148,7 +154,17 @@ int explain_instance(const LinkedScene& scene, const SourceMap& sources, const O
                         did_you_mean(options.explained, known));
     return kFailed;
   }
-  const std::string text = describe_chain(scene, sources, *instance);
+  const Dialect& dialect = *find_dialect(options.dialect);
+  const EntityReading reading = dialect.read(scene)[to_size(*instance)];
+  if (!reading.X_WE) {
+    complain(kTool, "'" + options.explained + "' is not in the scene of the dialect " +
+                        options.dialect + ", which " + reading.note);
+    return kFailed;
+  }
+  DiagnosticSink about_others;
+  apply_dialect(dialect, scene, about_others);
+  std::string text = describe_chain(scene, sources, *instance, dialect);
+  if (!reading.note.empty()) text += options.dialect + " " + reading.note + "\n";
   return write_output(kTool, options.common.output, text) ? kDone : kFailed;
 }
 
@@ -159,11 +175,8 @@ bool check_options(const Options& options) {
     complain(kTool, "--copy-assets copies what models name, and needs --form expand");
     return false;
   }
-  if (options.dialect == "spec") return true;
-  const bool explains = !options.explained.empty();
-  if (!explains && !options.compare_dialects) return true;
-  complain(kTool, std::string(explains ? "--explain" : "--compare-dialects") +
-                      " does not go with --dialect " + options.dialect);
+  if (options.dialect == "spec" || !options.compare_dialects) return true;
+  complain(kTool, "--compare-dialects does not go with --dialect " + options.dialect);
   return false;
 }
 
@@ -184,6 +197,43 @@ std::optional<SceneForm> choose_form(const SceneFormat& format, const std::strin
   return std::nullopt;
 }
 
+struct Result {
+  std::string text;
+  AssetCopies copies;
+  bool is_complete = true;  ///< nothing was lost
+};
+
+Result flatten_scene(Conversion& conversion, LinkedScene& scene, const Options& options,
+                     const SceneFormat& format, SceneForm form) {
+  // The rules, which run later, judge the scene as documented, which is the first dialect.
+  const Dialect* dialect = find_dialect(options.dialect);
+  const bool is_documented = dialect == dialects().front();
+  std::vector<Instance> documented;
+  if (!is_documented) {
+    documented = scene.instances;
+    apply_dialect(*dialect, scene, conversion.sink());
+  }
+  const OldScenes old_scenes = conversion.load_old_scenes(scene);
+  FlattenOptions flattening = flatten_options(options);
+  flattening.old_scenes = &old_scenes;
+  FlatScene flat = flatten(scene, conversion.sources(), flattening);
+  Result result;
+  if (!options.assets.empty()) {
+    result.copies = redirect_assets(flat, options.assets, flattening, conversion.files());
+  }
+  result.text = format.write({.flat = flat,
+                              .scene = scene,
+                              .sources = conversion.sources(),
+                              .losses = conversion.sink(),
+                              .links = options.links,
+                              .form = form,
+                              .meshes = mesh_source(flattening, result.copies, conversion.files(),
+                                                    options.common.limits)});
+  result.is_complete = !has_losses(conversion.sink());
+  if (!is_documented) scene.instances = std::move(documented);
+  return result;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -198,40 +248,24 @@ int main(int argc, char** argv) {
   Conversion conversion(kTool, options.common);
   auto scene = conversion.load_scene(options.scene);
   if (!scene) return conversion.fail();
-  std::string text;
-  AssetCopies copies;
-  bool is_complete = true;
+  Result result;
   const bool is_sound = !conversion.sink().has_errors();
   if (is_sound && options.compare_dialects) {
-    text = compare_dialects(*scene, conversion.sources(), options.format == "json");
+    result.text = compare_dialects(*scene, conversion.sources(), options.format == "json");
   } else if (is_sound && options.explained.empty()) {
-    // The rules, which run later, judge the scene as documented.
-    const std::vector<Instance> documented = scene->instances;
-    apply_dialect(*find_dialect(options.dialect), *scene, conversion.sink());
-    const OldScenes old_scenes = conversion.load_old_scenes(*scene);
-    FlattenOptions flattening = flatten_options(options);
-    flattening.old_scenes = &old_scenes;
-    FlatScene flat = flatten(*scene, conversion.sources(), flattening);
-    if (!options.assets.empty()) {
-      copies = redirect_assets(flat, options.assets, flattening, conversion.files());
-    }
-    text = format.write({.flat = flat,
-                         .scene = *scene,
-                         .sources = conversion.sources(),
-                         .losses = conversion.sink(),
-                         .links = options.links,
-                         .form = *form});
-    is_complete = !has_losses(conversion.sink());
-    scene->instances = documented;
+    result = flatten_scene(conversion, *scene, options, format, *form);
   }
-  if (const ExitCode verdict = conversion.report(*scene); verdict == kFailed)
-    return kFailed;
-  else if (verdict != kDone)
-    return conversion.refuse("has errors");
+  // What was not understood leaves no pose to write; what a rule finds does.
+  const bool is_possible = !conversion.sink().has_errors();
+  const ExitCode verdict = conversion.report(*scene);
+  if (verdict == kFailed) return kFailed;
+  if (verdict != kDone && !(is_possible && options.force)) {
+    return conversion.refuse(is_possible ? "has errors; see --force" : "has errors");
+  }
   if (!options.explained.empty()) {
     return explain_instance(*scene, conversion.sources(), options);
   }
-  if (!is_complete && options.strict) return conversion.refuse("has losses");
-  if (!copy_files(kTool, copies, conversion.files(), options.common.limits)) return kFailed;
-  return write_output(kTool, options.common.output, text) ? kDone : kFailed;
+  if (!result.is_complete && options.strict) return conversion.refuse("has losses");
+  if (!copy_files(kTool, result.copies, conversion.files(), options.common.limits)) return kFailed;
+  return write_output(kTool, options.common.output, result.text) ? kDone : kFailed;
 }

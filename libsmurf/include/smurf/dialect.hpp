@@ -29,6 +29,10 @@ struct Dialect {
   std::string_view help;
   /// By instance. Precondition: the scene was loaded without errors.
   std::vector<EntityReading> (*read)(const LinkedScene& scene) = nullptr;
+  /// The pose that the keys of an entity in `use` stand for, as far as it can be read alone.
+  Pose (*pose_of)(const LinkedScene& scene, const SceneUse& use, const Entity& entity) = nullptr;
+  /// Whether what includes an entity moves it.
+  bool (*is_moved_by_include)(const Entity& entity) = nullptr;
 };
 
 /// `spec`, which takes scenes as documented and as `load_scene` does, comes first.

@@ -17,6 +17,8 @@
 
 namespace smurf {
 
+struct Dialect;
+
 struct ValueMember;
 
 /// Data that is carried along: what YAML and JSON have in common. Numbers keep their text's value.
@@ -72,11 +74,23 @@ struct FlatPhysics {
   std::optional<double> cfm, erp;
 };
 
+/// What an old scene holds besides shapes.
+struct FlatOldScene {
+  std::size_t instance = 0;            ///< that names it
+  Value::List lights;                  ///< in the world frame, wherever the scene is placed
+  std::vector<Light> lamps;            ///< the same, read; their places are that of the entity
+  std::vector<std::string> movable;    ///< names of nodes that MARS lets move
+  std::vector<std::string> shapeless;  ///< names of nodes without a shape that is known here
+  /// What else it lists, each with its number: "joint", "motor", ...; none is 0.
+  std::vector<std::pair<std::string_view, std::size_t>> others;
+};
+
 struct FlatScene {
   std::string scene;  ///< the file
   FlatPhysics physics;
   Value::Object environment;
-  Value::List lights;  ///< in the world frame
+  Value::List lights;  ///< of scene files, in the world frame
+  std::vector<FlatOldScene> old_scenes;
   std::vector<FlatModel> models;
   std::vector<FlatInstance> instances;  ///< depth-first, in file order
 };
@@ -104,7 +118,9 @@ struct TransformStep {
 };
 
 /// The chain of transforms of an instance, from the world on; empty when the instance has no pose.
-std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex instance);
+/// `scene` is as loaded, or as apply_dialect() left it with this dialect.
+std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex instance,
+                                   const Dialect& dialect);
 
 /// An instance by its path, else the first by its name.
 std::optional<InstanceIndex> find_instance(const LinkedScene& scene, std::string_view name);

@@ -16,6 +16,7 @@
 #include "smurf/scene.hpp"
 #include "smurf/source.hpp"
 #include "smurf/urdf.hpp"
+#include "smurf/xml.hpp"
 
 namespace smurf {
 
@@ -160,7 +161,8 @@ struct Placement {
 struct SceneFile {
   std::string path;
   SourceId source{};
-  std::optional<yaml::Document> document;
+  std::optional<yaml::Document> document;  ///< of a drawing (.svg): the scene that it means
+  std::optional<xml::Document> drawing;
   Scene scene;
 };
 

@@ -31,7 +31,7 @@ struct LoadContext {
 /// be read is returned, with `is_complete` telling whether that is all.
 LinkedModel load_model(const std::string& path, LoadContext& context);
 
-/// Loads a .smurfs or .smurfa with all scenes and models it names.
+/// Loads a .smurfs, a .smurfa or a drawing (.svg) with all scenes and models it names.
 LinkedScene load_scene(const std::string& path, LoadContext& context);
 
 /// Reads any XML file, an SRDF for example. None when it is missing or broken; that was reported.

@@ -2,17 +2,23 @@
 // Flat scenes as text in the formats of other programs.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/flatten.hpp"
+#include "smurf/mesh_triangles.hpp"
 
 namespace smurf {
 
 /// How a format that can do both refers to models: by their files, or written out.
 enum class SceneForm : std::uint8_t { reference, expand };
+
+/// The triangles of a mesh by its file, which is relative to the output's folder. Asked for once a
+/// file, since nothing is kept.
+using MeshSource = std::function<MeshTriangles(const std::string& file)>;
 
 /// What a writer is given. Everything must outlive the call.
 struct SceneExport {
@@ -22,6 +28,7 @@ struct SceneExport {
   DiagnosticSink& losses;    ///< takes what the format cannot say (SML82xx)
   bool links = false;  ///< write the world poses of all links, where there is a place for them
   SceneForm form = SceneForm::expand;
+  MeshSource meshes = {};  ///< for previews; when there is none, meshes are lost
 };
 
 /// A format is one file in src/write that defines one of these, and its line in

@@ -17,26 +17,38 @@ namespace smurf::xml {
 enum class ElementId : std::uint32_t {};
 inline constexpr ElementId kNoElement{0xffffffffU};
 
+// Robots have hundreds of thousands of both, so what can be told from the rest is not kept.
 struct Attribute {
-  std::string_view name;
+  std::string_view name;   ///< as written
   std::string_view value;  ///< entities decoded
-  Span name_span;
-  Span value_span;  ///< between the quotes
-  Span span;        ///< from the name to the closing quote
+  Span value_span;         ///< between the quotes
+  std::uint32_t begin = 0;
+
+  Span name_span() const {
+    return {value_span.source, begin, begin + static_cast<std::uint32_t>(name.size())};
+  }
+  /// From the name to the closing quote.
+  Span span() const { return {value_span.source, begin, value_span.end + 1}; }
 };
 
 struct Element {
-  std::string_view name;
+  std::string_view name;  ///< as written, right behind the '<'
   std::string_view text;  ///< character data directly inside, first piece only, untrimmed
   Span span;              ///< from '<' to the end of the end tag
-  Span tag_span;          ///< the start tag with its brackets
-  Span name_span;         ///< the name in the start tag
   Span text_span;
+  std::uint32_t tag_end = 0;
   std::uint32_t first_attribute = 0;
   std::uint32_t attribute_count = 0;
   ElementId parent = kNoElement;
   ElementId first_child = kNoElement;
   ElementId next_sibling = kNoElement;
+
+  /// The start tag with its brackets.
+  Span tag_span() const { return {span.source, span.begin, tag_end}; }
+  /// The name in the start tag.
+  Span name_span() const {
+    return {span.source, span.begin + 1, span.begin + 1 + static_cast<std::uint32_t>(name.size())};
+  }
 };
 
 class View;
@@ -71,13 +83,15 @@ class View {
   const Element& element() const { return document_->elements[static_cast<std::size_t>(id_)]; }
   std::string_view name() const { return element().name; }
   Span span() const { return element().span; }
-  Span tag_span() const { return element().tag_span; }
-  Span name_span() const { return element().name_span; }
+  Span tag_span() const { return element().tag_span(); }
+  Span name_span() const { return element().name_span(); }
 
   const Attribute* attribute(std::string_view name) const;
   /// Begin and end pointers of the attributes, in document order.
-  const Attribute* attributes_begin() const;
-  const Attribute* attributes_end() const;
+  const Attribute* attributes_begin() const {
+    return document_->attributes.data() + element().first_attribute;
+  }
+  const Attribute* attributes_end() const { return attributes_begin() + element().attribute_count; }
   /// First child element of this name.
   View child(std::string_view name) const;
   View parent() const { return document_ ? View(*document_, element().parent) : View(); }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
@@ -34,23 +35,37 @@ std::vector<Token> split(std::string_view text) {
   return tokens;
 }
 
+/// Numbers as every reader takes them, which nearly all are; false for whatever needs a closer
+/// look.
+bool read_plain(std::string_view text, std::span<double> out) {
+  std::size_t at = 0;
+  for (double& value : out) {
+    while (at < text.size() && text[at] == ' ') ++at;
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::optional<double> read = parse_number(text.substr(at, end - at));
+    if (!read) return false;
+    value = *read;
+    at = end;
+  }
+  return at == text.size();
+}
+
 class NumberReader {
  public:
   NumberReader(const xml::Attribute& attribute, DiagnosticSink& sink)
       : attribute_(attribute), text_(attribute.value), sink_(sink) {}
 
-  std::vector<double> read(std::size_t count) {
-    if (has_residue() || is_comma_separated()) return {};
+  bool read(std::span<double> out) {
+    if (has_residue() || is_comma_separated()) return false;
     const std::vector<Token> tokens = split(text_);
-    std::vector<double> values;
-    for (const Token token : tokens) {
-      const std::optional<double> value = number(token);
-      if (!value) return {};
-      values.push_back(*value);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      const std::optional<double> value = number(tokens[i]);
+      if (!value) return false;
+      if (i < out.size()) out[i] = *value;
     }
-    if (!check_count(tokens, count)) return {};
-    check_blanks(tokens, count);
-    return values;
+    if (!check_count(tokens, out.size())) return false;
+    check_blanks(tokens, out.size());
+    return true;
   }
 
  private:
@@ -188,11 +203,11 @@ class NumberReader {
 
   bool check_count(const std::vector<Token>& tokens, std::size_t count) {
     if (tokens.empty()) {
-      sink_.report(rules::sml1801_not_a_number, attribute_.span,
+      sink_.report(rules::sml1801_not_a_number, attribute_.span(),
                    "`" + std::string(attribute_.name) + "` is empty");
       return false;
     }
-    if (count == 0 || tokens.size() == count) return true;
+    if (tokens.size() == count) return true;
     const auto plural = [](std::size_t n) {
       return std::to_string(n) + (n == 1 ? " number" : " numbers");
     };
@@ -260,9 +275,8 @@ void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
       .notes.push_back("urdfdom up to 5.0 passes this text to printf, which may crash");
 }
 
-std::vector<double> read_numbers(const xml::Attribute& attribute, std::size_t count,
-                                 DiagnosticSink& sink) {
-  return NumberReader(attribute, sink).read(count);
+bool read_numbers(const xml::Attribute& attribute, std::span<double> out, DiagnosticSink& sink) {
+  return read_plain(attribute.value, out) || NumberReader(attribute, sink).read(out);
 }
 
 namespace rules {

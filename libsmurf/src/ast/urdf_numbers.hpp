@@ -2,19 +2,18 @@
 // Numbers in URDF attributes: one grammar, and a name for every way readers disagree about a text.
 #pragma once
 
+#include <span>
 #include <string_view>
-#include <vector>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/xml.hpp"
 
 namespace smurf {
 
-/// Reads `count` numbers separated by blanks (any number of them when count is 0). Reports SML18xx,
-/// SML1009 or SML1012 at the attribute's value. A text whose meaning is clear although some reader
-/// refuses it (a trailing blank, tabs) still gives values.
-std::vector<double> read_numbers(const xml::Attribute& attribute, std::size_t count,
-                                 DiagnosticSink& sink);
+/// Reads as many numbers, separated by blanks, as `out` takes; false when it cannot. Reports
+/// SML18xx, SML1009 or SML1012 at the attribute's value. A text whose meaning is clear although
+/// some reader refuses it (a trailing blank, tabs) still gives values.
+bool read_numbers(const xml::Attribute& attribute, std::span<double> out, DiagnosticSink& sink);
 
 /// True when a value holds an expression of xacro, "${...}" or "$(...)".
 bool is_xacro(std::string_view value);

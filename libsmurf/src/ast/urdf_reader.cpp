@@ -19,11 +19,12 @@ bool is(View element, std::string_view name) {
 }
 
 View child_of(View element, std::string_view name) {
-  if (const View exact = element.child(name)) return exact;
+  View other;
   for (const View child : element) {
-    if (is(child, name)) return child;
+    if (child.name() == name) return child;
+    if (!other && is(child, name)) other = child;
   }
-  return {};
+  return other;
 }
 
 class Reader {
@@ -66,8 +67,8 @@ class Reader {
     if (attribute == nullptr) return;
     out.span = attribute->value_span;
     out.written = true;
-    const std::vector<double> values = read_numbers(*attribute, 1, sink_);
-    if (values.size() == 1) out.value = values.front();
+    double value = 0;
+    if (read_numbers(*attribute, {&value, 1}, sink_)) out.value = value;
   }
 
   template <std::size_t N>
@@ -76,10 +77,8 @@ class Reader {
     if (attribute == nullptr) return;
     out.span = attribute->value_span;
     out.written = true;
-    const std::vector<double> values = read_numbers(*attribute, N, sink_);
-    if (values.size() != N) return;
-    out.value.emplace();
-    std::copy(values.begin(), values.end(), out.value->begin());
+    std::array<double, N> values{};
+    if (read_numbers(*attribute, values, sink_)) out.value = values;
   }
 
   urdf::Origin origin(View parent) {
@@ -291,7 +290,7 @@ bool report_xacro(const xml::Document& document, DiagnosticSink& sink) {
   for (const xml::Element& element : document.elements) {
     if (!element.name.starts_with("xacro:")) continue;
     has_elements = true;
-    add(element.name_span, element.name, "a xacro element");
+    add(element.name_span(), element.name, "a xacro element");
   }
   for (const xml::Attribute& attribute : document.attributes) {
     if (!is_xacro(attribute.value)) continue;

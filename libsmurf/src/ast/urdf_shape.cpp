@@ -42,7 +42,19 @@ class ShapeChecker {
     repeated(element, spec);
   }
 
+  /// Nothing is unknown and nothing is missing: nearly every element.
+  static bool has_what_it_needs(View element, const ElementSpec& spec) {
+    std::ptrdiff_t known = 0;
+    for (const AttributeSpec& attribute : spec.attributes) {
+      const bool is_there = element.attribute(attribute.name) != nullptr;
+      if (attribute.required && !is_there) return false;
+      known += is_there ? 1 : 0;
+    }
+    return known == element.attributes_end() - element.attributes_begin();
+  }
+
   void attributes(View element, const ElementSpec& spec) {
+    if (has_what_it_needs(element, spec)) return;
     std::vector<std::string_view> absent;
     for (const AttributeSpec& known : spec.attributes) {
       if (element.attribute(known.name) == nullptr) absent.push_back(known.name);
@@ -70,20 +82,20 @@ class ShapeChecker {
     // An empty geometry is reported as that (SML1110).
     if (element.name() == "geometry" && element.begin() == element.end()) return;
     for (const xml::Attribute* attribute : foreign) {
-      add_foreign(rules::sml1107_unknown_attribute, attribute->name_span,
+      add_foreign(rules::sml1107_unknown_attribute, attribute->name_span(),
                   quoted(attribute->name) + " is no attribute of " + quoted(element.name()));
     }
   }
 
   void misspelt_attribute(View element, const xml::Attribute& attribute, std::string_view meant) {
     Diagnostic& diagnostic =
-        sink_.report(rules::sml1107_unknown_attribute, attribute.name_span,
+        sink_.report(rules::sml1107_unknown_attribute, attribute.name_span(),
                      quoted(attribute.name) + " is no attribute of " + quoted(element.name()));
     diagnostic.notes.push_back("URDF readers ignore it without a word");
     diagnostic.severity = Severity::error;
     diagnostic.help = "did you mean " + quoted(meant) + "?";
     diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{attribute.name_span, std::string(meant)}}});
+        {Applicability::unsafe, {{attribute.name_span(), std::string(meant)}}});
   }
 
   /// True when an attribute is missing; what stands there instead is shown with it.
@@ -103,7 +115,7 @@ class ShapeChecker {
         sink_.report(rules::sml1113_required_attribute_missing, element.name_span(),
                      "the element " + quoted(element.name()) + missing);
     for (const xml::Attribute* attribute : instead) {
-      diagnostic.labels.push_back({attribute->name_span, "no attribute of URDF"});
+      diagnostic.labels.push_back({attribute->name_span(), "no attribute of URDF"});
     }
     if (!element.element().text_span.empty()) {
       diagnostic.labels.push_back({element.element().text_span, "readers do not look at text"});

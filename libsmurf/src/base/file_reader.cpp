@@ -134,8 +134,10 @@ std::vector<std::string> MemoryFiles::list(const std::string& folder) const {
   if (behind_ != nullptr) names = behind_->list(folder);
   const std::string wanted = path::normalize(folder);
   const std::string prefix = wanted == "." ? "" : wanted == "/" ? wanted : wanted + "/";
-  for (const auto& [path, text] : files_) {
-    if (!path.starts_with(prefix) || (prefix.empty() && path::is_absolute(path))) continue;
+  for (auto file = files_.lower_bound(prefix); file != files_.end(); ++file) {
+    const std::string& path = file->first;
+    if (!path.starts_with(prefix)) break;
+    if (prefix.empty() && path::is_absolute(path)) continue;
     const std::string_view rest = std::string_view(path).substr(prefix.size());
     names.emplace_back(rest.substr(0, rest.find('/')));
   }

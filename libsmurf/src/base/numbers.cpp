@@ -32,9 +32,36 @@ std::size_t decimal_prefix(std::string_view text) {
   return at;
 }
 
+/// A number of few digits without exponent, as nearly all are: digits and power of ten are exact
+/// in a double, so their quotient is the nearest one.
+std::optional<double> parse_short(std::string_view text) {
+  constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                   1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  const bool is_negative = text.starts_with('-');
+  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
+  if (text.size() >= kPowersOfTen.size()) return std::nullopt;
+  std::uint64_t digits = 0;
+  std::size_t point = text.size();
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (is_digit(text[at])) {
+      digits = 10 * digits + static_cast<std::uint64_t>(text[at] - '0');
+    } else if (text[at] == '.' && point == text.size()) {
+      point = at;
+    } else {
+      return std::nullopt;
+    }
+  }
+  const bool has_point = point < text.size();
+  if (text.size() == (has_point ? 1U : 0U)) return std::nullopt;
+  const double value =
+      static_cast<double>(digits) / kPowersOfTen[has_point ? text.size() - point - 1 : 0];
+  return is_negative ? -value : value;
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
+  if (const std::optional<double> value = parse_short(text)) return value;
   if (text.empty() || decimal_prefix(text) != text.size()) return std::nullopt;
   if (text.front() == '+') text.remove_prefix(1);
   double value = 0;

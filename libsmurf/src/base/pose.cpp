@@ -99,6 +99,7 @@ double angle_between(const Quaternion& a, const Quaternion& b) {
 }
 
 Quaternion from_rpy(const Vector3& rpy) {
+  if (rpy == Vector3{}) return {};  // most are zero, and sines are dear
   const auto half = [](double angle) { return SinCos{std::sin(angle / 2), std::cos(angle / 2)}; };
   return normalized(from_half_angles(half(rpy[0]), half(rpy[1]), half(rpy[2])));
 }

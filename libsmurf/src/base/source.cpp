@@ -14,8 +14,7 @@ SourceId SourceMap::add(std::string path, std::string text) {
   Source source;
   source.path = std::move(path);
   source.text = std::move(text);
-  source.is_ascii = std::all_of(source.text.begin(), source.text.end(),
-                                [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  source.is_ascii = utf8::ascii_prefix(source.text) == source.text.size();
   source.line_starts.push_back(0);
   for (std::size_t at = source.text.find('\n'); at != std::string::npos;
        at = source.text.find('\n', at + 1)) {

@@ -2,6 +2,8 @@
 #include "base/utf8.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 
 namespace smurf::utf8 {
@@ -69,18 +71,27 @@ std::size_t count_code_points(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
 }
 
+std::size_t ascii_prefix(std::string_view text) {
+  std::size_t at = 0;
+  // Eight bytes a step: every byte of every file comes by here.
+  for (; at + sizeof(std::uint64_t) <= text.size(); at += sizeof(std::uint64_t)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, text.data() + at, sizeof word);
+    if ((word & 0x8080808080808080U) != 0) break;
+  }
+  while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80) ++at;
+  return at;
+}
+
 std::optional<std::size_t> find_invalid(std::string_view text) {
   std::size_t at = 0;
-  while (at < text.size()) {
-    if (static_cast<unsigned char>(text[at]) < 0x80) {
-      ++at;
-      continue;
-    }
+  while (true) {
+    at += ascii_prefix(text.substr(at));
+    if (at == text.size()) return std::nullopt;
     const std::size_t size = sequence_size(text.substr(at));
     if (size == 0) return at;
     at += size;
   }
-  return std::nullopt;
 }
 
 CodePoint decode(std::string_view text) {

@@ -11,6 +11,9 @@ namespace smurf::utf8 {
 /// Counts lead bytes, so that any byte string has a count.
 std::size_t count_code_points(std::string_view text);
 
+/// Number of ASCII bytes at the front.
+std::size_t ascii_prefix(std::string_view text);
+
 /// Offset of the first byte that is not part of valid UTF-8 (overlong forms and surrogates are
 /// not).
 std::optional<std::size_t> find_invalid(std::string_view text);

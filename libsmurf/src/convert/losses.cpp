@@ -56,7 +56,7 @@ class LossReport {
     for (const CustomSection& section : all.custom) of_custom(section);
     for (const CustomSection& key : model_.main.extra) of_custom(key);
     for (const xml::Attribute* limit : passes::newer_limits(model_, options_.version)) {
-      lose(rules::sml8001_not_expressible, limit->name_span, "`" + std::string(limit->name) + "`",
+      lose(rules::sml8001_not_expressible, limit->name_span(), "`" + std::string(limit->name) + "`",
            "has no place in a URDF of version " + options_.version);
     }
     if (options_.strips_extensions) {

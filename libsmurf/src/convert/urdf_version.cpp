@@ -58,11 +58,11 @@ class Downgrade {
       const xml::Attribute* quaternion = element.attribute("quat_xyzw");
       if (quaternion == nullptr) continue;
       DiagnosticSink known;  // what is no number was reported when the URDF was read
-      const std::vector<double> xyzw = read_numbers(*quaternion, 4, known);
-      if (xyzw.size() != 4) continue;
+      std::array<double, 4> xyzw{};
+      if (!read_numbers(*quaternion, xyzw, known)) continue;
       const Quaternion q{xyzw[3], xyzw[0], xyzw[1], xyzw[2]};
       if (!(norm(q) > 0)) continue;
-      edits_.replace(quaternion->span, "rpy=\"" + numbers_text(to_rpy(normalized(q))) + "\"");
+      edits_.replace(quaternion->span(), "rpy=\"" + numbers_text(to_rpy(normalized(q))) + "\"");
       if (const xml::Attribute* rpy = element.attribute("rpy")) edits_.remove(*rpy);
     }
   }

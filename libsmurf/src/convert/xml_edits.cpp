@@ -55,7 +55,7 @@ void XmlEdits::set_attribute(xml::View element, std::string_view name, std::stri
   }
   Span place = element.name_span();
   if (element.attributes_begin() != element.attributes_end()) {
-    place = (element.attributes_end() - 1)->span;
+    place = (element.attributes_end() - 1)->span();
   }
   place.begin = place.end;
   replace(place, " " + std::string(name) + "=\"" + escape_xml(value) + "\"");
@@ -89,7 +89,7 @@ void XmlEdits::remove(Span span) {
 }
 
 void XmlEdits::remove(const xml::Attribute& attribute) {
-  Span span = attribute.span;
+  Span span = attribute.span();
   while (std::string_view(" \t\r\n").find(text_[span.begin - 1]) != std::string_view::npos) {
     --span.begin;
   }

@@ -95,6 +95,14 @@ std::optional<Pose> link_frame(const LinkedScene& scene, InstanceIndex instance,
   return frames.of(scene, *target.model, positions)[*index];
 }
 
+Pose documented_pose(const LinkedScene& /*scene*/, const SceneUse& /*use*/, const Entity& entity) {
+  return {entity.position.value_or({0, 0, 0}), to_quaternion(entity.rotation)};
+}
+
+bool has_no_parent_link(const Entity& entity) {
+  return !entity.parent || entity.parent->find("::") == std::string::npos;
+}
+
 void add_note(std::string& note, std::string_view text) {
   note += (note.empty() ? "" : ", ") + std::string(text);
 }

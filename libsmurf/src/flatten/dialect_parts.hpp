@@ -26,6 +26,10 @@ std::optional<Pose> link_frame(const LinkedScene& scene, InstanceIndex instance,
                                std::string_view link, const JointPositions& positions,
                                LinkFrames& frames);
 
+/// As documented; Phobos composes in the same way.
+Pose documented_pose(const LinkedScene& scene, const SceneUse& use, const Entity& entity);
+bool has_no_parent_link(const Entity& entity);
+
 /// Adds to a note: "one thing, another".
 void add_note(std::string& note, std::string_view text);
 

@@ -4,6 +4,7 @@
 
 #include "base/numbers.hpp"
 #include "link/scene_link.hpp"
+#include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"
 
 namespace smurf {
@@ -13,7 +14,7 @@ std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"
 
 class Explainer {
  public:
-  explicit Explainer(const LinkedScene& scene) : scene_(scene) {}
+  Explainer(const LinkedScene& scene, const Dialect& dialect) : scene_(scene), dialect_(dialect) {}
 
   std::vector<TransformStep> run(const Instance& instance) {
     add_instance(instance);
@@ -39,33 +40,31 @@ class Explainer {
     }
   }
 
-  static bool has_own_parent(const Placement& own, const Entity& entity) {
-    return own.parent.kind == Attachment::Kind::link && entity.parent &&
-           entity.parent->find("::") != std::string::npos;
-  }
-
   /// The includes whose poses an instance inherits, outermost first.
   void add_includes(const Instance& instance) {
-    if (has_own_parent(instance.placement, scene_.entity(instance))) return;
     std::vector<const SceneUse*> includes;
-    for (const SceneUse* use = &scene_.use(instance); use->outer;
-         use = &scene_.uses[to_size(*use->outer)]) {
+    const Entity* inner = &scene_.entity(instance);
+    for (const SceneUse* use = &scene_.use(instance);
+         use->outer && dialect_.is_moved_by_include(*inner); use = outer(*use)) {
       includes.push_back(use);
-      if (has_own_parent(use->placement, *scene_.entity(*use))) break;
+      inner = scene_.entity(*use);
     }
     for (std::size_t i = includes.size(); i-- > 0;) {
       const Entity& entity = *scene_.entity(*includes[i]);
-      add("include " + quoted(includes[i]->path), place_of(entity), own_pose(entity));
+      add("include " + quoted(includes[i]->path), place_of(entity),
+          dialect_.pose_of(scene_, *outer(*includes[i]), entity));
     }
   }
 
+  const SceneUse* outer(const SceneUse& use) const { return &scene_.uses[to_size(*use.outer)]; }
+
   void add_entity(const Instance& instance) {
     const Entity& entity = scene_.entity(instance);
-    add("entity " + quoted(instance.path), place_of(entity), own_pose(entity));
-  }
-
-  static Pose own_pose(const Entity& entity) {
-    return {entity.position.value_or({0, 0, 0}), to_quaternion(entity.rotation)};
+    Pose X_PE = dialect_.pose_of(scene_, scene_.use(instance), entity);
+    const Pose X_WP = steps_.empty() ? Pose{} : steps_.back().X_W;
+    // Where a dialect has more to it than keys, the step is what it comes to.
+    if (!is_same_pose(X_WP * X_PE, instance.X_WE)) X_PE = inverse(X_WP) * *instance.X_WE;
+    add("entity " + quoted(instance.path), place_of(entity), X_PE);
   }
 
   void add_joints(const Instance& instance, const std::string& link) {
@@ -100,16 +99,18 @@ class Explainer {
   }
 
   const LinkedScene& scene_;
+  const Dialect& dialect_;
   LinkFrames frames_;
   std::vector<TransformStep> steps_;
 };
 
 }  // namespace
 
-std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex index) {
+std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex index,
+                                   const Dialect& dialect) {
   const Instance& instance = scene.instance(index);
   if (!instance.X_WE) return {};
-  return Explainer(scene).run(instance);
+  return Explainer(scene, dialect).run(instance);
 }
 
 }  // namespace smurf

@@ -120,9 +120,7 @@ class Flattener {
     flat.X_WE = instance.X_WE;
     flat.anchor = flat_attachment(instance.placement.anchor);
     flat.parent = flat_attachment(instance.placement.parent);
-    for (const CustomSection& key : entity.extra) {
-      flat.properties.push_back({key.name.value, to_value({*file.document, key.node})});
-    }
+    flat.properties = properties(instance, entity, file);
     if (!instance.model) flat.shapes = shapes_of(flat, entity.position.written);
     if (is_old_scene(instance.type)) add_old_scene(instance, flat);
     if (const LinkedModel* model = scene_.model(instance)) {
@@ -132,18 +130,39 @@ class Flattener {
     return flat;
   }
 
+  /// The keys that the rest of an instance does not show. What `pose` or `root` are to a type that
+  /// is not known is not known either.
+  static Value::Object properties(const Instance& instance, const Entity& entity,
+                                  const SceneFile& file) {
+    Value::Object kept;
+    if (instance.model) {
+      for (const CustomSection& key : entity.extra) {
+        kept.push_back({key.name.value, to_value({*file.document, key.node})});
+      }
+      return kept;
+    }
+    constexpr std::string_view kShown[] = {"name",     "file",   "type",  "position",
+                                           "rotation", "parent", "anchor"};
+    kept = to_object({*file.document, entity.node});
+    std::erase_if(kept, [&](const ValueMember& member) {
+      return std::find(std::begin(kShown), std::end(kShown), member.key) != std::end(kShown);
+    });
+    return kept;
+  }
+
   void add_old_scene(const Instance& instance, FlatInstance& flat) {
     if (options_.old_scenes == nullptr) return;
     const auto file = options_.old_scenes->find(instance.file);
     if (file == options_.old_scenes->end()) return;
-    OldSceneContent content =
-        old_scene_content(file->second, instance.file, !instance.name.empty());
+    OldSceneContent content = old_scene_content(file->second, instance);
+    content.rest.instance = flat_.instances.size();
+    const Span place = place_of(scene_.entity(instance));
+    for (Light& lamp : content.rest.lamps) lamp.span = lamp.name.span = place;
+    flat_.old_scenes.push_back(std::move(content.rest));
     for (FlatShape& shape : content.shapes) {
       if (auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) mesh->file = relative(mesh->file);
     }
     flat.shapes = std::move(content.shapes);
-    // Lights are in the world frame, wherever their scene is placed.
-    for (Value& light : content.lights) flat_.lights.push_back(std::move(light));
   }
 
   void add_joints(const Instance& instance, const LinkedModel& model, FlatInstance& flat) {

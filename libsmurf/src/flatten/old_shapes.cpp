@@ -61,6 +61,12 @@ Vector3 vector_of(const Value::Object& object, std::string_view key) {
   return {component(*vector, "x", 0), component(*vector, "y", 0), component(*vector, "z", 0)};
 }
 
+bool is_true(const Value* value) {
+  if (value == nullptr) return false;
+  if (const auto* boolean = std::get_if<bool>(&value->data)) return *boolean;
+  return text_of(value) == "true" || number_of(value).value_or(0) != 0;
+}
+
 /// A quaternion, or angles in degrees.
 Quaternion rotation_of(const Value::Object& node) {
   const Value::Object* rotation = object_of(find(node, "rotation"));
@@ -87,16 +93,20 @@ class NodeReader {
     for (std::size_t i = 0; i < nodes_.size(); ++i) compose(i);
   }
 
-  std::vector<FlatShape> shapes(bool is_named) const {
+  /// `rest` takes what shapes do not say.
+  std::vector<FlatShape> shapes(bool is_named, FlatOldScene& rest) const {
     const auto root = by_index_.find(1);
     const bool moves = is_named && root != by_index_.end();
     const Pose X_ES = moves ? inverse(nodes_[root->second].X_SN) : Pose{};
     std::vector<FlatShape> shapes;
     for (const Node& node : nodes_) {
       const auto geometry = geometry_of(*node.data);
+      std::string name = text_of(find(*node.data, "name"));
+      if (is_true(find(*node.data, "movable"))) rest.movable.push_back(name);
+      if (!geometry) rest.shapeless.push_back(name);
       if (!geometry) continue;
-      shapes.push_back({text_of(find(*node.data, "name")), moves ? X_ES * node.X_SN : node.X_SN,
-                        *geometry, color_of(*node.data)});
+      shapes.push_back(
+          {std::move(name), moves ? X_ES * node.X_SN : node.X_SN, *geometry, color_of(*node.data)});
     }
     return shapes;
   }
@@ -169,17 +179,75 @@ class NodeReader {
   std::unordered_map<std::string, Rgba> colors_;
 };
 
+template <class T>
+void set(Field<T>& field, std::optional<T> value) {
+  field.written = value.has_value();
+  field.value = std::move(value);
+}
+
+std::optional<Color> color_of(const Value::Object& light, std::string_view key) {
+  const Value::Object* color = object_of(find(light, key));
+  if (color == nullptr) return std::nullopt;
+  Color read;
+  set(read.r, number_of(find(*color, "r")));
+  set(read.g, number_of(find(*color, "g")));
+  set(read.b, number_of(find(*color, "b")));
+  set(read.a, number_of(find(*color, "a")));
+  return read;
+}
+
+/// The keys are those of `lights` in a scene (LightData.cpp:43-75).
+Light to_light(const Value::Object& object) {
+  Light light;
+  const auto number = [&](std::string_view key) { return number_of(find(object, key)); };
+  const auto vector = [&](std::string_view key) {
+    const bool is_there = object_of(find(object, key)) != nullptr;
+    return is_there ? std::optional(vector_of(object, key)) : std::nullopt;
+  };
+  if (const Value* name = find(object, "name")) set(light.name, std::optional(text_of(name)));
+  set(light.position, vector("position"));
+  set(light.look_at, vector("lookat"));
+  set(light.ambient, color_of(object, "ambient"));
+  set(light.diffuse, color_of(object, "diffuse"));
+  set(light.specular, color_of(object, "specular"));
+  if (const auto type = number("type")) {
+    set(light.type, std::optional(static_cast<std::int64_t>(*type == 2 ? 2 : 1)));
+  }
+  set(light.angle, number("angle"));
+  set(light.exponent, number("exponent"));
+  set(light.constant_attenuation, number("constantAttenuation"));
+  set(light.linear_attenuation, number("linearAttenuation"));
+  set(light.quadratic_attenuation, number("quadraticAttenuation"));
+  if (const Value* far = find(object, "directional")) {
+    set(light.directional, std::optional(is_true(far)));
+  }
+  return light;
+}
+
+constexpr std::pair<std::string_view, std::string_view> kOtherLists[] = {
+    {"jointlist", "joint"},
+    {"motorlist", "motor"},
+    {"sensorlist", "sensor"},
+    {"controllerlist", "controller"}};
+
 }  // namespace
 
-OldSceneContent old_scene_content(const OldSceneFile& file, const std::string& path,
-                                  bool is_named) {
+OldSceneContent old_scene_content(const OldSceneFile& file, const Instance& instance) {
   Value root;
   if (file.xml && file.xml->view()) root = to_value(file.xml->view());
   if (file.yaml && file.yaml->view()) root = smurf::to_value(file.yaml->view());
   const Value::Object* object = object_of(&root);
   if (object == nullptr) return {};
-  OldSceneContent content{NodeReader(*object, path).shapes(is_named), {}};
-  for (const Value::Object* light : items(*object, "lightlist")) content.lights.push_back({*light});
+  OldSceneContent content;
+  content.shapes = NodeReader(*object, instance.file).shapes(!instance.name.empty(), content.rest);
+  for (const Value::Object* light : items(*object, "lightlist")) {
+    content.rest.lights.push_back({*light});
+    content.rest.lamps.push_back(to_light(*light));
+  }
+  for (const auto& [list, what] : kOtherLists) {
+    const std::size_t count = items(*object, list).size();
+    if (count > 0) content.rest.others.emplace_back(what, count);
+  }
   return content;
 }
 

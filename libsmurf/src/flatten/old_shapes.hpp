@@ -12,11 +12,11 @@ namespace smurf {
 
 struct OldSceneContent {
   std::vector<FlatShape> shapes;  ///< files of meshes are as MARS finds them
-  Value::List lights;
+  FlatOldScene rest;
 };
 
 /// The nodes of an old scene, seen from the entity that names it: a named entity moves the node of
 /// index 1, and all others with it (MARS SMURFLoader.cpp:337-349).
-OldSceneContent old_scene_content(const OldSceneFile& file, const std::string& path, bool is_named);
+OldSceneContent old_scene_content(const OldSceneFile& file, const Instance& instance);
 
 }  // namespace smurf

@@ -6,6 +6,7 @@
 #include "base/path.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "smurf/mesh.hpp"
+#include "smurf/mesh_triangles.hpp"
 
 namespace smurf {
 namespace {
@@ -66,6 +67,16 @@ const MeshFile& MeshLibrary::read(const std::string& path, const FileReader& fil
   file.facts = read_mesh(content.text, path::extension(path));
   file.lost = Dependencies(path, files).lost(file.facts.dependencies);
   return file;
+}
+
+MeshTriangles read_triangles_of(const std::string& path, const FileReader& files,
+                                const Limits& limits) {
+  const FileContent content = files.read(path, limits.mesh_bytes);
+  if (content.status == ReadStatus::ok) {
+    return read_triangles(content.text, path::extension(path));
+  }
+  if (content.status == ReadStatus::not_found) return {{}, {}, "is not there"};
+  return {{}, {}, "cannot be read: " + content.reason};
 }
 
 }  // namespace smurf

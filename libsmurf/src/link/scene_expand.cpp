@@ -10,8 +10,10 @@
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
+#include "link/drawn_scene.hpp"
 #include "link/read_file.hpp"
 #include "link/scene_link.hpp"
+#include "smurf/archive_files.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {
@@ -62,7 +64,11 @@ class SceneExpander {
     const auto source = read_source(path, reference, missing, context_);
     if (source) {
       file.source = *source;
-      file.document = parse_yaml(context_.sources, *source, context_.limits, context_.sink);
+      if (!is_drawing(path)) {
+        file.document = parse_yaml(context_.sources, *source, context_.limits, context_.sink);
+      } else if (!read_drawn_scene(file, scene_.data_files, context_)) {
+        lose_scene();
+      }
       auto scene = file.document ? read_scene(*file.document, context_.sink) : std::nullopt;
       if (scene) file.scene = std::move(*scene);
       if (!scene) lose_scene();
@@ -88,6 +94,7 @@ class SceneExpander {
 
   void expand(UseIndex use) {
     const std::size_t count = scene_.file(scene_.uses[to_size(use)]).scene.entities.size();
+    if (scene_.instances.empty()) scene_.instances.reserve(count);
     for (std::size_t i = 0; i < count && !is_full_; ++i) {
       if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
         is_full_ = true;
@@ -112,12 +119,31 @@ class SceneExpander {
       const SceneUse& around = scene_.uses[to_size(use)];
       path = path::join(path::parent(scene_.file(around).path), *file);
     }
-    const bool is_usable = check_kind(entity, type, path);
+    bool is_usable = check_kind(entity, type, path);
+    if (is_usable && is_archive_type(type)) is_usable = enter_archive(path, file.span);
     if (kind_of(type) == EntityKind::scene) {
       include(use, index, is_usable ? path : std::string());
     } else {
       add_instance(use, index, type, path, is_usable);
     }
+  }
+
+  /// Replaces the path of an archive by that of what it is about. False when there is no such
+  /// thing, which is reported.
+  bool enter_archive(std::string& path, Span reference) {
+    if (!context_.files.is_file(path)) {
+      read_source(path, reference, rules::sml5006_missing_entity_file, context_);
+      return false;
+    }
+    const auto [known, is_new] = archives_.try_emplace(path);
+    if (is_new) known->second = main_file_of_archive(path, context_.files);
+    if (known->second.path.empty()) {
+      context_.sink.report(rules::sml5006_missing_entity_file, reference,
+                           "cannot read `" + path + "`: it " + known->second.reason);
+      return false;
+    }
+    path = known->second.path;
+    return true;
   }
 
   void add_instance(UseIndex use, std::size_t index, const std::string& type,
@@ -134,8 +160,7 @@ class SceneExpander {
       scene_.is_complete = false;
     } else if (kind_of(type) == EntityKind::model) {
       instance.model = model_file(path, file_of(entity).span);
-    } else if (!path.empty() && path.find(":/") == std::string::npos &&
-               !type.starts_with("zsmurf")) {  // of which nothing is read
+    } else if (!path.empty() && path.find(":/") == std::string::npos) {
       check_data_file(path, file_of(entity).span, type);
     }
     const InstanceIndex number{static_cast<std::uint32_t>(scene_.instances.size())};
@@ -260,6 +285,9 @@ class SceneExpander {
       return false;
     }
     const std::string extension = path::to_lower(path::extension(path));
+    if (is_archive_type(type)) {
+      return check_extension(entity, type, path, "." + path::to_lower(type));
+    }
     const bool is_scene_file = extension == ".smurfs" || extension == ".smurfa";
     if (kind == EntityKind::scene && !is_scene_file) {
       context_.sink.report(rules::sml5008_scene_extension, file_of(entity).span,
@@ -269,13 +297,16 @@ class SceneExpander {
       return false;
     }
     const std::string_view expected = path::to_lower(type) == "urdf" ? ".urdf" : ".smurf";
-    if (kind == EntityKind::model && extension != expected) {
-      context_.sink.report(rules::sml5009_entity_type_mismatch, file_of(entity).span,
-                           "an entity of type `" + type + "` needs a " + std::string(expected) +
-                               ", which `" + std::string(path::file_name(path)) + "` is not");
-      return false;
-    }
-    return true;
+    return kind != EntityKind::model || check_extension(entity, type, path, expected);
+  }
+
+  bool check_extension(const Entity& entity, const std::string& type, const std::string& path,
+                       std::string_view expected) {
+    if (path::to_lower(path::extension(path)) == expected) return true;
+    context_.sink.report(rules::sml5009_entity_type_mismatch, file_of(entity).span,
+                         "an entity of type `" + type + "` needs a " + std::string(expected) +
+                             ", which `" + std::string(path::file_name(path)) + "` is not");
+    return false;
   }
 
   /// A slip of the pen (`fiel`) is then the place.
@@ -319,6 +350,7 @@ class SceneExpander {
   std::unordered_map<std::string, std::optional<SceneIndex>> scene_files_;
   std::unordered_map<std::string, std::optional<ModelIndex>> models_;
   std::unordered_map<std::string, bool> data_files_;
+  std::unordered_map<std::string, ArchivedMain> archives_;
   std::unordered_set<std::string> paths_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
   std::optional<SceneIndex> empty_scene_;
@@ -336,9 +368,16 @@ std::string entity_type(const Entity& entity) {
 
 EntityKind kind_of(std::string_view type) {
   const std::string lower = path::to_lower(type);
-  if (lower == "smurf" || lower == "particle" || lower == "urdf") return EntityKind::model;
-  if (lower == "smurfs" || lower == "smurfa") return EntityKind::scene;
+  const std::string_view packed =
+      is_archive_type(lower) ? std::string_view(lower).substr(1) : lower;
+  if (packed == "smurf" || packed == "particle" || packed == "urdf") return EntityKind::model;
+  if (packed == "smurfs" || packed == "smurfa") return EntityKind::scene;
   return EntityKind::other;
+}
+
+bool is_archive_type(std::string_view type) {
+  const std::string lower = path::to_lower(type);
+  return lower == "zsmurf" || lower == "zsmurfs" || lower == "zsmurfa";
 }
 
 bool is_old_scene(std::string_view type) {

@@ -16,13 +16,15 @@ namespace smurf {
 
 /// What an entity's type makes of it.
 enum class EntityKind : std::uint8_t {
-  model,  ///< smurf, particle, urdf
-  scene,  ///< smurfs, smurfa: included in place
+  model,  ///< smurf, particle, urdf, and zsmurf
+  scene,  ///< smurfs, smurfa, and zsmurfs, zsmurfa: included in place
   other   ///< old scenes, primitives, types of plug-ins: carried along
 };
 /// Type as written, else the extension of the file without the dot.
 std::string entity_type(const Entity& entity);
 EntityKind kind_of(std::string_view type);
+/// zsmurf, zsmurfs and zsmurfa: a model or scene in an archive.
+bool is_archive_type(std::string_view type);
 /// scn, scene and yml: scenes of MARS before SMURF, which have loaders of their own.
 bool is_old_scene(std::string_view type);
 

@@ -179,7 +179,7 @@ class ReferenceResolver {
   /// Another finding says that this was to be a model.
   static bool is_type_reported(std::string_view type) {
     constexpr std::string_view kModels[] = {"smurf", "urdf"};
-    return type.empty() || type.starts_with("zsmurf") || nearest(type, kModels).has_value();
+    return type.empty() || nearest(type, kModels).has_value();
   }
 
   void label(Diagnostic& diagnostic, const Instance& instance, std::string text) {

@@ -15,6 +15,7 @@ std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
   const Span whole = attribute.value_span;
   if (whole.end - whole.begin != value.size()) return {};  // entities were decoded
   std::vector<WrittenNumber> numbers;
+  numbers.reserve(3);
   std::size_t at = 0;
   while ((at = value.find_first_not_of(kBlanks, at)) != std::string_view::npos) {
     const std::size_t end = std::min(value.find_first_of(kBlanks, at), value.size());

@@ -15,7 +15,7 @@ std::string pointer_in(const xml::Document& document, xml::XPaths& paths, Span s
   const xml::View element(document, id);
   const auto* attribute = std::find_if(
       element.attributes_begin(), element.attributes_end(), [&](const xml::Attribute& a) {
-        return a.span.begin <= span.begin && span.end <= a.span.end;
+        return a.span().begin <= span.begin && span.end <= a.span().end;
       });
   if (attribute != element.attributes_end()) path += "/@" + std::string(attribute->name);
   return path;
@@ -33,6 +33,14 @@ void point(Diagnostic& diagnostic, const xml::Document& document, xml::XPaths& p
     diagnostic.pointer = pointer_in(document, paths, diagnostic.span);
   }
   diagnostic.named_pointer = diagnostic.pointer;
+}
+
+void locate_in(const xml::Document& document, std::span<Diagnostic> diagnostics) {
+  xml::XPaths paths(document);
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (!diagnostic.named_pointer.empty() || diagnostic.span.source != document.source) continue;
+    point(diagnostic, document, paths);
+  }
 }
 
 void locate_in(const yaml::Document& document, std::span<Diagnostic> diagnostics) {
@@ -60,7 +68,11 @@ void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
   for (const SceneFile& file : scene.scenes) {
-    if (file.document) locate_in(*file.document, diagnostics);
+    if (file.drawing) {
+      locate_in(*file.drawing, diagnostics);
+    } else if (file.document) {
+      locate_in(*file.document, diagnostics);
+    }
   }
   for (const DataFile& file : scene.data_files) locate_in(file.document, diagnostics);
   for (const LinkedModel& model : scene.models) locate(model, diagnostics);

@@ -195,6 +195,7 @@ bool is_section_name(std::string_view key) {
 
 std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
+  numbers.reserve(3);
   std::size_t at = 0;
   while ((at = text.find_first_not_of(" \t\r\n", at)) != std::string_view::npos) {
     const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());

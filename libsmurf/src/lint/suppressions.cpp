@@ -254,8 +254,13 @@ void Suppressions::add(const LinkedModel& model, const SourceMap& sources) {
 
 void Suppressions::add(const LinkedScene& scene, const SourceMap& sources) {
   for (const SceneFile& file : scene.scenes) {
-    if (file.document) add(*file.document, scene.is_complete, sources);
+    if (file.drawing) {
+      add(*file.drawing, scene.is_complete, sources);
+    } else if (file.document) {
+      add(*file.document, scene.is_complete, sources);
+    }
   }
+  for (const DataFile& file : scene.data_files) add(file.document, scene.is_complete, sources);
   for (const LinkedModel& model : scene.models) add(model, sources);
 }
 

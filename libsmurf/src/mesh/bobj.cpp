@@ -27,7 +27,8 @@ std::size_t payload(std::int32_t tag) {
 
 class BobjReader {
  public:
-  BobjReader(std::string_view bytes, MeshFacts& facts) : bytes_(bytes), facts_(facts) {}
+  BobjReader(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface)
+      : bytes_(bytes), facts_(facts), surface_(surface) {}
 
   void read() {
     while (at_ < bytes_.size() && record()) {
@@ -106,11 +107,13 @@ class BobjReader {
   std::size_t normals_ = 0;
   std::size_t textures_ = 0;
   BoxSum box_;
-  SurfaceSum surface_;
+  SurfaceSum& surface_;
 };
 
 }  // namespace
 
-void read_bobj(std::string_view bytes, MeshFacts& facts) { BobjReader(bytes, facts).read(); }
+void read_bobj(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface) {
+  BobjReader(bytes, facts, surface).read();
+}
 
 }  // namespace smurf

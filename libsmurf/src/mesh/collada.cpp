@@ -83,7 +83,7 @@ class ColladaReader {
       const std::string_view file = trimmed_text(named);
       if (file.empty()) continue;
       const std::uint32_t line =
-          sources_.line_of(document_.source, named.element().name_span.begin);
+          sources_.line_of(document_.source, named.element().name_span().begin);
       facts_.dependencies.push_back({std::string(file), true, line});
     }
   }
@@ -219,7 +219,7 @@ class ColladaReader {
 
   void fail(View at, std::string what) {
     if (facts_.defect) return;
-    const std::uint32_t offset = at.element().name_span.begin;
+    const std::uint32_t offset = at.element().name_span().begin;
     facts_.defect = {std::move(what), offset, sources_.line_of(document_.source, offset)};
   }
 

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reader of each format. Each fills in what it finds up to the first defect, and takes time and
-// memory linear in the file.
+// memory linear in the file. `surface` is empty before.
 #pragma once
 
 #include <string_view>
 
+#include "mesh/surface.hpp"
 #include "smurf/mesh.hpp"
 
 namespace smurf {
 
-void read_binary_stl(std::string_view bytes, MeshFacts& facts);
-void read_ascii_stl(std::string_view text, MeshFacts& facts);
-void read_obj(std::string_view text, MeshFacts& facts);
+void read_binary_stl(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface);
+void read_ascii_stl(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
+void read_obj(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
 void read_collada(std::string_view text, MeshFacts& facts);
-void read_bobj(std::string_view bytes, MeshFacts& facts);
+void read_bobj(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface);
 
 /// Size of a binary STL: a header of 80 bytes, a count, 50 bytes a triangle.
 inline constexpr std::size_t kStlHeaderBytes = 84;

@@ -75,16 +75,18 @@ std::string_view to_string(MeshFormat format) {
   return "unknown format";
 }
 
-MeshFacts read_mesh(std::string_view bytes, std::string_view extension) {
+MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
+                    const TriangleVisitor& visit) {
   MeshFacts facts;
+  SurfaceSum surface(visit);
   facts.bytes = bytes.size();
   facts.format = format_of(bytes, path::to_lower(extension));
   switch (facts.format) {
-  case MeshFormat::stl_binary: read_binary_stl(bytes, facts); break;
-  case MeshFormat::stl_ascii: read_ascii_stl(bytes, facts); break;
-  case MeshFormat::obj: read_obj(bytes, facts); break;
+  case MeshFormat::stl_binary: read_binary_stl(bytes, facts, surface); break;
+  case MeshFormat::stl_ascii: read_ascii_stl(bytes, facts, surface); break;
+  case MeshFormat::obj: read_obj(bytes, facts, surface); break;
   case MeshFormat::collada: read_collada(bytes, facts); break;
-  case MeshFormat::bobj: read_bobj(bytes, facts); break;
+  case MeshFormat::bobj: read_bobj(bytes, facts, surface); break;
   case MeshFormat::gltf:
   case MeshFormat::lfs_pointer:
   case MeshFormat::unknown: break;

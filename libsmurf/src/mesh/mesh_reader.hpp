@@ -2,16 +2,22 @@
 // Bytes -> MeshFacts: small readers of the formats that robots use.
 #pragma once
 
+#include <functional>
 #include <string_view>
 
 #include "smurf/mesh.hpp"
 
 namespace smurf {
 
+/// Takes the corners of every triangle whose points are known when it is named.
+using TriangleVisitor = std::function<void(const Vector3& a, const Vector3& b, const Vector3& c)>;
+
 /// Reads a whole mesh file. What is broken is a defect of the result; nothing is reported here,
 /// as the place a person looks at is where the mesh is used. `extension` (".stl", any case) helps
-/// only when the bytes alone could be several things.
-MeshFacts read_mesh(std::string_view bytes, std::string_view extension);
+/// only when the bytes alone could be several things. `visit` may be empty; COLLADA has nothing for
+/// it.
+MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
+                    const TriangleVisitor& visit = {});
 
 /// The texture files that a material library (.mtl) names.
 std::vector<MeshDependency> read_material_library(std::string_view text);

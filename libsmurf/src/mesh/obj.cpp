@@ -15,7 +15,8 @@ namespace {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, MeshFacts& facts) : words_(text), facts_(facts) {}
+  ObjReader(std::string_view text, MeshFacts& facts, SurfaceSum& surface)
+      : words_(text), facts_(facts), surface_(surface) {}
 
   void read() {
     while (!facts_.defect && !words_.is_at_end()) {
@@ -133,12 +134,14 @@ class ObjReader {
   std::uint32_t latest_line_ = 0;
   std::uint64_t latest_offset_ = 0;
   BoxSum box_;
-  SurfaceSum surface_;
+  SurfaceSum& surface_;
 };
 
 }  // namespace
 
-void read_obj(std::string_view text, MeshFacts& facts) { ObjReader(text, facts).read(); }
+void read_obj(std::string_view text, MeshFacts& facts, SurfaceSum& surface) {
+  ObjReader(text, facts, surface).read();
+}
 
 std::vector<MeshDependency> read_material_library(std::string_view text) {
   std::vector<MeshDependency> textures;

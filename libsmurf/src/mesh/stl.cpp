@@ -19,7 +19,8 @@ bool is_finite(const Vector3& point) {
 
 class AsciiStlReader {
  public:
-  AsciiStlReader(std::string_view text, MeshFacts& facts) : words_(text), facts_(facts) {}
+  AsciiStlReader(std::string_view text, MeshFacts& facts, SurfaceSum& surface)
+      : words_(text), facts_(facts), surface_(surface) {}
 
   void read() {
     while (!words_.is_at_end() && solid()) {
@@ -92,7 +93,7 @@ class AsciiStlReader {
   Words words_;
   MeshFacts& facts_;
   BoxSum box_;
-  SurfaceSum surface_;
+  SurfaceSum& surface_;
 };
 
 }  // namespace
@@ -101,7 +102,7 @@ std::uint32_t stl_triangle_count(std::string_view bytes) {
   return read_uint32(bytes, kStlHeaderBytes - 4);
 }
 
-void read_binary_stl(std::string_view bytes, MeshFacts& facts) {
+void read_binary_stl(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface) {
   facts.named_solid = bytes.starts_with("solid");
   if (bytes.size() < kStlHeaderBytes) {
     facts.defect = {"the file ends inside its header of " + std::to_string(kStlHeaderBytes) +
@@ -122,7 +123,6 @@ void read_binary_stl(std::string_view bytes, MeshFacts& facts) {
       std::min<std::uint64_t>(announced, (bytes.size() - kStlHeaderBytes) / kStlTriangleBytes);
   facts.vertices = 3 * facts.triangles;
   BoxSum box;
-  SurfaceSum surface;
   for (std::size_t i = 0; i < facts.triangles; ++i) {
     constexpr std::size_t kNormalBytes = 12;
     std::size_t at = kStlHeaderBytes + i * kStlTriangleBytes + kNormalBytes;
@@ -145,6 +145,8 @@ void read_binary_stl(std::string_view bytes, MeshFacts& facts) {
   if (!facts.defect) facts.volume = surface.volume();
 }
 
-void read_ascii_stl(std::string_view text, MeshFacts& facts) { AsciiStlReader(text, facts).read(); }
+void read_ascii_stl(std::string_view text, MeshFacts& facts, SurfaceSum& surface) {
+  AsciiStlReader(text, facts, surface).read();
+}
 
 }  // namespace smurf

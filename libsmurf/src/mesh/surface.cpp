@@ -38,6 +38,7 @@ void BoxSum::add(const Box& box) {
 }
 
 void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
+  if (visit_) visit_(a, b, c);
   if (!origin_) origin_ = a;
   const Vector3 area = cross(difference(b, a), difference(c, a));
   volume_ += dot(difference(a, *origin_), area) / 6;

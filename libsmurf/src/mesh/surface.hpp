@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "mesh/mesh_reader.hpp"
 #include "smurf/mesh.hpp"
 
 namespace smurf {
@@ -23,11 +24,15 @@ class BoxSum {
 /// digits.
 class SurfaceSum {
  public:
+  /// Hands every triangle on to `visit`, if there is one; it must outlive this.
+  explicit SurfaceSum(const TriangleVisitor& visit) : visit_(visit) {}
+
   void add(const Vector3& a, const Vector3& b, const Vector3& c);
   /// None when the surface has a hole that shows in the sum of its area vectors.
   std::optional<double> volume() const;
 
  private:
+  const TriangleVisitor& visit_;
   std::optional<Vector3> origin_;
   double volume_ = 0;
   double area_ = 0;        ///< twice the area

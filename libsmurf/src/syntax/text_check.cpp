@@ -3,6 +3,7 @@
 #include "syntax/text_check.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/rules.hpp"
 #include "base/utf8.hpp"
@@ -54,6 +55,31 @@ bool is_wide(std::string_view text) {
   return text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0');
 }
 
+bool is_forbidden(char c, TextFormat format) {
+  const auto byte = static_cast<unsigned char>(c);
+  return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t') ||
+         (byte == 0x7F && format == TextFormat::yaml);
+}
+
+/// Offset of the first one; the size of the text when there is none.
+std::size_t find_control_character(std::string_view text, TextFormat format) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    // Eight bytes a step, as long as none is below 0x20 or 0x7F (or beyond ASCII).
+    for (; at + sizeof(std::uint64_t) <= text.size(); at += sizeof(std::uint64_t)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, text.data() + at, sizeof word);
+      const std::uint64_t below = word - 0x2020202020202020U;
+      const std::uint64_t above = word + 0x0101010101010101U;
+      if (((below | above | word) & 0x8080808080808080U) != 0) break;
+    }
+    for (std::size_t end = std::min(at + sizeof(std::uint64_t), text.size()); at < end; ++at) {
+      if (is_forbidden(text[at], format)) return at;
+    }
+  }
+  return text.size();
+}
+
 std::string hex(char c) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   const auto byte = static_cast<unsigned char>(c);
@@ -74,15 +100,11 @@ bool check_text(const SourceMap& sources, SourceId id, TextFormat format, Diagno
         .help = "save it as UTF-8";
     return false;
   }
-  const auto control = std::find_if(text.begin(), text.end(), [&](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t') ||
-           (byte == 0x7F && format == TextFormat::yaml);
-  });
-  if (control != text.end()) {
-    const auto at = static_cast<std::uint32_t>(control - text.begin());
+  if (const std::size_t control = find_control_character(text, format); control < text.size()) {
+    const auto at = static_cast<std::uint32_t>(control);
     sink.report(rules::sml0004_control_character, {id, at, at + 1},
-                "the control character U+00" + hex(*control) + " is not allowed in a text file")
+                "the control character U+00" + hex(text[control]) +
+                    " is not allowed in a text file")
         .help = "delete it";
     return false;
   }

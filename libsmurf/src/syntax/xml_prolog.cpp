@@ -6,6 +6,7 @@
 
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "base/utf8.hpp"
 #include "syntax/text_check.hpp"
 
 namespace smurf {
@@ -51,8 +52,7 @@ void check_encoding(std::string_view text, SourceId id, std::size_t begin, Diagn
   if (encoding == "utf-8" || encoding == "us-ascii" || encoding == "ascii") return;
   const bool is_wide = encoding.starts_with("utf-16") || encoding.starts_with("utf-32") ||
                        encoding.starts_with("ucs-");
-  const bool is_ascii = std::all_of(text.begin(), text.end(),
-                                    [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  const bool is_ascii = utf8::ascii_prefix(text) == text.size();
   if (!is_wide && is_ascii) return;  // the same bytes in every encoding that extends ASCII
   Diagnostic& diagnostic = sink.report(rules::sml1008_xml_encoding, place,
                                        "the file is UTF-8, but declares `" + written + "`");

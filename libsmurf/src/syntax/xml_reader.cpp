@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tinyxml2 reads names, values and nesting; the scanner says where they stand. Both meet the start
-// tags in document order, which is verified name by name.
+// The scanner says what stands where. Where tinyxml2 may read something else than is written, it is
+// asked; both meet the start tags in document order, which is verified name by name.
 #include "syntax/xml_reader.hpp"
 
 #include <tinyxml2.h>
@@ -15,89 +15,53 @@ namespace smurf {
 namespace {
 
 using xml::Element;
-using xml::ElementId;
-using xml::kNoElement;
 
-class TreeBuilder {
+/// Puts what tinyxml2 reads in the place of what is written.
+class Decoder {
  public:
-  TreeBuilder(std::string_view text, const XmlIndex& index, xml::Document& document)
-      : text_(text), index_(index), document_(document) {}
+  explicit Decoder(xml::Document& document) : document_(document) {}
 
   /// False when tinyxml2 and the scanner saw different elements.
-  bool build(const tinyxml2::XMLElement& root) {
-    document_.elements.reserve(index_.elements.size());
-    document_.attributes.reserve(index_.attributes.size());
-    return add(root, kNoElement) != kNoElement &&
-           document_.elements.size() == index_.elements.size();
+  bool decode(const tinyxml2::XMLElement& root) {
+    return element(root) && next_ == document_.elements.size();
   }
 
  private:
-  std::string_view slice(Span span) const {
-    return text_.substr(span.begin, span.end - span.begin);
-  }
-
   /// A view into the source when the decoded text equals its bytes, into the document otherwise.
-  std::string_view keep(const char* decoded, Span span) {
-    if (slice(span) == decoded) return slice(span);
-    return document_.decoded.emplace_back(decoded);
+  void set(std::string_view& text, const char* decoded) {
+    if (text != decoded) text = document_.decoded.emplace_back(decoded);
   }
 
   // Recursion is bounded by Limits::xml_depth, which the scanner enforces.
-  ElementId add(const tinyxml2::XMLElement& from, ElementId parent) {
-    const std::size_t number = document_.elements.size();
-    if (number >= index_.elements.size()) return kNoElement;
-    const ScannedElement& place = index_.elements[number];
-    if (slice(place.name_span) != from.Name()) return kNoElement;
-    const ElementId id{static_cast<std::uint32_t>(number)};
-    Element element;
-    element.name = slice(place.name_span);
-    element.span = place.span;
-    element.tag_span = place.tag_span;
-    element.name_span = place.name_span;
-    element.parent = parent;
-    element.first_attribute = static_cast<std::uint32_t>(document_.attributes.size());
-    element.attribute_count = place.attribute_count;
-    if (!add_attributes(from, place)) return kNoElement;
-    element.text_span = place.visible_text;
-    if (const char* text = from.GetText(); text != nullptr && !place.text_span.empty()) {
-      element.text = keep(text, place.text_span);
+  bool element(const tinyxml2::XMLElement& from) {
+    if (next_ >= document_.elements.size()) return false;
+    Element& element = document_.elements[next_++];
+    if (element.name != from.Name() || !attributes(from, element)) return false;
+    if (const char* text = from.GetText(); text != nullptr && !element.text.empty()) {
+      set(element.text, text);
+    } else {
+      element.text = {};
     }
-    document_.elements.push_back(element);
-    return add_children(from, id) ? id : kNoElement;
+    for (const tinyxml2::XMLElement* child = from.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+      if (!this->element(*child)) return false;
+    }
+    return true;
   }
 
-  bool add_attributes(const tinyxml2::XMLElement& from, const ScannedElement& place) {
+  bool attributes(const tinyxml2::XMLElement& from, const Element& element) {
     const tinyxml2::XMLAttribute* attribute = from.FirstAttribute();
-    for (std::uint32_t i = 0; i < place.attribute_count; ++i) {
-      const ScannedAttribute& scanned = index_.attributes[place.first_attribute + i];
-      if (attribute == nullptr || slice(scanned.name_span) != attribute->Name()) return false;
-      document_.attributes.push_back({slice(scanned.name_span),
-                                      keep(attribute->Value(), scanned.value_span),
-                                      scanned.name_span, scanned.value_span, scanned.span});
+    for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
+      xml::Attribute& written = document_.attributes[element.first_attribute + i];
+      if (attribute == nullptr || written.name != attribute->Name()) return false;
+      set(written.value, attribute->Value());
       attribute = attribute->Next();
     }
     return attribute == nullptr;
   }
 
-  bool add_children(const tinyxml2::XMLElement& from, ElementId id) {
-    ElementId previous = kNoElement;
-    for (const tinyxml2::XMLElement* child = from.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
-      const ElementId added = add(*child, id);
-      if (added == kNoElement) return false;
-      if (previous == kNoElement) {
-        document_.elements[static_cast<std::size_t>(id)].first_child = added;
-      } else {
-        document_.elements[static_cast<std::size_t>(previous)].next_sibling = added;
-      }
-      previous = added;
-    }
-    return true;
-  }
-
-  std::string_view text_;
-  const XmlIndex& index_;
   xml::Document& document_;
+  std::size_t next_ = 0;
 };
 
 void report_tinyxml_error(const tinyxml2::XMLDocument& parsed, const SourceMap& sources,
@@ -108,10 +72,27 @@ void report_tinyxml_error(const tinyxml2::XMLDocument& parsed, const SourceMap& 
               std::string("tinyxml2 cannot read this line: ") + parsed.ErrorName());
 }
 
+/// False when tinyxml2 refuses the file, which is reported.
+bool decode_by_tinyxml2(xml::Document& document, const SourceMap& sources, DiagnosticSink& sink) {
+  const std::string_view text = sources.text(document.source);
+  tinyxml2::XMLDocument parsed;
+  if (parsed.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS ||
+      parsed.RootElement() == nullptr) {
+    report_tinyxml_error(parsed, sources, document.source, sink);
+    return false;
+  }
+  if (!Decoder(document).decode(*parsed.RootElement())) {
+    sink.report(rules::sml1001_xml_malformed, {document.source, 0, 0},
+                "tinyxml2 reads another structure than is written");
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-std::optional<xml::Document> parse_xml(const SourceMap& sources, SourceId id, const Limits& limits,
-                                       DiagnosticSink& sink) {
+std::optional<xml::Document> parse_xml_by(XmlEngine engine, const SourceMap& sources, SourceId id,
+                                          const Limits& limits, DiagnosticSink& sink) {
   const std::string_view text = sources.text(id);
   constexpr std::string_view kLfsPointer = "version https://git-lfs";
   if (text.starts_with(kLfsPointer) ||
@@ -124,25 +105,20 @@ std::optional<xml::Document> parse_xml(const SourceMap& sources, SourceId id, co
     return std::nullopt;
   }
   if (!check_text(sources, id, TextFormat::xml, sink)) return std::nullopt;
-  const XmlIndex index = scan_xml(sources, id, limits, sink);
-  if (!index.well_formed) return std::nullopt;
+  ScannedXml scanned = scan_xml(sources, id, limits, sink);
+  if (!scanned.well_formed) return std::nullopt;
+  const bool is_read = engine == XmlEngine::scanner_first && scanned.is_plain;
+  if (!is_read && !decode_by_tinyxml2(scanned.document, sources, sink)) return std::nullopt;
+  return std::move(scanned.document);
+}
 
-  tinyxml2::XMLDocument parsed;
-  if (parsed.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS ||
-      parsed.RootElement() == nullptr) {
-    report_tinyxml_error(parsed, sources, id, sink);
-    return std::nullopt;
-  }
-  xml::Document document;
-  document.source = id;
-  document.root = ElementId{0};
-  document.comments = index.comments;
-  if (!TreeBuilder(text, index, document).build(*parsed.RootElement())) {
-    sink.report(rules::sml1001_xml_malformed, {id, 0, 0},
-                "tinyxml2 reads another structure than is written");
-    return std::nullopt;
-  }
-  return document;
+std::optional<xml::Document> parse_xml(const SourceMap& sources, SourceId id, const Limits& limits,
+                                       DiagnosticSink& sink) {
+#ifdef SMURF_SCANNERS
+  return parse_xml_by(XmlEngine::scanner_first, sources, id, limits, sink);
+#else
+  return parse_xml_by(XmlEngine::tinyxml2, sources, id, limits, sink);
+#endif
 }
 
 }  // namespace smurf

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One pass, no recursion. What breaks the structure ends the scan; what lenient readers accept
-// (bare '&', '--' in a comment, an undeclared prefix) is reported and the scan goes on.
+// One pass, no recursion: tree and places at once. What breaks the structure ends the scan; what
+// lenient readers accept (bare '&', '--' in a comment, an undeclared prefix) is reported and the
+// scan goes on.
 #include "syntax/xml_scanner.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <charconv>
 #include <string>
 
@@ -17,58 +18,92 @@
 namespace smurf {
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-bool is_name_start(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return std::isalpha(byte) != 0 || c == '_' || c == ':' || byte >= 0x80;
-}
-bool is_name_char(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return is_name_start(c) || std::isdigit(byte) != 0 || c == '-' || c == '.';
-}
+using xml::Attribute;
+using xml::Element;
+using xml::ElementId;
+using xml::kNoElement;
+
+enum ByteClass : std::uint8_t { blank = 1, name_start = 2, name_char = 4, special = 8 };
+
+/// What a byte may be; the names are those of tinyxml2.
+constexpr std::array<std::uint8_t, 256> kClasses = [] {
+  std::array<std::uint8_t, 256> classes{};
+  const auto add = [&](std::string_view bytes, int what) {
+    for (const char c : bytes)
+      classes[static_cast<unsigned char>(c)] |= static_cast<std::uint8_t>(what);
+  };
+  add(" \t\n\r", blank);
+  add("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_:", name_start | name_char);
+  add("0123456789-.", name_char);
+  add("\"'<&\r", special);
+  for (std::size_t byte = 0x80; byte < 0x100; ++byte) classes[byte] = name_start | name_char;
+  return classes;
+}();
+
+bool is(char c, ByteClass what) { return (kClasses[static_cast<unsigned char>(c)] & what) != 0; }
 
 class Scanner {
  public:
   Scanner(std::string_view text, SourceId id, const Limits& limits, DiagnosticSink& sink)
       : text_(text), id_(id), limits_(limits), sink_(sink), prefixes_(text, sink) {}
 
-  XmlIndex run() {
+  ScannedXml run() {
+    document_.source = id_;
+    reserve();
     at_ = byte_order_mark_size(text_);
     check_xml_prolog(text_, id_, sink_);
-    while (index_.well_formed && at_ < size()) {
+    while (scanned_.well_formed && at_ < size()) {
       if (text_[at_] == '<') {
         markup();
       } else {
         character_data();
       }
     }
-    if (index_.well_formed) finish();
-    return std::move(index_);
+    if (scanned_.well_formed) finish();
+    return std::move(scanned_);
   }
 
  private:
   struct OpenElement {
-    std::uint32_t element = 0;
+    ElementId element = kNoElement;
+    ElementId last_child = kNoElement;
     std::size_t prefixes = 0;  ///< prefixes declared before this element
   };
 
+  /// What grows needs up to three times its size for a while. Only a hostile file has more than
+  /// one element in 16 bytes.
+  void reserve() {
+    const auto count = [&](char sign, char not_before) {
+      std::size_t number = 0;
+      for (std::size_t at = text_.find(sign); at != std::string_view::npos;
+           at = text_.find(sign, at + 1)) {
+        number += text_.substr(at + 1).starts_with(not_before) ? 0U : 1U;
+      }
+      return number;
+    };
+    document_.elements.reserve(std::min(count('<', '/'), text_.size() / 16 + 1));
+    document_.attributes.reserve(std::min(count('=', '='), text_.size() / 16 + 1));
+  }
+
   std::uint32_t size() const { return static_cast<std::uint32_t>(text_.size()); }
   Span span(std::uint32_t begin, std::uint32_t end) const { return {id_, begin, end}; }
-  std::string quoted(Span s) const {
-    return "`" + std::string(text_.substr(s.begin, s.end - s.begin)) + "`";
+  std::string_view slice(Span s) const { return text_.substr(s.begin, s.end - s.begin); }
+  std::string quoted(Span s) const { return "`" + std::string(slice(s)) + "`"; }
+  Element& element_of(const OpenElement& open) {
+    return document_.elements[static_cast<std::size_t>(open.element)];
   }
   bool looking_at(std::string_view word) const { return text_.substr(at_).starts_with(word); }
   void skip_space() {
-    while (at_ < size() && is_space(text_[at_])) ++at_;
+    while (at_ < size() && is(text_[at_], blank)) ++at_;
   }
 
   Diagnostic& malformed(Span place, std::string message) {
-    index_.well_formed = false;
+    scanned_.well_formed = false;
     return sink_.report(rules::sml1001_xml_malformed, place, std::move(message));
   }
 
   void too_much(const Rule& rule, Span place, std::string message, std::string_view limit) {
-    index_.well_formed = false;
+    scanned_.well_formed = false;
     sink_.report(rule, place, std::move(message)).help = raise_limit(limit);
   }
 
@@ -92,8 +127,9 @@ class Scanner {
 
   void character_section() {
     const std::uint32_t begin = at_;
+    scanned_.is_plain = false;
     skip_section("]]>", "this CDATA section is never closed");
-    if (!index_.well_formed) return;
+    if (!scanned_.well_formed) return;
     if (open_.empty()) {
       outside_of_root(span(begin, at_));
     } else {
@@ -110,7 +146,7 @@ class Scanner {
       return;
     }
     at_ = static_cast<std::uint32_t>(found + 3);
-    index_.comments.push_back(span(begin, at_));
+    document_.comments.push_back(span(begin, at_));
     const std::string_view body = text_.substr(begin + 4, found - begin - 4);
     std::size_t dashes = body.find("--");
     if (dashes == std::string_view::npos && body.ends_with('-')) dashes = body.size() - 1;
@@ -124,6 +160,7 @@ class Scanner {
 
   void doctype() {
     const std::uint32_t begin = at_;
+    scanned_.is_plain = false;
     is_prolog_ = false;
     std::size_t close = text_.find('>', begin);
     const std::size_t subset = text_.find('[', begin);
@@ -149,15 +186,16 @@ class Scanner {
   void instruction() {
     const std::uint32_t begin = at_;
     const bool is_declaration = looking_at("<?xml ");
+    if (!is_declaration || has_declaration_) scanned_.is_plain = false;
     skip_section("?>", "this processing instruction is never closed");
-    if (index_.well_formed && is_prolog_ && is_declaration && has_declaration_) {
+    if (scanned_.well_formed && is_prolog_ && is_declaration && has_declaration_) {
       sink_
           .report(rules::sml1005_xml_junk_before_prolog, span(begin, at_),
                   "a second XML declaration")
           .fixes.push_back({Applicability::safe, {{span(begin, at_), ""}}});
     }
     has_declaration_ = has_declaration_ || is_declaration;
-    if (!index_.well_formed) return;
+    if (!scanned_.well_formed) return;
     const auto close = static_cast<std::uint32_t>(text_.find('>', begin));
     if (close + 1 < at_) {
       malformed(span(close, close + 1),
@@ -191,13 +229,12 @@ class Scanner {
       malformed(span(begin, at_), "the end tag " + quoted(name) + " closes nothing");
       return;
     }
-    ScannedElement& element = index_.elements[open_.back().element];
-    if (text_.substr(name.begin, name.end - name.begin) !=
-        text_.substr(element.name_span.begin, element.name_span.end - element.name_span.begin)) {
+    const Element& element = element_of(open_.back());
+    if (slice(name) != element.name) {
       Diagnostic& diagnostic =
           malformed(name, "the end tag " + quoted(name) + " does not close the open element " +
-                              quoted(element.name_span));
-      diagnostic.labels.push_back({element.name_span, "opened here"});
+                              quoted(element.name_span()));
+      diagnostic.labels.push_back({element.name_span(), "opened here"});
       suspect_end(open_.back().element, diagnostic);
       return;
     }
@@ -205,32 +242,31 @@ class Scanner {
   }
 
   /// An element directly in one of the same name: the end tag of the outer one is missing there.
-  void suspect_end(std::uint32_t open, Diagnostic& diagnostic) const {
-    const auto name_of = [&](const ScannedElement& element) {
-      return text_.substr(element.name_span.begin, element.name_span.end - element.name_span.begin);
-    };
-    for (std::size_t i = open + 1; i < index_.elements.size(); ++i) {
-      const ScannedElement& inner = index_.elements[i];
-      if (name_of(inner) == name_of(index_.elements[open])) {
-        diagnostic.labels.push_back({inner.name_span, "is the end tag missing before this?"});
+  void suspect_end(ElementId open, Diagnostic& diagnostic) const {
+    const auto outer = static_cast<std::size_t>(open);
+    for (std::size_t i = outer + 1; i < document_.elements.size(); ++i) {
+      const Element& inner = document_.elements[i];
+      if (inner.name == document_.elements[outer].name) {
+        diagnostic.labels.push_back({inner.name_span(), "is the end tag missing before this?"});
         return;
       }
-      while (i + 1 < index_.elements.size() && index_.elements[i + 1].span.begin < inner.span.end) {
+      while (i + 1 < document_.elements.size() &&
+             document_.elements[i + 1].span.begin < inner.span.end) {
         ++i;  // what is in a closed child
       }
     }
   }
 
   void close_element() {
-    index_.elements[open_.back().element].span.end = at_;
+    element_of(open_.back()).span.end = at_;
     prefixes_.close(open_.back().prefixes);
     open_.pop_back();
   }
 
   Span scan_name() {
     const std::uint32_t begin = at_;
-    if (at_ < size() && is_name_start(text_[at_])) {
-      while (at_ < size() && is_name_char(text_[at_])) ++at_;
+    if (at_ < size() && is(text_[at_], name_start)) {
+      while (at_ < size() && is(text_[at_], name_char)) ++at_;
     }
     return span(begin, at_);
   }
@@ -238,61 +274,80 @@ class Scanner {
   void start_tag() {
     const std::uint32_t begin = at_++;
     is_prolog_ = false;
-    ScannedElement element;
-    element.name_span = scan_name();
-    if (element.name_span.empty()) {
+    Element element;
+    element.span = span(begin, begin);
+    element.name = slice(scan_name());
+    if (element.name.empty()) {
       malformed(span(begin, begin + 1), "`<` begins no element here").help =
           "write `&lt;` for the character itself";
       return;
     }
-    if (open_.empty() && !index_.elements.empty()) {
-      malformed_second_root(element.name_span);
+    if (open_.empty() && !document_.elements.empty()) {
+      malformed_second_root(element.name_span());
       return;
     }
     if (open_.size() >= limits_.xml_depth) {
-      too_much(rules::sml0014_nesting_too_deep, element.name_span,
+      too_much(rules::sml0014_nesting_too_deep, element.name_span(),
                "elements are nested deeper than " + std::to_string(limits_.xml_depth) + " levels",
                "xml-depth");
       return;
     }
-    if (index_.elements.size() >= limits_.xml_elements) {
-      too_much(rules::sml0002_file_too_large, element.name_span,
+    if (document_.elements.size() >= limits_.xml_elements) {
+      too_much(rules::sml0002_file_too_large, element.name_span(),
                "the file holds more than " + std::to_string(limits_.xml_elements) + " elements",
                "xml-elements");
       return;
     }
-    element.first_attribute = static_cast<std::uint32_t>(index_.attributes.size());
-    open_.push_back({static_cast<std::uint32_t>(index_.elements.size()), prefixes_.count()});
+    element.first_attribute = static_cast<std::uint32_t>(document_.attributes.size());
+    const std::size_t prefixes = prefixes_.count();
     bool is_closed = false;
     if (!attributes(element, is_closed)) return;
     element.attribute_count =
-        static_cast<std::uint32_t>(index_.attributes.size()) - element.first_attribute;
-    element.tag_span = span(begin, at_);
-    element.span = element.tag_span;
-    index_.elements.push_back(element);
-    prefixes_.check(element.name_span);
+        static_cast<std::uint32_t>(document_.attributes.size()) - element.first_attribute;
+    element.tag_end = at_;
+    element.span = element.tag_span();
+    open(element, prefixes);
+    prefixes_.check(element.name_span());
     for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
-      prefixes_.check(index_.attributes[element.first_attribute + i].name_span);
+      prefixes_.check(document_.attributes[element.first_attribute + i].name_span());
     }
-    check_inclusion(element.name_span);
+    check_inclusion(element.name_span());
     if (is_closed) close_element();
   }
 
+  void open(Element& element, std::size_t prefixes) {
+    const ElementId id{static_cast<std::uint32_t>(document_.elements.size())};
+    if (open_.empty()) {
+      document_.root = id;
+    } else {
+      OpenElement& parent = open_.back();
+      element.parent = parent.element;
+      if (parent.last_child == kNoElement) {
+        element_of(parent).first_child = id;
+      } else {
+        document_.elements[static_cast<std::size_t>(parent.last_child)].next_sibling = id;
+      }
+      parent.last_child = id;
+    }
+    document_.elements.push_back(element);
+    open_.push_back({id, kNoElement, prefixes});
+  }
+
   void malformed_second_root(Span name) {
-    index_.well_formed = false;
+    scanned_.well_formed = false;
     Diagnostic& diagnostic =
         sink_.report(rules::sml1006_xml_several_roots, name,
                      "a second root element " + quoted(name) + " begins after the first has ended");
-    diagnostic.labels.push_back({index_.elements.front().name_span, "the root element"});
+    diagnostic.labels.push_back({document_.elements.front().name_span(), "the root element"});
   }
 
-  bool attributes(ScannedElement& element, bool& is_closed) {
+  bool attributes(const Element& element, bool& is_closed) {
     while (true) {
       const std::uint32_t before = at_;
       skip_space();
       if (at_ >= size()) {
-        malformed(element.name_span,
-                  "the start tag of " + quoted(element.name_span) + " is never closed by `>`");
+        malformed(element.name_span(),
+                  "the start tag of " + quoted(element.name_span()) + " is never closed by `>`");
         return false;
       }
       if (text_[at_] == '>') {
@@ -312,68 +367,63 @@ class Scanner {
     }
   }
 
-  bool attribute(const ScannedElement& element) {
-    ScannedAttribute attribute;
-    attribute.name_span = scan_name();
-    if (attribute.name_span.empty()) {
+  bool attribute(const Element& element) {
+    Attribute attribute;
+    attribute.value_span = span(at_, at_);
+    attribute.begin = at_;
+    attribute.name = slice(scan_name());
+    if (attribute.name.empty()) {
       malformed(span(at_, at_ + 1),
-                "this character cannot stand in the start tag of " + quoted(element.name_span));
+                "this character cannot stand in the start tag of " + quoted(element.name_span()));
       return false;
     }
     skip_space();
     if (at_ >= size() || text_[at_] != '=') {
-      malformed(attribute.name_span,
-                "the attribute " + quoted(attribute.name_span) + " has no value");
+      malformed(attribute.name_span(),
+                "the attribute " + quoted(attribute.name_span()) + " has no value");
       return false;
     }
     ++at_;
     skip_space();
     if (at_ >= size() || (text_[at_] != '"' && text_[at_] != '\'')) {
-      malformed(attribute.name_span,
-                "the value of the attribute " + quoted(attribute.name_span) + " has no quotes");
+      malformed(attribute.name_span(),
+                "the value of the attribute " + quoted(attribute.name_span()) + " has no quotes");
       return false;
     }
     const char quote = text_[at_++];
     const std::uint32_t begin = at_;
-    while (at_ < size() && text_[at_] != quote && text_[at_] != '<') {
-      if (text_[at_] == '&') {
-        reference();
-      } else {
-        ++at_;
-      }
-    }
+    while (at_ < size() && text_[at_] != quote && text_[at_] != '<') step();
     if (at_ >= size() || text_[at_] == '<') {
       malformed(span(begin - 1, begin),
-                "the value of the attribute " + quoted(attribute.name_span) + " is never closed");
+                "the value of the attribute " + quoted(attribute.name_span()) + " is never closed");
       return false;
     }
     attribute.value_span = span(begin, at_);
-    attribute.span = span(attribute.name_span.begin, ++at_);
+    attribute.value = slice(attribute.value_span);
+    ++at_;
     return add_attribute(element, attribute);
   }
 
-  bool add_attribute(const ScannedElement& element, const ScannedAttribute& attribute) {
-    const auto name_of = [&](Span s) { return text_.substr(s.begin, s.end - s.begin); };
-    const std::string_view name = name_of(attribute.name_span);
-    const std::size_t count = index_.attributes.size() - element.first_attribute;
+  bool add_attribute(const Element& element, const Attribute& attribute) {
+    const std::size_t count = document_.attributes.size() - element.first_attribute;
     if (count >= limits_.xml_attributes) {
-      too_much(rules::sml0002_file_too_large, element.name_span,
-               "the element " + quoted(element.name_span) + " has more than " +
+      too_much(rules::sml0002_file_too_large, element.name_span(),
+               "the element " + quoted(element.name_span()) + " has more than " +
                    std::to_string(limits_.xml_attributes) + " attributes",
                "xml-attributes");
       return false;
     }
-    for (std::size_t i = element.first_attribute; i < index_.attributes.size(); ++i) {
-      if (name_of(index_.attributes[i].name_span) != name) continue;
-      index_.well_formed = false;
+    for (std::size_t i = element.first_attribute; i < document_.attributes.size(); ++i) {
+      if (document_.attributes[i].name != attribute.name) continue;
+      scanned_.well_formed = false;
       Diagnostic& diagnostic =
-          sink_.report(rules::sml1007_xml_duplicate_attribute, attribute.name_span,
-                       "the attribute " + quoted(attribute.name_span) + " is written twice");
-      diagnostic.labels.push_back({index_.attributes[i].name_span, "first written here"});
+          sink_.report(rules::sml1007_xml_duplicate_attribute, attribute.name_span(),
+                       "the attribute " + quoted(attribute.name_span()) + " is written twice");
+      diagnostic.labels.push_back({document_.attributes[i].name_span(), "first written here"});
       return false;
     }
-    if (name.starts_with("xmlns:")) prefixes_.declare(name.substr(6));
-    index_.attributes.push_back(attribute);
+    if (attribute.name.starts_with("xmlns:")) prefixes_.declare(attribute.name.substr(6));
+    document_.attributes.push_back(attribute);
     return true;
   }
 
@@ -391,12 +441,26 @@ class Scanner {
   }
 
   void check_inclusion(Span name) {
-    if (text_.substr(name.begin, name.end - name.begin) != "xi:include") return;
+    if (slice(name) != "xi:include") return;
     sink_.report(rules::sml1013_dtd_or_xinclude, name, "URDF readers do not follow `xi:include`");
+  }
+
+  /// Over runs of bytes that mean themselves, or over one that does not.
+  void step() {
+    if (!is(text_[at_], special)) {
+      while (++at_ < size() && !is(text_[at_], special)) {
+      }
+    } else if (text_[at_] == '&') {
+      reference();
+    } else {
+      scanned_.is_plain = scanned_.is_plain && text_[at_] != '\r';
+      ++at_;
+    }
   }
 
   void reference() {
     const std::uint32_t begin = at_;
+    scanned_.is_plain = false;
     const std::size_t semicolon = text_.find_first_of("; <\"'&", begin + 1);
     const bool is_closed = semicolon != std::string_view::npos && text_[semicolon] == ';';
     const std::string_view name =
@@ -419,37 +483,34 @@ class Scanner {
         .help = "write the text out";
   }
 
-  /// Readers take the first piece of text of an element.
+  /// Readers take the first piece of text of an element, if it stands before its children.
   void add_text(Span text) {
-    ScannedElement& element = index_.elements[open_.back().element];
+    Element& element = element_of(open_.back());
     if (!element.text_span.empty()) return;
-    element.text_span = text;
     constexpr std::string_view kBlanks = " \t\r\n";
-    const std::string_view written = text_.substr(0, text.end);
-    const std::size_t first = written.find_first_not_of(kBlanks, text.begin);
+    const std::string_view written = slice(text);
+    const std::size_t first = written.find_first_not_of(kBlanks);
     if (first == std::string_view::npos) return;
-    element.visible_text = span(static_cast<std::uint32_t>(first),
-                                static_cast<std::uint32_t>(written.find_last_not_of(kBlanks) + 1));
+    if (open_.back().last_child == kNoElement) element.text = written;
+    scanned_.is_plain = scanned_.is_plain && written.find('\r') == std::string_view::npos;
+    element.text_span =
+        span(text.begin + static_cast<std::uint32_t>(first),
+             text.begin + static_cast<std::uint32_t>(written.find_last_not_of(kBlanks) + 1));
   }
 
   void outside_of_root(Span text) {
-    malformed(text, index_.elements.empty() ? "text before the root element"
-                                            : "text after the root element");
+    malformed(text, document_.elements.empty() ? "text before the root element"
+                                               : "text after the root element");
   }
 
   void character_data() {
     const std::uint32_t begin = at_;
-    while (at_ < size() && text_[at_] != '<') {
-      if (text_[at_] == '&') {
-        reference();
-      } else {
-        ++at_;
-      }
-    }
-    const std::size_t visible = text_.find_first_not_of(" \t\r\n", begin);
-    if (visible >= at_) return;
+    skip_space();
+    const std::uint32_t visible = at_;
+    while (at_ < size() && text_[at_] != '<') step();
+    if (visible == at_) return;
     if (open_.empty()) {
-      outside_of_root(span(static_cast<std::uint32_t>(visible), at_));
+      outside_of_root(span(visible, at_));
     } else {
       add_text(span(begin, at_));
     }
@@ -457,12 +518,12 @@ class Scanner {
 
   void finish() {
     if (!open_.empty()) {
-      const ScannedElement& element = index_.elements[open_.back().element];
+      const Element& element = element_of(open_.back());
       Diagnostic& diagnostic = malformed(span(size(), size()), "the file ends inside the element " +
-                                                                   quoted(element.name_span));
-      diagnostic.labels.push_back({element.name_span, "opened here and never closed"});
+                                                                   quoted(element.name_span()));
+      diagnostic.labels.push_back({element.name_span(), "opened here and never closed"});
       suspect_end(open_.back().element, diagnostic);
-    } else if (index_.elements.empty()) {
+    } else if (document_.elements.empty()) {
       malformed(span(0, 0), "the file holds no XML element");
     }
   }
@@ -471,7 +532,8 @@ class Scanner {
   SourceId id_;
   const Limits& limits_;
   DiagnosticSink& sink_;
-  XmlIndex index_;
+  ScannedXml scanned_;
+  xml::Document& document_ = scanned_.document;
   std::uint32_t at_ = 0;
   bool is_prolog_ = true;  ///< nothing but processing instructions so far
   bool has_declaration_ = false;
@@ -481,8 +543,8 @@ class Scanner {
 
 }  // namespace
 
-XmlIndex scan_xml(const SourceMap& sources, SourceId id, const Limits& limits,
-                  DiagnosticSink& sink) {
+ScannedXml scan_xml(const SourceMap& sources, SourceId id, const Limits& limits,
+                    DiagnosticSink& sink) {
   return Scanner(sources.text(id), id, limits, sink).run();
 }
 

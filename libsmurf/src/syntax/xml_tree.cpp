@@ -7,19 +7,13 @@
 
 namespace smurf::xml {
 
-const Attribute* View::attributes_begin() const {
-  return document_->attributes.data() + element().first_attribute;
-}
-
-const Attribute* View::attributes_end() const {
-  return attributes_begin() + element().attribute_count;
-}
-
 const Attribute* View::attribute(std::string_view name) const {
+  const Element& element = this->element();
+  const Attribute* first = document_->attributes.data() + element.first_attribute;
+  const Attribute* end = first + element.attribute_count;
   const Attribute* found =
-      std::find_if(attributes_begin(), attributes_end(),
-                   [&](const Attribute& attribute) { return attribute.name == name; });
-  return found == attributes_end() ? nullptr : found;
+      std::find_if(first, end, [&](const Attribute& attribute) { return attribute.name == name; });
+  return found == end ? nullptr : found;
 }
 
 View View::child(std::string_view name) const {

@@ -252,11 +252,9 @@ void TreeBuilder::close() {
 }
 
 void TreeBuilder::report_duplicates(NodeId mapping) {
-  struct Entry {
-    std::string_view key;
-    NodeId id;
-  };
-  std::vector<Entry> entries;
+  if (at(mapping).child_count < 2) return;
+  std::vector<Entry>& entries = entries_;
+  entries.clear();
   for (NodeId child = at(mapping).first_child; child != kNoNode; child = at(child).next_sibling) {
     // A list or mapping as a key has no text; it is reported as such.
     const Span key = at(child).key_span;
@@ -266,8 +264,7 @@ void TreeBuilder::report_duplicates(NodeId mapping) {
     }
     entries.push_back({at(child).key, child});
   }
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const Entry& a, const Entry& b) { return a.key < b.key; });
+  std::sort(entries.begin(), entries.end());
   for (std::size_t i = 1, first = 0; i < entries.size(); ++i) {
     if (entries[i].key != entries[first].key) {
       first = i;

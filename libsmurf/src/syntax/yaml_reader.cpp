@@ -91,12 +91,31 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
           "MARS reads the first document and drops the rest, PyYAML (Phobos) refuses the file");
 }
 
-/// The first line of a kind after `begin`, which is the begin of a line; none when there is none.
-std::optional<Span> find_line(std::string_view text, std::uint32_t begin, SourceId id,
-                              bool (*is_meant)(std::string_view line)) {
+/// yaml-cpp takes the marks of a merge for texts, or ends the document there without a word.
+std::optional<Span> find_merge_mark(std::string_view text, SourceId id) {
+  std::size_t first = std::string_view::npos;
+  for (const std::string_view mark : {"<<<<<<< ", ">>>>>>> "}) {
+    std::size_t at = text.find(mark);
+    while (at != std::string_view::npos && at > 0 && text[at - 1] != '\n' && text[at - 1] != '\r') {
+      at = text.find(mark, at + 1);
+    }
+    first = std::min(first, at);
+  }
+  if (first == std::string_view::npos) return std::nullopt;
+  const std::size_t end = std::min(text.find_first_of("\r\n", first), text.size());
+  return Span{id, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)};
+}
+
+bool is_content(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && line[first] != '#';
+}
+
+/// The first line with content after `begin`, which is the begin of a line.
+std::optional<Span> find_content(std::string_view text, std::uint32_t begin, SourceId id) {
   for (std::size_t at = begin; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-    if (is_meant(text.substr(at, end - at))) {
+    if (is_content(text.substr(at, end - at))) {
       return Span{id, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)};
     }
     at = std::max(text.find_first_not_of("\r\n", end), end);
@@ -105,22 +124,12 @@ std::optional<Span> find_line(std::string_view text, std::uint32_t begin, Source
   return std::nullopt;
 }
 
-/// yaml-cpp takes the marks of a merge for texts, or ends the document there without a word.
-bool is_merge_mark(std::string_view line) {
-  return line.starts_with("<<<<<<< ") || line.starts_with(">>>>>>> ");
-}
-
-bool is_content(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(" \t");
-  return first != std::string_view::npos && line[first] != '#';
-}
-
 /// yaml-cpp ends a document where nothing fits any more, and need not tell. What follows must be
 /// a mark then.
 bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, DiagnosticSink& sink) {
   const std::size_t line_end = text.find_first_of("\r\n", first_end);
   if (line_end == std::string_view::npos) return true;
-  const auto rest = find_line(text, static_cast<std::uint32_t>(line_end), id, is_content);
+  const auto rest = find_content(text, static_cast<std::uint32_t>(line_end), id);
   if (!rest) return true;
   const auto at = static_cast<std::uint32_t>(text.find_first_not_of(" \t", rest->begin));
   for (const std::string_view mark : {"---", "...", "%", "]", "}"}) {
@@ -208,7 +217,7 @@ bool parse_plain(const SourceMap& sources, SourceId id, const Limits& limits, Di
 
 std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink) {
-#ifdef SMURF_PLAIN_YAML
+#ifdef SMURF_SCANNERS
   return parse_yaml_by(YamlEngine::scanner_first, sources, id, limits, sink);
 #else
   return parse_yaml_by(YamlEngine::yaml_cpp, sources, id, limits, sink);
@@ -220,7 +229,7 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
                                             DiagnosticSink& sink) {
   if (!check_text(sources, id, TextFormat::yaml, sink)) return std::nullopt;
   const std::string_view text = sources.text(id);
-  if (const auto mark = find_line(text, 0, id, is_merge_mark)) {
+  if (const auto mark = find_merge_mark(text, id)) {
     sink.report(rules::sml0010_yaml_syntax, *mark, "a merge left its marks here").help =
         "keep one of the two versions, and none of the marks";
     return std::nullopt;

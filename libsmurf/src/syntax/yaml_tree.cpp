@@ -32,11 +32,12 @@ bool looks_numeric(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '
 
 ScalarType classify(std::string_view text, Style style) {
   if (style != Style::plain) return ScalarType::text;
-  if (text.empty() || is_one_of(text, {"~", "null", "Null", "NULL"})) return ScalarType::null;
-  if (is_one_of(text, {"true", "True", "TRUE", "false", "False", "FALSE"})) {
-    return ScalarType::boolean;
+  if (text.empty()) return ScalarType::null;
+  if (!looks_numeric(text.front())) {
+    if (is_one_of(text, {"~", "null", "Null", "NULL"})) return ScalarType::null;
+    const bool is_boolean = is_one_of(text, {"true", "True", "TRUE", "false", "False", "FALSE"});
+    return is_boolean ? ScalarType::boolean : ScalarType::text;
   }
-  if (!looks_numeric(text.front())) return ScalarType::text;
   if (parse_integer(text) || parse_radix(text)) return ScalarType::integer;
   if (parse_number(text)) return ScalarType::number;
   std::string_view unsigned_text = text;
@@ -55,13 +56,15 @@ ScalarType View::type() const {
 
 std::optional<double> View::number() const {
   const Node& own = value();
-  if (own.kind != Kind::scalar) return std::nullopt;
+  if (own.kind != Kind::scalar || own.style != Style::plain || own.text.empty())
+    return std::nullopt;
+  if (!looks_numeric(own.text.front())) return std::nullopt;
+  if (const auto number = parse_number(own.text)) return number;
   switch (classify(own.text, own.style)) {
   case ScalarType::integer:
     if (const auto radix = parse_radix(own.text)) return static_cast<double>(*radix);
-    return parse_number(own.text);
+    return std::nullopt;
   case ScalarType::number:
-    if (const auto number = parse_number(own.text)) return number;
     if (own.text.back() == 'n' || own.text.back() == 'N') {
       return std::numeric_limits<double>::quiet_NaN();
     }

@@ -89,7 +89,7 @@ void MjcfParts::add_heightmaps() {
 }
 
 void MjcfParts::add_lights() {
-  for (const Light* light : world_lights(scene_.scene)) {
+  for (const Light* light : world_lights(scene_)) {
     const Rgba white{1, 1, 1, 1};
     const auto rgb = [](const Rgba& color) { return join_numbers({color[0], color[1], color[2]}); };
     const bool is_spot = light->type.value_or(1) == 2;

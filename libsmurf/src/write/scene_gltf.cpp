@@ -2,8 +2,9 @@
 // glTF 2.0, a preview: a node an entity, in it a node a link, in it its shapes. The root node turns
 // the z axis of SMURF up, which is y in glTF; all poses below it are those of SMURF.
 #include <bit>
+#include <limits>
 #include <map>
-#include <set>
+#include <variant>
 
 #include "base/numbers.hpp"
 #include "write/json_text.hpp"
@@ -57,6 +58,13 @@ class GltfWriter {
 
  private:
   enum class Solid : std::uint8_t { box, sphere, cylinder, square };
+  /// Points that several meshes share: a solid, or the file of a mesh.
+  using Points = std::variant<Solid, std::string>;
+  struct Accessors {
+    std::size_t points = 0, indices = 0;
+    std::optional<std::size_t> normals;
+    std::string why_none;
+  };
 
   static void append_pose(std::string& node, const Pose& pose) {
     if (pose.position != Vector3{0, 0, 0}) {
@@ -130,12 +138,14 @@ class GltfWriter {
   }
 
   void add_shape(const LinkShape& shape, std::vector<std::size_t>& nodes) {
-    const auto add = [&](Solid solid, const Pose& X_LS, const Vector3& scale) {
+    const auto add = [&](const Points& points, const Pose& X_LS, const Vector3& scale) {
       std::string node = start_node("shape", X_LS);
-      append_key(node, "scale");
-      append_json(node, scale);
+      if (scale != Vector3{1, 1, 1}) {
+        append_key(node, "scale");
+        append_json(node, scale);
+      }
       append_key(node, "mesh");
-      node += std::to_string(mesh_of(solid, shape.color));
+      node += std::to_string(mesh_of(points, shape.color));
       nodes.push_back(add_node(std::move(node)));
     };
     if (const auto* box = std::get_if<FlatBox>(&shape.geometry)) {
@@ -152,21 +162,27 @@ class GltfWriter {
       }
     } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
       add(Solid::square, shape.X_LS, {plane->length, plane->width, 1});
-    } else if (reported_.insert({to_size(shape.span.source), shape.span.begin}).second) {
-      const bool is_mesh = std::holds_alternative<FlatMesh>(shape.geometry);
-      losses_.shape(shape.span,
-                    is_mesh ? "the mesh, which would have to be converted," : "the heightmap");
+    } else if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) {
+      const std::string& reason = accessors_of(mesh->file).why_none;
+      if (reason.empty()) {
+        add(mesh->file, shape.X_LS, mesh->scale);
+      } else {
+        losses_.unseen_shape(shape.span, shape.geometry, reason);
+      }
+    } else {
+      losses_.unseen_shape(shape.span, shape.geometry, {});
     }
   }
 
-  /// A mesh for every pair of solid and colour.
-  std::size_t mesh_of(Solid solid, const std::optional<Rgba>& color) {
-    const auto [known, is_new] = meshes_.try_emplace({solid, color}, meshes_.size());
+  /// A mesh for every pair of points and colour. Without normals a reader shows flat triangles.
+  std::size_t mesh_of(const Points& points, const std::optional<Rgba>& color) {
+    const auto [known, is_new] = meshes_.try_emplace({points, color}, meshes_.size());
     if (!is_new) return known->second;
+    const Accessors& accessors = accessors_of(points);
     std::string mesh = "{\"primitives\": [{\"attributes\": {\"POSITION\": ";
-    const std::size_t accessor = accessor_of(solid);
-    mesh += std::to_string(accessor) + ", \"NORMAL\": " + std::to_string(accessor + 1) +
-            "}, \"indices\": " + std::to_string(accessor + 2) +
+    mesh += std::to_string(accessors.points);
+    if (accessors.normals) mesh += ", \"NORMAL\": " + std::to_string(*accessors.normals);
+    mesh += "}, \"indices\": " + std::to_string(accessors.indices) +
             ", \"material\": " + std::to_string(material_of(color)) + "}]}";
     mesh_texts_.push_back(std::move(mesh));
     return known->second;
@@ -186,24 +202,57 @@ class GltfWriter {
     return known->second;
   }
 
-  /// Of the points; those of the normals and the indices follow.
-  std::size_t accessor_of(Solid solid) {
-    const auto [known, is_new] = solids_.try_emplace(solid, accessors_.size());
+  const Accessors& accessors_of(const Points& points) {
+    const auto [known, is_new] = points_.try_emplace(points);
     if (!is_new) return known->second;
+    if (const auto* solid = std::get_if<Solid>(&points)) {
+      known->second = add_solid(*solid);
+    } else {
+      known->second = add_file(std::get<std::string>(points));
+    }
+    return known->second;
+  }
+
+  Accessors add_solid(Solid solid) {
     const TriangleMesh mesh = solid == Solid::box        ? unit_box()
                               : solid == Solid::sphere   ? unit_sphere()
                               : solid == Solid::cylinder ? unit_cylinder()
                                                          : unit_square();
-    add_vectors(mesh.points, true);
-    add_vectors(mesh.normals, false);
+    Accessors accessors;
+    accessors.points = add_vectors(mesh.points, true);
+    accessors.normals = add_vectors(mesh.normals, false);
+    accessors.indices = add_indices<std::uint16_t>(mesh.indices);
+    return accessors;
+  }
+
+  Accessors add_file(const std::string& file) {
+    Accessors accessors;
+    if (!scene_.meshes) {
+      accessors.why_none = "is not at hand";
+      return accessors;
+    }
+    const MeshTriangles mesh = scene_.meshes(file);
+    accessors.why_none = mesh.reason;
+    if (!mesh.reason.empty()) return accessors;
+    accessors.points = add_vectors(mesh.points, true);
+    // The greatest index of a type means something else to some readers.
+    const bool is_small = mesh.points.size() <= std::numeric_limits<std::uint16_t>::max();
+    accessors.indices = is_small ? add_indices<std::uint16_t>(mesh.indices)
+                                 : add_indices<std::uint32_t>(mesh.indices);
+    return accessors;
+  }
+
+  template <class Written, class Index>
+  std::size_t add_indices(const std::vector<Index>& indices) {
     const std::size_t start = buffer_.size();
-    for (const std::uint16_t index : mesh.indices) append_bytes(buffer_, index);
-    constexpr std::string_view kElements = "34963";  // ELEMENT_ARRAY_BUFFER
-    add_view(start, kElements);
+    for (const Index index : indices) append_bytes(buffer_, static_cast<Written>(index));
+    add_view(start, "34963");  // ELEMENT_ARRAY_BUFFER
+    constexpr std::string_view kType = sizeof(Written) == 2 ? "5123" : "5125";
     accessors_.push_back("{\"bufferView\": " + std::to_string(views_.size() - 1) +
-                         ", \"componentType\": 5123, \"type\": \"SCALAR\", \"count\": " +
-                         std::to_string(mesh.indices.size()) + "}");
-    return known->second;
+                         ", \"componentType\": " + std::string(kType) +
+                         ", \"type\": \"SCALAR\", \"count\": " + std::to_string(indices.size()) +
+                         "}");
+    return accessors_.size() - 1;
   }
 
   void add_view(std::size_t start, std::string_view target) {
@@ -213,7 +262,7 @@ class GltfWriter {
     buffer_.resize((buffer_.size() + 3) / 4 * 4);  // accessors are aligned
   }
 
-  void add_vectors(const std::vector<std::array<float, 3>>& vectors, bool with_bounds) {
+  std::size_t add_vectors(const std::vector<std::array<float, 3>>& vectors, bool with_bounds) {
     const std::size_t start = buffer_.size();
     std::array<float, 3> least = vectors.front();
     std::array<float, 3> most = vectors.front();
@@ -235,6 +284,7 @@ class GltfWriter {
       append_json(accessor, Vector3{most[0], most[1], most[2]});
     }
     accessors_.push_back(accessor + "}");
+    return accessors_.size() - 1;
   }
 
   static void append_list(std::string& out, std::string_view name,
@@ -272,10 +322,9 @@ class GltfWriter {
   LinkFrames frames_;
   std::vector<std::string> nodes_, mesh_texts_, material_texts_, accessors_, views_;
   std::string buffer_;
-  std::map<std::pair<Solid, std::optional<Rgba>>, std::size_t> meshes_;
+  std::map<std::pair<Points, std::optional<Rgba>>, std::size_t> meshes_;
   std::map<std::optional<Rgba>, std::size_t> materials_;
-  std::map<Solid, std::size_t> solids_;
-  std::set<std::pair<std::size_t, std::size_t>> reported_;  ///< shapes, by source and place
+  std::map<Points, Accessors> points_;
 };
 
 }  // namespace

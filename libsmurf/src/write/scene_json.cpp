@@ -10,6 +10,16 @@
 namespace smurf {
 namespace {
 
+/// Those of scenes first, then those of old scenes.
+std::vector<const Value*> all_lights(const FlatScene& scene) {
+  std::vector<const Value*> lights;
+  for (const Value& light : scene.lights) lights.push_back(&light);
+  for (const FlatOldScene& old : scene.old_scenes) {
+    for (const Value& light : old.lights) lights.push_back(&light);
+  }
+  return lights;
+}
+
 class JsonWriter {
  public:
   explicit JsonWriter(bool links) : links_(links) {}
@@ -23,7 +33,7 @@ class JsonWriter {
     out_ += ",\n  \"environment\": ";
     append_json(out_, scene.environment);
     out_ += ",\n  \"lights\": ";
-    rows(scene.lights, [&](const Value& light) { append_json(out_, light); });
+    rows(all_lights(scene), [&](const Value* light) { append_json(out_, *light); });
     out_ += ",\n  \"models\": ";
     rows(scene.models, [&](const FlatModel& flat) { model(flat); });
     out_ += ",\n  \"instances\": ";

@@ -30,6 +30,17 @@ std::string describe(const Annotations& annotations) {
   return text;
 }
 
+/// "`a`, `b` and 3 more".
+std::string list(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 8;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kShown; ++i) {
+    text += (i == 0 ? "" : ", ") + (names[i].empty() ? "a node without name" : quoted(names[i]));
+  }
+  if (names.size() > kShown) text += " and " + std::to_string(names.size() - kShown) + " more";
+  return text;
+}
+
 }  // namespace
 
 std::string SceneLosses::path(std::size_t instance) const {
@@ -65,6 +76,13 @@ void SceneLosses::shape(Span span, std::string_view what) {
                        std::string(what) + " is not in the " + format_);
 }
 
+void SceneLosses::unseen_shape(Span span, const FlatGeometry& geometry, std::string_view reason) {
+  if (!unseen_.insert({to_size(span.source), span.begin}).second) return;
+  const auto* mesh = std::get_if<FlatMesh>(&geometry);
+  if (mesh == nullptr) return shape(span, "the heightmap");
+  shape(span, "the mesh " + quoted(mesh->file) + ", which " + std::string(reason) + ",");
+}
+
 void SceneLosses::joint(const urdf::Joint& joint, std::string_view written_as) {
   scene_.losses.report(rules::sml8206_simplified_joint,
                        joint.type_name.written ? joint.type_name.span : joint.span,
@@ -90,11 +108,42 @@ void SceneLosses::annotations_and_properties() {
     scene_.losses.report(rules::sml8207_lost_annotations, place(i),
                          "keys of " + path(i) + " are not in the " + format_ + ": " + keys);
   }
+  old_scenes();
+}
+
+void SceneLosses::old_scenes() {
+  for (const FlatOldScene& old : scene_.flat.old_scenes) {
+    const Span span = place(old.instance);
+    if (!old.movable.empty()) {
+      scene_.losses.report(rules::sml8209_old_nodes_stand_still, span,
+                           "what moves in " + path(old.instance) + " stands still in the " +
+                               format_ + ": " + list(old.movable));
+    }
+    if (!old.shapeless.empty()) {
+      shape(span, "what " + path(old.instance) + " has without a shape of its own, " +
+                      list(old.shapeless) + ",");
+    }
+    std::string others;
+    for (const auto& [what, number] : old.others) {
+      others += (others.empty() ? "" : ", ") + count(number, what);
+    }
+    if (others.empty()) continue;
+    scene_.losses.report(rules::sml8207_lost_annotations, span,
+                         "more of " + path(old.instance) + " is not in the " + format_ + ": " +
+                             others);
+  }
 }
 
 void SceneLosses::world(std::initializer_list<World> settings) {
   for (const World setting : settings) {
     for (const SceneFile& file : scene_.scene.scenes) report_world(setting, file);
+    if (setting != World::lights) continue;
+    for (const FlatOldScene& old : scene_.flat.old_scenes) {
+      if (old.lamps.empty()) continue;
+      scene_.losses.report(rules::sml8204_lost_world_setting, place(old.instance),
+                           count(old.lamps.size(), "light") + " of " + path(old.instance) +
+                               (old.lamps.size() == 1 ? " is" : " are") + " not in the " + format_);
+    }
   }
 }
 
@@ -194,6 +243,18 @@ constinit const Rule sml8207_lost_annotations{
            "files.",
     .remedy = "Set them up in the simulator.",
     .sources = "smurfs-flatten."};
+
+constinit const Rule sml8209_old_nodes_stand_still{
+    .id = "SML8209",
+    .name = "old-nodes-stand-still",
+    .severity = Severity::warning,
+    .summary = "Movable nodes of a scene of MARS before SMURF are written as shapes that stand "
+               "still.",
+    .why = "Nodes of old scenes hang together by joints and groups of their own, with masses that "
+           "are densities as often as not; what is carried over is how they look and where they "
+           "are.",
+    .remedy = "Make a SMURF model of what has to move.",
+    .sources = "MARS NodeData.cpp:98-286, Load.cpp:228-268."};
 
 }  // namespace rules
 }  // namespace smurf

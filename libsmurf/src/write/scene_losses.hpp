@@ -3,8 +3,10 @@
 #pragma once
 
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "smurf/write_scene.hpp"
 
@@ -21,10 +23,13 @@ class SceneLosses {
   void anchor(std::size_t instance, std::string_view why);
   /// A shape of a model or entity.
   void shape(Span span, std::string_view what);
+  /// A shape that a preview has no triangles for. `reason` as in MeshTriangles; of a heightmap any.
+  /// Reported once a place.
+  void unseen_shape(Span span, const FlatGeometry& geometry, std::string_view reason);
   /// A joint that is written as something simpler.
   void joint(const urdf::Joint& joint, std::string_view written_as);
-  /// Keys that only SMURF has: of every entity with keys of its own, and the annotations of every
-  /// model.
+  /// Keys that only SMURF has: of every entity with keys of its own, the annotations of every
+  /// model, and what old scenes hold besides shapes and lights.
   void annotations_and_properties();
 
   enum class World : std::uint8_t { gravity, step_size, solver, environment, lights };
@@ -34,10 +39,12 @@ class SceneLosses {
  private:
   std::string path(std::size_t instance) const;
   Span place(std::size_t instance) const;
+  void old_scenes();
   void report_world(World setting, const SceneFile& file);
 
   const SceneExport& scene_;
   std::string format_;
+  std::set<std::pair<std::size_t, std::size_t>> unseen_;  ///< by source and place
 };
 
 }  // namespace smurf

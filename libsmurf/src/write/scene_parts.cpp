@@ -175,12 +175,15 @@ double mass_of(const FlatInstance& instance) {
   return mass && *mass > 0 ? *mass : 1;
 }
 
-std::vector<const Light*> world_lights(const LinkedScene& scene) {
+std::vector<const Light*> world_lights(const SceneExport& scene) {
   std::vector<const Light*> lights;
-  for (const SceneUse& use : scene.uses) {
-    const SceneFile& file = scene.file(use);
+  for (const SceneUse& use : scene.scene.uses) {
+    const SceneFile& file = scene.scene.file(use);
     if (use.outer && path::extension(file.path) == ".smurfa") continue;
     for (const Light& light : file.scene.lights) lights.push_back(&light);
+  }
+  for (const FlatOldScene& old : scene.flat.old_scenes) {
+    for (const Light& lamp : old.lamps) lights.push_back(&lamp);
   }
   return lights;
 }

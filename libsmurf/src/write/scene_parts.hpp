@@ -56,7 +56,7 @@ bool is_movable(const FlatInstance& instance);
 double mass_of(const FlatInstance& instance);
 
 /// The lights of the world, in the order of the flat scene.
-std::vector<const Light*> world_lights(const LinkedScene& scene);
+std::vector<const Light*> world_lights(const SceneExport& scene);
 /// Unit vector from a light to where it looks; down when it says nothing.
 Vector3 direction_of(const Light& light);
 Rgba color_or(const Field<Color>& color, const Rgba& fallback);

@@ -88,7 +88,7 @@ class SdfWriter {
 
   void add_lights() {
     std::set<std::string> taken(names_.begin(), names_.end());
-    for (const Light* light : world_lights(scene_.scene)) {
+    for (const Light* light : world_lights(scene_)) {
       const std::string base = light->name.value_or("light");
       std::string name = base;
       for (int number = 2; !taken.insert(name).second; ++number) {

@@ -74,13 +74,13 @@ class UrdfMerger {
     keep_namespaces(xml::View{document, document.root});
     const std::string_view text = source_text(model);
     const std::size_t end = text.substr(0, root.span.end).rfind("</");
-    if (end == std::string_view::npos || end < root.tag_span.end) return {};  // <robot/>
+    if (end == std::string_view::npos || end < root.tag_span().end) return {};  // <robot/>
     for (Edit& each : edits) {
-      each.span.begin -= root.tag_span.end;
-      each.span.end -= root.tag_span.end;
+      each.span.begin -= root.tag_span().end;
+      each.span.end -= root.tag_span().end;
     }
     return "  <!-- " + comment(flat(i).path) + " -->" +
-           apply_edits(text.substr(root.tag_span.end, end - root.tag_span.end), edits) + "\n";
+           apply_edits(text.substr(root.tag_span().end, end - root.tag_span().end), edits) + "\n";
   }
 
   std::string_view source_text(const LinkedModel& model) const {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenUSD as text, a preview: an Xform an entity, in it an Xform a link, in it its shapes.
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/numbers.hpp"
+#include "base/path.hpp"
 #include "write/json_text.hpp"
 #include "write/placed_shapes.hpp"
 #include "write/scene_losses.hpp"
@@ -15,6 +19,17 @@ namespace {
 std::string tuple(std::initializer_list<double> values) {
   std::string text = "(";
   for (const double value : values) text += (text.size() > 1 ? ", " : "") + format_number(value);
+  return text + ")";
+}
+
+/// The shortest text that reads back as the same number of single precision.
+std::string tuple(const std::array<float, 3>& point) {
+  std::string text = "(";
+  for (const float coordinate : point) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, coordinate);
+    text += (text.size() > 1 ? ", " : "") + std::string(digits, end.ptr);
+  }
   return text + ")";
 }
 
@@ -45,6 +60,7 @@ class UsdaWriter {
       if (scene_.flat.instances[i].X_WE) add_instance(i);
     }
     close();
+    add_meshes();
     using enum SceneLosses::World;
     losses_.world({step_size, solver, environment, lights});
     losses_.annotations_and_properties();
@@ -58,8 +74,9 @@ class UsdaWriter {
     out_ += '\n';
   }
 
-  void open(std::string_view type, std::string_view name) {
-    line("def " + std::string(type) + " \"" + std::string(name) + "\"");
+  void open(std::string_view type, std::string_view name, std::string_view metadata = {}) {
+    line("def " + std::string(type) + " \"" + std::string(name) + "\"" +
+         (metadata.empty() ? "" : " (" + std::string(metadata) + ")"));
     line("{");
     ++depth_;
   }
@@ -152,8 +169,10 @@ class UsdaWriter {
       line("uniform token axis = \"Z\"");
       line("double length = " + format_number(plane->width));  // USD's length is along y
       line("double width = " + format_number(plane->length));
+    } else if (const Mesh* mesh = mesh_of(shape)) {
+      open("Mesh", name, "references = </Meshes/" + mesh->name + ">");
+      scale = std::get<FlatMesh>(shape.geometry).scale;
     } else {
-      report(shape);
       return;
     }
     add_pose(shape.X_LS, scale);
@@ -172,11 +191,75 @@ class UsdaWriter {
     line("double height = " + format_number(height));
   }
 
-  void report(const LinkShape& shape) {
-    if (!reported_.insert({to_size(shape.span.source), shape.span.begin}).second) return;
-    const bool is_mesh = std::holds_alternative<FlatMesh>(shape.geometry);
-    losses_.shape(shape.span,
-                  is_mesh ? "the mesh, which would have to be converted," : "the heightmap");
+  /// A file that shapes refer to.
+  struct Mesh {
+    std::string name;
+    std::string text;  ///< its attributes, a line each
+    std::string why_none;
+  };
+
+  /// Null when the shape has no triangles; that was reported.
+  const Mesh* mesh_of(const LinkShape& shape) {
+    const auto* geometry = std::get_if<FlatMesh>(&shape.geometry);
+    if (geometry == nullptr) {
+      losses_.unseen_shape(shape.span, shape.geometry, {});
+      return nullptr;
+    }
+    const auto [known, is_new] = mesh_of_file_.try_emplace(geometry->file, meshes_.size());
+    if (is_new) meshes_.push_back(read_mesh(geometry->file));
+    const Mesh& mesh = meshes_[known->second];
+    if (mesh.why_none.empty()) return &mesh;
+    losses_.unseen_shape(shape.span, shape.geometry, mesh.why_none);
+    return nullptr;
+  }
+
+  Mesh read_mesh(const std::string& file) {
+    if (!scene_.meshes) return {{}, {}, "is not at hand"};
+    const MeshTriangles triangles = scene_.meshes(file);
+    if (!triangles.reason.empty()) return {{}, {}, triangles.reason};
+    const auto append = [](std::string& list, const std::string& item) {
+      list += (list.ends_with('[') ? "" : ", ") + item;
+    };
+    std::string points = "point3f[] points = [";
+    std::array<float, 3> low = triangles.points.front();
+    std::array<float, 3> high = low;
+    for (const std::array<float, 3>& point : triangles.points) {
+      append(points, tuple(point));
+      for (std::size_t i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], point[i]);
+        high[i] = std::max(high[i], point[i]);
+      }
+    }
+    std::string counts = "int[] faceVertexCounts = [";
+    std::string indices = "int[] faceVertexIndices = [";
+    for (std::size_t i = 0; i < triangles.indices.size(); ++i) {
+      if (i % 3 == 0) append(counts, "3");
+      append(indices, std::to_string(triangles.indices[i]));
+    }
+    const std::string extent = "float3[] extent = [" + tuple(low) + ", " + tuple(high) + "]";
+    return {unique(path::stem(file), mesh_names_),
+            extent + "\n" + points + "]\n" + counts + "]\n" + indices + "]\n",
+            {}};
+  }
+
+  /// What shapes refer to stands beside the world, so that it is not seen by itself.
+  void add_meshes() {
+    if (mesh_names_.empty()) return;
+    line("class \"Meshes\"");
+    line("{");
+    ++depth_;
+    for (const Mesh& mesh : meshes_) {
+      if (!mesh.why_none.empty()) continue;
+      open("Mesh", mesh.name);
+      line("uniform token subdivisionScheme = \"none\"");
+      for (std::size_t begin = 0; begin < mesh.text.size();) {
+        const std::size_t end = mesh.text.find('\n', begin);
+        line(std::string_view(mesh.text).substr(begin, end - begin));
+        begin = end + 1;
+      }
+      close();
+    }
+    close();
   }
 
   const SceneExport& scene_;
@@ -185,7 +268,9 @@ class UsdaWriter {
   LinkFrames frames_;
   std::string out_;
   std::size_t depth_ = 0;
-  std::set<std::pair<std::size_t, std::size_t>> reported_;  ///< shapes, by source and place
+  std::vector<Mesh> meshes_;
+  std::map<std::string, std::size_t> mesh_of_file_;
+  std::set<std::string> mesh_names_;
 };
 
 }  // namespace

@@ -156,10 +156,21 @@ class Reader {
   }
 
  private:
+  static constexpr const char* kNotFromDrawing =
+      "does not load entities of this type from a drawing";
+
+  static constexpr const char* kNotFromArchive = "loads nothing from an archive";
+
+  bool is_drawn(UseIndex use) const {
+    return scene_.file(scene_.uses[to_size(use)]).drawing.has_value();
+  }
+
   Keys keys_of(const SceneUse& use, const std::vector<Keys>& outer) const {
     if (!use.outer) return {};
     const Entity& entity = *scene_.entity(use);
     Keys keys = readings::keys_of(entity);
+    if (is_archive_type(entity_type(entity))) keys.refusal = kNotFromArchive;
+    if (is_drawn(*use.outer)) keys.refusal = kNotFromDrawing;
     if (scene_.uses[to_size(*use.outer)].outer) include(keys, entity, outer[to_size(*use.outer)]);
     return keys;
   }
@@ -168,6 +179,16 @@ class Reader {
     const Entity& entity = scene_.entity(instance);
     Keys keys = readings::keys_of(entity);
     const bool is_nested = scene_.use(instance).outer.has_value();
+    if (is_archive_type(instance.type)) keys.refusal = kNotFromArchive;
+    if (is_drawn(instance.use)) {
+      if (kind_of(instance.type) == EntityKind::model || is_old_scene(instance.type)) {
+        keys.refusal = kNotFromDrawing;
+      } else if (instance.type == "primitive") {
+        keys.position = {};
+        keys.rotation = {};
+      }
+      return keys;
+    }
     if (instance.type == "primitive") {
       if (is_nested) keys.refusal = "stops at a primitive inside an included scene";
       const bool is_list =
@@ -307,6 +328,10 @@ std::vector<EntityReading> read(const LinkedScene& scene) { return Reader(scene)
 }  // namespace
 
 extern constinit const Dialect mars{
-    .name = "mars", .help = "as MARS reads it, accidents included", .read = read};
+    .name = "mars",
+    .help = "as MARS reads it, accidents included",
+    .read = read,
+    .pose_of = documented_pose,
+    .is_moved_by_include = [](const Entity& entity) { return !keys_of(entity).is_relative(); }};
 
 }  // namespace smurf::readings

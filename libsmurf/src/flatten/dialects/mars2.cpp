@@ -54,6 +54,7 @@ class Reader {
 
   EntityReading read(const Instance& instance) const {
     const Entity& entity = scene_.entity(instance);
+    if (scene_.scenes.front().drawing) return left_out("reads no drawings");
     if (entity.list != EntityList::entities) return left_out("reads no list but `entities`");
     const std::size_t outermost = outermost_entity(instance);
     if (stop_ && outermost == *stop_) return left_out(why_stopped_);
@@ -95,6 +96,10 @@ std::vector<EntityReading> read(const LinkedScene& scene) { return Reader(scene)
 
 }  // namespace
 
-extern constinit const Dialect mars2{.name = "mars2", .help = "as MARS 2 reads it", .read = read};
+extern constinit const Dialect mars2{.name = "mars2",
+                                     .help = "as MARS 2 reads it",
+                                     .read = read,
+                                     .pose_of = documented_pose,
+                                     .is_moved_by_include = [](const Entity&) { return false; }};
 
 }  // namespace smurf::readings

@@ -27,6 +27,17 @@ std::optional<Quaternion> quaternion_of(const Rotation& rotation, bool is_list) 
   return Quaternion{};
 }
 
+/// Whether the rotation is written as a list.
+bool is_list(const LinkedScene& scene, const SceneUse& use, const Entity& entity) {
+  if (entity.rotation.form == RotationForm::absent) return false;
+  return yaml::View(*scene.file(use).document, entity.node).find("rotation").is_sequence();
+}
+
+Pose pose_of(const LinkedScene& scene, const SceneUse& use, const Entity& entity) {
+  const auto turned = quaternion_of(entity.rotation, is_list(scene, use, entity));
+  return {entity.position.value_or({0, 0, 0}), turned.value_or(Quaternion{})};
+}
+
 class Reader {
  public:
   explicit Reader(const LinkedScene& scene) : scene_(scene) {}
@@ -58,20 +69,22 @@ class Reader {
     return EntityList::smurfs;
   }
 
-  /// Whether the rotation is written as a list.
-  bool is_list(const SceneUse& use, const Entity& entity) const {
-    if (entity.rotation.form == RotationForm::absent) return false;
-    return yaml::View(*scene_.file(use).document, entity.node).find("rotation").is_sequence();
-  }
-
   Placed place(const Entity& entity, const SceneUse& around, const Placed* frame) const {
     Placed placed;
+    if (scene_.file(around).drawing) {
+      placed.refusal = "reads no drawings";
+      return placed;
+    }
     if (frame != nullptr && !frame->refusal.empty()) return *frame;
+    if (is_archive_type(entity_type(entity))) {
+      placed.refusal = "reads no archives";
+      return placed;
+    }
     if (entity.list != list_of(around)) {
       placed.refusal = "reads one of the lists `entities`, `smurfa`, `smurfs` only";
       return placed;
     }
-    const auto turned = quaternion_of(entity.rotation, is_list(around, entity));
+    const auto turned = quaternion_of(entity.rotation, is_list(scene_, around, entity));
     if (!turned) {
       placed.refusal = "stops at a `rotation` that is a list of one number";
       return placed;
@@ -82,14 +95,10 @@ class Reader {
                                 ? "takes the quaternion for x, y, z, w"
                                 : "takes the angles for radians");
     }
-    const bool inherits = frame != nullptr && !has_own_parent(entity);
+    const bool inherits = frame != nullptr && has_no_parent_link(entity);
     placed.X_PE = inherits ? frame->X_PE * own : own;
     if (inherits && placed.note.empty()) placed.note = frame->note;
     return placed;
-  }
-
-  static bool has_own_parent(const Entity& entity) {
-    return entity.parent && entity.parent->find("::") != std::string::npos;
   }
 
   Placed read(const SceneUse& use) const {
@@ -104,7 +113,7 @@ class Reader {
     const Placed* frame = around.outer ? &uses_[to_size(instance.use)] : nullptr;
     const Entity& entity = scene_.entity(instance);
     Placed placed = place(entity, around, frame);
-    const std::string extension = path::to_lower(path::extension(instance.file));
+    const std::string extension = path::to_lower(path::extension(entity.file.value_or({})));
     if (placed.refusal.empty() && extension != ".smurf" && extension != ".urdf") {
       placed.refusal = "reads models and scenes only, and tells them by the name of their `file`";
     }
@@ -175,7 +184,10 @@ std::vector<EntityReading> read(const LinkedScene& scene) { return Reader(scene)
 
 }  // namespace
 
-extern constinit const Dialect phobos{
-    .name = "phobos", .help = "as Phobos 2 reads it", .read = read};
+extern constinit const Dialect phobos{.name = "phobos",
+                                      .help = "as Phobos 2 reads it",
+                                      .read = read,
+                                      .pose_of = pose_of,
+                                      .is_moved_by_include = has_no_parent_link};
 
 }  // namespace smurf::readings

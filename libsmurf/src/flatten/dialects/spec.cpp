@@ -19,7 +19,10 @@ std::vector<EntityReading> read(const LinkedScene& scene) {
 
 }  // namespace
 
-extern constinit const Dialect spec{
-    .name = "spec", .help = "as documented, which is what the author means", .read = read};
+extern constinit const Dialect spec{.name = "spec",
+                                    .help = "as documented, which is what the author means",
+                                    .read = read,
+                                    .pose_of = documented_pose,
+                                    .is_moved_by_include = has_no_parent_link};
 
 }  // namespace smurf::readings

@@ -11,7 +11,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const xml::Attribute& attribute : model.robot->document.attributes) {
     for (const std::string_view name : kNewer) {
       if (attribute.name != name) continue;
-      findings.report(attribute.name_span, quoted(name) + " is ignored by readers of URDF 1.0");
+      findings.report(attribute.name_span(), quoted(name) + " is ignored by readers of URDF 1.0");
     }
   }
 }

@@ -12,10 +12,10 @@ void check_slip(xml::View gazebo, Findings& findings) {
   for (const auto* one = gazebo.attributes_begin(); one != gazebo.attributes_end(); ++one) {
     if (!nearest(one->name, kKnown)) continue;
     Diagnostic& diagnostic =
-        findings.report(one->name_span, quoted(one->name) + " is no attribute of `gazebo`");
+        findings.report(one->name_span(), quoted(one->name) + " is no attribute of `gazebo`");
     diagnostic.notes.push_back("Gazebo applies this element to the whole model");
     diagnostic.help = "did you mean `reference`?";
-    diagnostic.fixes.push_back({Applicability::unsafe, {{one->name_span, "reference"}}});
+    diagnostic.fixes.push_back({Applicability::unsafe, {{one->name_span(), "reference"}}});
   }
 }
 

@@ -10,9 +10,9 @@ void check(const LinkedModel& model, Findings& findings) {
         xml::View(model.robot->document, joint.element).attribute("dont_collapse");
     if (attribute == nullptr || (attribute->value != "false" && attribute->value != "0")) return;
     Diagnostic& diagnostic =
-        findings.report(attribute->span, "Isaac reads any value of `dont_collapse` as true");
+        findings.report(attribute->span(), "Isaac reads any value of `dont_collapse` as true");
     diagnostic.help = "delete the attribute";
-    diagnostic.fixes.push_back({Applicability::unsafe, {{attribute->span, ""}}});
+    diagnostic.fixes.push_back({Applicability::unsafe, {{attribute->span(), ""}}});
   });
 }
 

@@ -40,7 +40,7 @@ void check(const LinkedModel& model, Findings& findings) {
         "urdfdom takes all six for 0 and drops the visuals and collisions of this link");
     if (!is_diagonal_whole) return;
     diagnostic.help = "write 0 where there is no product of inertia";
-    const std::uint32_t end = (inertia.attributes_end() - 1)->span.end;
+    const std::uint32_t end = (inertia.attributes_end() - 1)->span().end;
     diagnostic.fixes.push_back({Applicability::safe, {{{inertia.span().source, end, end}, zeros}}});
   });
 }

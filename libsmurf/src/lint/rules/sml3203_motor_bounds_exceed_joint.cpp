@@ -26,7 +26,6 @@ bool looks_like_degrees(double bound, const urdf::Joint& joint) {
 /// One bound without the other: MARS takes half a turn, or 3.14 m, for the one that is not there.
 void check_absent(const Motor& motor, const urdf::Joint& joint, const Field<double>& low,
                   const Field<double>& high, Findings& findings) {
-  if (low.written == high.written) return;
   const bool is_low = high.written;
   const Field<double>& limit = is_low ? joint.limit->lower : joint.limit->upper;
   const double bound = is_low ? -std::numbers::pi : std::numbers::pi;
@@ -39,7 +38,15 @@ void check_absent(const Motor& motor, const urdf::Joint& joint, const Field<doub
   diagnostic.labels.push_back({limit.span, "the limit of the joint"});
 }
 
-void check_motor(const Motor& motor, const urdf::Joint& joint, bool is_misspelt,
+/// A key that is no bound, but nearly one, is reported.
+bool has_misspelt_bound(yaml::View mapping) {
+  constexpr std::string_view kBounds[] = {"minValue", "maxValue", "minPosition", "maxPosition"};
+  return mapping && std::any_of(mapping.begin(), mapping.end(), [&](yaml::View value) {
+           return nearest(value.key(), kBounds).has_value();
+         });
+}
+
+void check_motor(const LinkedModel& model, const Motor& motor, const urdf::Joint& joint,
                  Findings& findings) {
   if (!joint.limit || joint.type == urdf::JointType::continuous) return;
   const Field<double>& lower = joint.limit->lower;
@@ -49,21 +56,15 @@ void check_motor(const Motor& motor, const urdf::Joint& joint, bool is_misspelt,
   const Field<double>& low = lower_bound(motor);
   const Field<double>& high = upper_bound(motor);
   if (low && high && *low > *high) return;  // reported
-  if (!is_misspelt) check_absent(motor, joint, low, high, findings);
+  if (low.written != high.written && !has_misspelt_bound(mapping_of(model, motor))) {
+    check_absent(motor, joint, low, high, findings);
+  }
   if (low && !looks_like_degrees(*low, joint) && is_clearly_less(*low, *lower)) {
     report(motor, joint, low, lower, findings);
   }
   if (high && !looks_like_degrees(*high, joint) && is_clearly_less(*upper, *high)) {
     report(motor, joint, high, upper, findings);
   }
-}
-
-/// A key that is no bound, but nearly one, is reported.
-bool has_misspelt_bound(yaml::View mapping) {
-  constexpr std::string_view kBounds[] = {"minValue", "maxValue", "minPosition", "maxPosition"};
-  return mapping && std::any_of(mapping.begin(), mapping.end(), [&](yaml::View value) {
-           return nearest(value.key(), kBounds).has_value();
-         });
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -73,7 +74,7 @@ void check(const LinkedModel& model, Findings& findings) {
     // Only position controllers are clamped.
     if (joint == nullptr || !joint->has_one_axis()) continue;
     if (control_in_mars(motor) != MotorControl::position) continue;
-    check_motor(motor, *joint, has_misspelt_bound(mapping_of(model, motor)), findings);
+    check_motor(model, motor, *joint, findings);
   }
 }
 

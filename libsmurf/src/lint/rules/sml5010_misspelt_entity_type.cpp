@@ -21,7 +21,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     const std::string type = entity_type(entity);
-    if (type.starts_with("zsmurf")) return;  // another rule's
+    if (is_archive_type(type)) return;  // another rule's
     if (has_schema(scene, type)) return;
     const auto near = nearest(type, known);
     if (!near) return;

@@ -6,13 +6,20 @@
 namespace smurf::rules {
 namespace {
 
+void report(const Entity& entity, Findings& findings) {
+  if (!is_archive_type(entity_type(entity))) return;
+  findings.report(type_place(entity),
+                  title(entity) + " is an archive, of which MARS loads nothing");
+}
+
+/// An archive that cannot be read is reported as such.
 void check(const LinkedScene& scene, Findings& findings) {
-  for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
-    const std::string type = entity_type(entity);
-    if (type != "zsmurf" && type != "zsmurfs" && type != "zsmurfa") return;
-    findings.report(type_place(entity),
-                    title(entity) + " is an archive, of which MARS loads nothing");
-  });
+  for (const SceneUse& use : scene.uses) {
+    if (use.outer && scene.file(use).document) report(*scene.entity(use), findings);
+  }
+  for (const Instance& instance : scene.instances) {
+    if (instance.model) report(scene.entity(instance), findings);
+  }
 }
 
 }  // namespace
@@ -20,11 +27,12 @@ void check(const LinkedScene& scene, Findings& findings) {
 extern constinit const Rule sml5011_archive_entity{
     .id = "SML5011",
     .name = "archive-entity",
-    .severity = Severity::error,
+    .severity = Severity::warning,
     .summary = "An entity is a .zsmurf, .zsmurfs or .zsmurfa archive.",
     .why = "MARS registers these types and unpacks the archive, but no branch then reads what "
-           "was unpacked: nothing is loaded and success is reported.",
-    .remedy = "Unpack the archive and name the .smurf or .smurfs inside it.",
+           "was unpacked: nothing is loaded and success is reported. These tools read the archive "
+           "in place.",
+    .remedy = "For MARS, unpack the archive and name the .smurf or .smurfs inside it.",
     .sources = "MARS SMURFLoader.cpp:405-411.",
     .check_scene = check};
 

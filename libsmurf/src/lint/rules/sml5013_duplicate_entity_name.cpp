@@ -16,9 +16,15 @@ void check(const LinkedScene& scene, Findings& findings) {
       if (kind_of(entity_type(entity)) == EntityKind::scene) continue;
       const auto [known, is_new] = first.emplace(*entity.name, &entity);
       if (is_new) continue;
-      Diagnostic& diagnostic = findings.report(
-          entity.name.span, "the scene already has an entity " + quoted(*entity.name));
-      diagnostic.labels.push_back({known->second->name.span, "the first one is here"});
+      // In a drawing the name may be that of a file that several groups share.
+      const bool is_shared = entity.name.span == known->second->name.span;
+      const auto place = [&](const Entity& one) { return is_shared ? one.span : one.name.span; };
+      Diagnostic& diagnostic =
+          findings.report(place(entity), "the scene already has an entity " + quoted(*entity.name));
+      diagnostic.labels.push_back({place(*known->second), "the first one is here"});
+      if (!is_shared) continue;
+      diagnostic.severity = Severity::warning;
+      diagnostic.help = "give each group a file of its own, or leave `name` out of the file";
     }
   }
 }

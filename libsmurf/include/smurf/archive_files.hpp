@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Archives (.zsmurf, .zsmurfs, .zsmurfa) as folders: "scenes/cell.zsmurf/box.smurf" is a file in
+// one.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+#include "smurf/limits.hpp"
+
+namespace smurf {
+
+/// By the extension, any case.
+bool is_archive(std::string_view path);
+
+/// Reads what lies in archives, and archives in archives, in memory; everything else is read by the
+/// reader behind it. Each archive is unpacked once, when something in it is first asked for. May be
+/// used by several threads.
+class ArchiveFiles final : public FileReader {
+ public:
+  /// `behind` must outlive this. All archives together unpack to `archive_bytes` and not more.
+  ArchiveFiles(const FileReader& behind, const Limits& limits);
+  ~ArchiveFiles() override;
+
+  /// Everything in a broken archive is denied, with the reason.
+  FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
+  bool is_file(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override;
+
+ private:
+  struct Opened;
+  struct Place;
+
+  /// The innermost archive on the way to a path; the path itself counts when it is a folder.
+  Place find(const std::string& path, bool as_folder) const;
+  /// The archive at `path`, which `around` calls `name`; null when there is no such file.
+  const Opened* open(const std::string& path, const FileReader& around,
+                     const std::string& name) const;
+
+  const FileReader& behind_;
+  mutable std::mutex mutex_;
+  mutable Limits left_;  ///< of what archives may hold
+  mutable std::map<std::string, std::unique_ptr<Opened>, std::less<>> opened_;
+};
+
+/// What an archive is about: its only .smurf (.smurfs, .smurfa), or the one of its own name.
+struct ArchivedMain {
+  std::string path;    ///< "cell.zsmurfs/cell.smurfs"; empty when there is none
+  std::string reason;  ///< why, for a person: "holds no .smurfs"
+};
+/// `files` is or has an ArchiveFiles.
+ArchivedMain main_file_of_archive(const std::string& archive, const FileReader& files);
+
+}  // namespace smurf

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "link/scene_link.hpp"
+#include "lint/queries.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
+    if (!file.drawing) return;
+    const std::string type = entity_type(entity);
+    const bool is_primitive = type == "primitive";
+    if (kind_of(type) == EntityKind::other && !is_old_scene(type) && !is_primitive) return;
+    findings.report(type_place(entity), is_primitive ? "MARS gives a primitive of a drawing no pose"
+                                                     : "MARS loads no entity of type " +
+                                                           quoted(type) + " from a drawing");
+  });
+}
+
+}  // namespace
+
+extern constinit const Rule sml5044_drawn_entity_not_loaded{
+    .id = "SML5044",
+    .name = "drawn-entity-not-loaded",
+    .severity = Severity::warning,
+    .summary = "A drawn scene holds an entity that MARS does not load or place from a drawing.",
+    .why =
+        "MARS hands the groups of a .svg to the plug-in of their type, with the keys `origin_x`, "
+        "`origin_y`, `origin_z` and `orientation_z`, of which only types of plug-ins know. A "
+        "model is sought in the root folder, an included or old scene has no plug-in, and a "
+        "primitive stays at the origin. smurfs-flatten places them as they are drawn.",
+    .remedy = "Flatten the drawing to a .smurfs (`smurfs-flatten --format smurfs`), or use a type "
+              "of your own.",
+    .sources = "MARS SMURFLoader.cpp:127-302, 564-578, 580-637.",
+    .check_scene = check};
+
+}  // namespace smurf::rules

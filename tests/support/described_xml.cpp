@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/described_xml.hpp"
+
+#include <sstream>
+
+namespace smurf::test {
+namespace {
+
+std::ostream& operator<<(std::ostream& out, Span span) {
+  return out << span.begin << '-' << span.end;
+}
+
+}  // namespace
+
+std::string described_xml(XmlEngine engine, const std::string& text) {
+  SourceMap sources;
+  DiagnosticSink sink;
+  const SourceId id = sources.add("a.urdf", text);
+  const auto document = parse_xml_by(engine, sources, id, {}, sink);
+  std::ostringstream out;
+  for (const Diagnostic& diagnostic : sink.diagnostics()) {
+    out << diagnostic.rule->id << ' ' << diagnostic.span << ' ' << diagnostic.message << '\n';
+  }
+  if (!document) return out.str() + "refused";
+  for (const xml::Element& element : document->elements) {
+    out << element.name << ' ' << element.span << ' ' << element.tag_span() << ' '
+        << element.name_span() << " parent " << static_cast<std::uint32_t>(element.parent)
+        << " first " << static_cast<std::uint32_t>(element.first_child) << " next "
+        << static_cast<std::uint32_t>(element.next_sibling) << " text `" << element.text << "` "
+        << element.text_span;
+    for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
+      const xml::Attribute& attribute = document->attributes[element.first_attribute + i];
+      out << ' ' << attribute.name << "=`" << attribute.value << "` " << attribute.name_span()
+          << ' ' << attribute.value_span << ' ' << attribute.span();
+    }
+    out << '\n';
+  }
+  for (const Span comment : document->comments) out << comment << '\n';
+  return out.str();
+}
+
+}  // namespace smurf::test

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Texts to try a reader on: those of a folder, and what becomes of them by mistakes.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "unit/random.hpp"
+
+namespace smurf::test {
+
+/// The contents of the files in and below a folder whose names end so; none when it does not exist.
+std::vector<std::string> texts_below(const std::string& folder,
+                                     std::span<const std::string_view> extensions);
+
+/// SMURF_TEST_CASES, or 20,000.
+std::size_t case_count();
+
+/// One to three places of a text replaced, doubled, cut or moved.
+std::string mutated(std::string text, std::string (*token)(Random&), Random& random);
+
+/// A few lines out of a text: small cases are read fast and fail legibly.
+std::string some_lines(const std::string& text, Random& random);
+
+}  // namespace smurf::test
