@@ -42,7 +42,16 @@ JOBS = {
                    {"smurf/arm.smurf": "old", "smurf/arm_joint.yml": "old", "urdf/arm.urdf": "old"}),
     "smurfs-flatten": (["scene/example.smurfs", "--format", "urdf", "-o", "target/scene.urdf"],
                        {"scene.urdf": "old"}),
+    "smurfs-flatten as glTF": (["scene/example.smurfs", "--format", "gltf", "-o", "target/scene.gltf"],
+                               {"scene.gltf": "old"}),
     "smurf-lint": (["--fix", "target/fixable.urdf"], {"fixable.urdf": FIXABLE}),
+    "smurf-lint with a baseline": (
+        ["--baseline", "target/known.yaml", "--generate-baseline", "--quiet", "faulty.urdf"],
+        {"known.yaml": "old"}),
+    "smurf-lint with a report": (["-o", "target/report.json", "--format", "json", "--exit-zero", "faulty.urdf"],
+                                 {"report.json": "old"}),
+    "smurf-load-check": (["--time", "0.05", "--trace", "target/poses.csv", "in/smurf/arm.smurf"],
+                         {"poses.csv": "old"}),
 }
 
 
@@ -70,6 +79,8 @@ class WritingTest(unittest.TestCase):
         self.folder.chmod(0o755)
         shutil.copytree(FIXTURES / "models/arm", self.folder / "in")
         shutil.copytree(FIXTURES / "scenes/example", self.folder / "scene")
+        (self.folder / "faulty.urdf").write_text(
+            '<robot name="r">' + "".join(f'<link nam="l{i}"/>' for i in range(200)) + "</robot>")
         self.target = self.folder / "target"
 
     def prepare(self, files):
@@ -205,6 +216,7 @@ class WritingTest(unittest.TestCase):
         commands = {"smurf2urdf": ["in/smurf/arm.smurf"],
                     "urdf2smurf": ["in/urdf/arm.urdf", "-o", "target", "--dry-run"],
                     "smurfs-flatten": ["scene/example.smurfs"],
+                    "smurf-load-check": ["--time", "0.01", "in/smurf/arm.smurf"],
                     "smurf-lint": ["--list-rules"]}
         for tool, arguments in commands.items():
             with self.subTest(tool):
@@ -219,7 +231,9 @@ class WritingTest(unittest.TestCase):
 
     def test_full_device(self):
         for tool, arguments in {"smurf2urdf": ["in/smurf/arm.smurf"],
-                                "smurfs-flatten": ["scene/example.smurfs"]}.items():
+                                "smurfs-flatten": ["scene/example.smurfs"],
+                                "smurf-load-check": ["--time", "0.01", "in/smurf/arm.smurf"],
+                                "smurf-lint": ["in/smurf/arm.smurf"]}.items():
             for output in ([], ["-o", "/dev/full"]):
                 with self.subTest(tool, output=output), open("/dev/full", "w") as full:
                     done = subprocess.run([TOOLS / tool, *arguments, *output], cwd=self.folder,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A URDF alone, from reading to the exported URDF. The scanner of XML and tinyxml2 read the same tree
-// wherever the scanner takes the file for plain.
+// A URDF alone, from reading to the exported URDF. The scanner of XML and tinyxml2 read the same
+// tree wherever the scanner takes the file for plain.
 #include "fuzz/bundle.hpp"
 #include "support/described_xml.hpp"
 
