@@ -30,8 +30,8 @@ std::string described_xml(XmlEngine engine, const std::string& text) {
         << element.text_span;
     for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
       const xml::Attribute& attribute = document->attributes[element.first_attribute + i];
-      out << ' ' << attribute.name << "=`" << attribute.value << "` " << attribute.name_span() << ' '
-          << attribute.value_span << ' ' << attribute.span();
+      out << ' ' << attribute.name << "=`" << attribute.value << "` " << attribute.name_span()
+          << ' ' << attribute.value_span << ' ' << attribute.span();
     }
     out << '\n';
   }
