@@ -51,12 +51,11 @@ const ArchiveFiles::Opened* ArchiveFiles::open(const std::string& path, const Fi
   const auto known = opened_.find(path);
   if (known != opened_.end()) return known->second.get();
   if (!around.is_file(name)) return nullptr;
-  const FileContent content = around.read(name, left_.archive_bytes);
+  const FileContent content = around.read(name, left_.file_bytes);
   Opened& opened = *(opened_[path] = std::make_unique<Opened>());
   if (content.status != ReadStatus::ok) {
     opened.reason = content.reason;
-    if (content.status == ReadStatus::too_large)
-      opened.reason += "; " + raise_limit("archive-bytes");
+    if (content.status == ReadStatus::too_large) opened.reason += "; " + raise_limit("file-bytes");
     return &opened;
   }
   Archive archive = read_zip(content.text, left_);

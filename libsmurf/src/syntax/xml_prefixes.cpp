@@ -12,8 +12,9 @@ void XmlPrefixes::declare(std::string_view prefix) {
   ++declared_[prefix];
 }
 
-void XmlPrefixes::close(std::size_t count) {
-  for (; open_.size() > count; open_.pop_back()) --declared_[open_.back()];
+void XmlPrefixes::leave() {
+  for (; open_.size() > elements_.back(); open_.pop_back()) --declared_[open_.back()];
+  elements_.pop_back();
 }
 
 void XmlPrefixes::check(Span name) {

@@ -17,16 +17,17 @@ class XmlPrefixes {
  public:
   XmlPrefixes(std::string_view text, DiagnosticSink& sink) : text_(text), sink_(sink) {}
 
-  std::size_t count() const { return open_.size(); }
+  /// Of an element: what is declared from here to its end counts within.
+  void enter() { elements_.push_back(open_.size()); }
+  void leave();
   void declare(std::string_view prefix);
-  /// Forgets what was declared since there were `count` of them.
-  void close(std::size_t count);
   /// Reports the prefix of a name, once a file.
   void check(Span name);
 
  private:
   std::string_view text_;
   DiagnosticSink& sink_;
+  std::vector<std::size_t> elements_;  ///< prefixes declared before each open element
   std::vector<std::string_view> open_;
   std::unordered_map<std::string_view, std::uint32_t> declared_;  ///< how often in open_
   std::unordered_set<std::string_view> reported_;

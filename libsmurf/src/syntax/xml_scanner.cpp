@@ -12,6 +12,7 @@
 #include "base/limits.hpp"
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
+#include "syntax/xml_builder.hpp"
 #include "syntax/xml_prefixes.hpp"
 #include "syntax/xml_prolog.hpp"
 
@@ -20,8 +21,6 @@ namespace {
 
 using xml::Attribute;
 using xml::Element;
-using xml::ElementId;
-using xml::kNoElement;
 
 enum ByteClass : std::uint8_t { blank = 1, name_start = 2, name_char = 4, special = 8 };
 
@@ -45,65 +44,44 @@ bool is(char c, ByteClass what) { return (kClasses[static_cast<unsigned char>(c)
 class Scanner {
  public:
   Scanner(std::string_view text, SourceId id, const Limits& limits, DiagnosticSink& sink)
-      : text_(text), id_(id), limits_(limits), sink_(sink), prefixes_(text, sink) {}
+      : text_(text),
+        id_(id),
+        limits_(limits),
+        sink_(sink),
+        tree_(text, id),
+        prefixes_(text, sink) {}
 
   ScannedXml run() {
-    document_.source = id_;
-    reserve();
     at_ = byte_order_mark_size(text_);
     check_xml_prolog(text_, id_, sink_);
-    while (scanned_.well_formed && at_ < size()) {
+    while (well_formed_ && at_ < size()) {
       if (text_[at_] == '<') {
         markup();
       } else {
         character_data();
       }
     }
-    if (scanned_.well_formed) finish();
-    return std::move(scanned_);
+    if (well_formed_) finish();
+    return {tree_.take(), well_formed_, is_plain_};
   }
 
  private:
-  struct OpenElement {
-    ElementId element = kNoElement;
-    ElementId last_child = kNoElement;
-    std::size_t prefixes = 0;  ///< prefixes declared before this element
-  };
-
-  /// What grows needs up to three times its size for a while. Only a hostile file has more than
-  /// one element in 16 bytes.
-  void reserve() {
-    const auto count = [&](char sign, char not_before) {
-      std::size_t number = 0;
-      for (std::size_t at = text_.find(sign); at != std::string_view::npos;
-           at = text_.find(sign, at + 1)) {
-        number += text_.substr(at + 1).starts_with(not_before) ? 0U : 1U;
-      }
-      return number;
-    };
-    document_.elements.reserve(std::min(count('<', '/'), text_.size() / 16 + 1));
-    document_.attributes.reserve(std::min(count('=', '='), text_.size() / 16 + 1));
-  }
-
   std::uint32_t size() const { return static_cast<std::uint32_t>(text_.size()); }
   Span span(std::uint32_t begin, std::uint32_t end) const { return {id_, begin, end}; }
   std::string_view slice(Span s) const { return text_.substr(s.begin, s.end - s.begin); }
   std::string quoted(Span s) const { return "`" + std::string(slice(s)) + "`"; }
-  Element& element_of(const OpenElement& open) {
-    return document_.elements[static_cast<std::size_t>(open.element)];
-  }
   bool looking_at(std::string_view word) const { return text_.substr(at_).starts_with(word); }
   void skip_space() {
     while (at_ < size() && is(text_[at_], blank)) ++at_;
   }
 
   Diagnostic& malformed(Span place, std::string message) {
-    scanned_.well_formed = false;
+    well_formed_ = false;
     return sink_.report(rules::sml1001_xml_malformed, place, std::move(message));
   }
 
   void too_much(const Rule& rule, Span place, std::string message, std::string_view limit) {
-    scanned_.well_formed = false;
+    well_formed_ = false;
     sink_.report(rule, place, std::move(message)).help = raise_limit(limit);
   }
 
@@ -127,10 +105,10 @@ class Scanner {
 
   void character_section() {
     const std::uint32_t begin = at_;
-    scanned_.is_plain = false;
+    is_plain_ = false;
     skip_section("]]>", "this CDATA section is never closed");
-    if (!scanned_.well_formed) return;
-    if (open_.empty()) {
+    if (!well_formed_) return;
+    if (tree_.depth() == 0) {
       outside_of_root(span(begin, at_));
     } else {
       add_text(span(begin + 9, at_ - 3));
@@ -146,7 +124,7 @@ class Scanner {
       return;
     }
     at_ = static_cast<std::uint32_t>(found + 3);
-    document_.comments.push_back(span(begin, at_));
+    tree_.add_comment(span(begin, at_));
     const std::string_view body = text_.substr(begin + 4, found - begin - 4);
     std::size_t dashes = body.find("--");
     if (dashes == std::string_view::npos && body.ends_with('-')) dashes = body.size() - 1;
@@ -160,7 +138,7 @@ class Scanner {
 
   void doctype() {
     const std::uint32_t begin = at_;
-    scanned_.is_plain = false;
+    is_plain_ = false;
     is_prolog_ = false;
     std::size_t close = text_.find('>', begin);
     const std::size_t subset = text_.find('[', begin);
@@ -186,16 +164,16 @@ class Scanner {
   void instruction() {
     const std::uint32_t begin = at_;
     const bool is_declaration = looking_at("<?xml ");
-    if (!is_declaration || has_declaration_) scanned_.is_plain = false;
+    if (!is_declaration || has_declaration_) is_plain_ = false;
     skip_section("?>", "this processing instruction is never closed");
-    if (scanned_.well_formed && is_prolog_ && is_declaration && has_declaration_) {
+    if (well_formed_ && is_prolog_ && is_declaration && has_declaration_) {
       sink_
           .report(rules::sml1005_xml_junk_before_prolog, span(begin, at_),
                   "a second XML declaration")
           .fixes.push_back({Applicability::safe, {{span(begin, at_), ""}}});
     }
     has_declaration_ = has_declaration_ || is_declaration;
-    if (!scanned_.well_formed) return;
+    if (!well_formed_) return;
     const auto close = static_cast<std::uint32_t>(text_.find('>', begin));
     if (close + 1 < at_) {
       malformed(span(close, close + 1),
@@ -225,42 +203,31 @@ class Scanner {
       return;
     }
     ++at_;
-    if (open_.empty()) {
+    if (tree_.depth() == 0) {
       malformed(span(begin, at_), "the end tag " + quoted(name) + " closes nothing");
       return;
     }
-    const Element& element = element_of(open_.back());
+    const Element& element = tree_.innermost();
     if (slice(name) != element.name) {
       Diagnostic& diagnostic =
           malformed(name, "the end tag " + quoted(name) + " does not close the open element " +
                               quoted(element.name_span()));
       diagnostic.labels.push_back({element.name_span(), "opened here"});
-      suspect_end(open_.back().element, diagnostic);
+      suspect_end(diagnostic);
       return;
     }
     close_element();
   }
 
-  /// An element directly in one of the same name: the end tag of the outer one is missing there.
-  void suspect_end(ElementId open, Diagnostic& diagnostic) const {
-    const auto outer = static_cast<std::size_t>(open);
-    for (std::size_t i = outer + 1; i < document_.elements.size(); ++i) {
-      const Element& inner = document_.elements[i];
-      if (inner.name == document_.elements[outer].name) {
-        diagnostic.labels.push_back({inner.name_span(), "is the end tag missing before this?"});
-        return;
-      }
-      while (i + 1 < document_.elements.size() &&
-             document_.elements[i + 1].span.begin < inner.span.end) {
-        ++i;  // what is in a closed child
-      }
+  void suspect_end(Diagnostic& diagnostic) const {
+    if (const Element* inner = tree_.suspect()) {
+      diagnostic.labels.push_back({inner->name_span(), "is the end tag missing before this?"});
     }
   }
 
   void close_element() {
-    element_of(open_.back()).span.end = at_;
-    prefixes_.close(open_.back().prefixes);
-    open_.pop_back();
+    tree_.close(at_);
+    prefixes_.leave();
   }
 
   Span scan_name() {
@@ -282,63 +249,43 @@ class Scanner {
           "write `&lt;` for the character itself";
       return;
     }
-    if (open_.empty() && !document_.elements.empty()) {
+    if (tree_.depth() == 0 && !tree_.elements().empty()) {
       malformed_second_root(element.name_span());
       return;
     }
-    if (open_.size() >= limits_.xml_depth) {
+    if (tree_.depth() >= limits_.xml_depth) {
       too_much(rules::sml0014_nesting_too_deep, element.name_span(),
                "elements are nested deeper than " + std::to_string(limits_.xml_depth) + " levels",
                "xml-depth");
       return;
     }
-    if (document_.elements.size() >= limits_.xml_elements) {
+    if (tree_.elements().size() >= limits_.xml_elements) {
       too_much(rules::sml0002_file_too_large, element.name_span(),
                "the file holds more than " + std::to_string(limits_.xml_elements) + " elements",
                "xml-elements");
       return;
     }
-    element.first_attribute = static_cast<std::uint32_t>(document_.attributes.size());
-    const std::size_t prefixes = prefixes_.count();
+    element.first_attribute = static_cast<std::uint32_t>(tree_.attributes().size());
+    prefixes_.enter();
     bool is_closed = false;
     if (!attributes(element, is_closed)) return;
-    element.attribute_count =
-        static_cast<std::uint32_t>(document_.attributes.size()) - element.first_attribute;
     element.tag_end = at_;
     element.span = element.tag_span();
-    open(element, prefixes);
+    tree_.open(element);
     prefixes_.check(element.name_span());
-    for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
-      prefixes_.check(document_.attributes[element.first_attribute + i].name_span());
+    for (std::size_t i = element.first_attribute; i < tree_.attributes().size(); ++i) {
+      prefixes_.check(tree_.attributes()[i].name_span());
     }
     check_inclusion(element.name_span());
     if (is_closed) close_element();
   }
 
-  void open(Element& element, std::size_t prefixes) {
-    const ElementId id{static_cast<std::uint32_t>(document_.elements.size())};
-    if (open_.empty()) {
-      document_.root = id;
-    } else {
-      OpenElement& parent = open_.back();
-      element.parent = parent.element;
-      if (parent.last_child == kNoElement) {
-        element_of(parent).first_child = id;
-      } else {
-        document_.elements[static_cast<std::size_t>(parent.last_child)].next_sibling = id;
-      }
-      parent.last_child = id;
-    }
-    document_.elements.push_back(element);
-    open_.push_back({id, kNoElement, prefixes});
-  }
-
   void malformed_second_root(Span name) {
-    scanned_.well_formed = false;
+    well_formed_ = false;
     Diagnostic& diagnostic =
         sink_.report(rules::sml1006_xml_several_roots, name,
                      "a second root element " + quoted(name) + " begins after the first has ended");
-    diagnostic.labels.push_back({document_.elements.front().name_span(), "the root element"});
+    diagnostic.labels.push_back({tree_.elements().front().name_span(), "the root element"});
   }
 
   bool attributes(const Element& element, bool& is_closed) {
@@ -405,7 +352,7 @@ class Scanner {
   }
 
   bool add_attribute(const Element& element, const Attribute& attribute) {
-    const std::size_t count = document_.attributes.size() - element.first_attribute;
+    const std::size_t count = tree_.attributes().size() - element.first_attribute;
     if (count >= limits_.xml_attributes) {
       too_much(rules::sml0002_file_too_large, element.name_span(),
                "the element " + quoted(element.name_span()) + " has more than " +
@@ -413,17 +360,17 @@ class Scanner {
                "xml-attributes");
       return false;
     }
-    for (std::size_t i = element.first_attribute; i < document_.attributes.size(); ++i) {
-      if (document_.attributes[i].name != attribute.name) continue;
-      scanned_.well_formed = false;
+    for (std::size_t i = element.first_attribute; i < tree_.attributes().size(); ++i) {
+      if (tree_.attributes()[i].name != attribute.name) continue;
+      well_formed_ = false;
       Diagnostic& diagnostic =
           sink_.report(rules::sml1007_xml_duplicate_attribute, attribute.name_span(),
                        "the attribute " + quoted(attribute.name_span()) + " is written twice");
-      diagnostic.labels.push_back({document_.attributes[i].name_span(), "first written here"});
+      diagnostic.labels.push_back({tree_.attributes()[i].name_span(), "first written here"});
       return false;
     }
     if (attribute.name.starts_with("xmlns:")) prefixes_.declare(attribute.name.substr(6));
-    document_.attributes.push_back(attribute);
+    tree_.add_attribute(attribute);
     return true;
   }
 
@@ -453,14 +400,14 @@ class Scanner {
     } else if (text_[at_] == '&') {
       reference();
     } else {
-      scanned_.is_plain = scanned_.is_plain && text_[at_] != '\r';
+      is_plain_ = is_plain_ && text_[at_] != '\r';
       ++at_;
     }
   }
 
   void reference() {
     const std::uint32_t begin = at_;
-    scanned_.is_plain = false;
+    is_plain_ = false;
     const std::size_t semicolon = text_.find_first_of("; <\"'&", begin + 1);
     const bool is_closed = semicolon != std::string_view::npos && text_[semicolon] == ';';
     const std::string_view name =
@@ -483,24 +430,14 @@ class Scanner {
         .help = "write the text out";
   }
 
-  /// Readers take the first piece of text of an element, if it stands before its children.
   void add_text(Span text) {
-    Element& element = element_of(open_.back());
-    if (!element.text_span.empty()) return;
-    constexpr std::string_view kBlanks = " \t\r\n";
-    const std::string_view written = slice(text);
-    const std::size_t first = written.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return;
-    if (open_.back().last_child == kNoElement) element.text = written;
-    scanned_.is_plain = scanned_.is_plain && written.find('\r') == std::string_view::npos;
-    element.text_span =
-        span(text.begin + static_cast<std::uint32_t>(first),
-             text.begin + static_cast<std::uint32_t>(written.find_last_not_of(kBlanks) + 1));
+    if (!tree_.add_text(text)) return;
+    is_plain_ = is_plain_ && slice(text).find('\r') == std::string_view::npos;
   }
 
   void outside_of_root(Span text) {
-    malformed(text, document_.elements.empty() ? "text before the root element"
-                                               : "text after the root element");
+    malformed(text, tree_.elements().empty() ? "text before the root element"
+                                             : "text after the root element");
   }
 
   void character_data() {
@@ -509,7 +446,7 @@ class Scanner {
     const std::uint32_t visible = at_;
     while (at_ < size() && text_[at_] != '<') step();
     if (visible == at_) return;
-    if (open_.empty()) {
+    if (tree_.depth() == 0) {
       outside_of_root(span(visible, at_));
     } else {
       add_text(span(begin, at_));
@@ -517,13 +454,13 @@ class Scanner {
   }
 
   void finish() {
-    if (!open_.empty()) {
-      const Element& element = element_of(open_.back());
+    if (tree_.depth() > 0) {
+      const Element& element = tree_.innermost();
       Diagnostic& diagnostic = malformed(span(size(), size()), "the file ends inside the element " +
                                                                    quoted(element.name_span()));
       diagnostic.labels.push_back({element.name_span(), "opened here and never closed"});
-      suspect_end(open_.back().element, diagnostic);
-    } else if (document_.elements.empty()) {
+      suspect_end(diagnostic);
+    } else if (tree_.elements().empty()) {
       malformed(span(0, 0), "the file holds no XML element");
     }
   }
@@ -532,12 +469,12 @@ class Scanner {
   SourceId id_;
   const Limits& limits_;
   DiagnosticSink& sink_;
-  ScannedXml scanned_;
-  xml::Document& document_ = scanned_.document;
+  XmlBuilder tree_;
+  bool well_formed_ = true;
+  bool is_plain_ = true;
   std::uint32_t at_ = 0;
   bool is_prolog_ = true;  ///< nothing but processing instructions so far
   bool has_declaration_ = false;
-  std::vector<OpenElement> open_;
   XmlPrefixes prefixes_;
 };
 

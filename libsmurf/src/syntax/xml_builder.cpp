@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "syntax/xml_builder.hpp"
+
+#include <algorithm>
+
+namespace smurf {
+
+using xml::Element;
+using xml::ElementId;
+using xml::kNoElement;
+
+XmlBuilder::XmlBuilder(std::string_view text, SourceId id) : text_(text) {
+  document_.source = id;
+  // What grows needs up to three times its size for a while. Only a hostile file has more than one
+  // element in 16 bytes.
+  document_.elements.reserve(std::min(count('<', '/'), text_.size() / 16 + 1));
+  document_.attributes.reserve(std::min(count('=', '='), text_.size() / 16 + 1));
+}
+
+std::size_t XmlBuilder::count(char sign, char not_before) const {
+  std::size_t number = 0;
+  for (std::size_t at = text_.find(sign); at != std::string_view::npos;
+       at = text_.find(sign, at + 1)) {
+    number += text_.substr(at + 1).starts_with(not_before) ? 0U : 1U;
+  }
+  return number;
+}
+
+const Element& XmlBuilder::innermost() const {
+  return document_.elements[static_cast<std::size_t>(open_.back().element)];
+}
+
+void XmlBuilder::open(Element element) {
+  const ElementId id{static_cast<std::uint32_t>(document_.elements.size())};
+  if (open_.empty()) {
+    document_.root = id;
+  } else {
+    OpenElement& parent = open_.back();
+    element.parent = parent.element;
+    if (parent.last_child == kNoElement) {
+      at(parent.element).first_child = id;
+    } else {
+      at(parent.last_child).next_sibling = id;
+    }
+    parent.last_child = id;
+  }
+  element.attribute_count =
+      static_cast<std::uint32_t>(document_.attributes.size()) - element.first_attribute;
+  document_.elements.push_back(element);
+  open_.push_back({id, kNoElement});
+}
+
+void XmlBuilder::close(std::uint32_t end) {
+  at(open_.back().element).span.end = end;
+  open_.pop_back();
+}
+
+bool XmlBuilder::add_text(Span text) {
+  Element& element = at(open_.back().element);
+  if (!element.text_span.empty()) return false;
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::string_view written = text_.substr(text.begin, text.end - text.begin);
+  const std::size_t first = written.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return false;
+  if (open_.back().last_child == kNoElement) element.text = written;
+  element.text_span = {text.source, text.begin + static_cast<std::uint32_t>(first),
+                       text.begin +
+                           static_cast<std::uint32_t>(written.find_last_not_of(kBlanks) + 1)};
+  return true;
+}
+
+const Element* XmlBuilder::suspect() const {
+  const std::vector<Element>& elements = document_.elements;
+  for (std::size_t i = static_cast<std::size_t>(open_.back().element) + 1; i < elements.size();
+       ++i) {
+    const Element& inner = elements[i];
+    if (inner.name == innermost().name) return &inner;
+    while (i + 1 < elements.size() && elements[i + 1].span.begin < inner.span.end) {
+      ++i;  // what is in a closed child
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace smurf

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tree of an XML file as it grows: tags are opened and closed in document order.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "smurf/xml.hpp"
+
+namespace smurf {
+
+class XmlBuilder {
+ public:
+  XmlBuilder(std::string_view text, SourceId id);
+
+  xml::Document take() { return std::move(document_); }
+
+  /// Elements that are open.
+  std::size_t depth() const { return open_.size(); }
+  const std::vector<xml::Element>& elements() const { return document_.elements; }
+  const std::vector<xml::Attribute>& attributes() const { return document_.attributes; }
+  /// The innermost element that is open. Precondition: depth() > 0.
+  const xml::Element& innermost() const;
+
+  void add_comment(Span comment) { document_.comments.push_back(comment); }
+  /// Attributes come before the element they belong to.
+  void add_attribute(const xml::Attribute& attribute) { document_.attributes.push_back(attribute); }
+  /// Its attributes are those from `first_attribute` on.
+  void open(xml::Element element);
+  void close(std::uint32_t end);
+  /// Readers take the first piece of text of an element, if it stands before its children. False
+  /// when this piece is none that anyone looks at: blanks, or not the first.
+  bool add_text(Span text);
+
+  /// An element directly in the innermost one and of its name: the end tag that is missing may be
+  /// missing before it. Null when there is none.
+  const xml::Element* suspect() const;
+
+ private:
+  struct OpenElement {
+    xml::ElementId element = xml::kNoElement;
+    xml::ElementId last_child = xml::kNoElement;
+  };
+
+  std::size_t count(char sign, char not_before) const;
+  xml::Element& at(xml::ElementId id) { return document_.elements[static_cast<std::size_t>(id)]; }
+
+  std::string_view text_;
+  xml::Document document_;
+  std::vector<OpenElement> open_;
+};
+
+}  // namespace smurf
