@@ -450,6 +450,19 @@ class Assets(FlattenTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         for file in self.meshes("out/world.sdf"):
             self.assertEqual(self.read("out/" + file), self.MESH)
+        # Without copies a simulator finds nothing; what is read on the way needs none.
+        loss = ("SML8210", "what reads the SDF does not look into the archive for "
+                "`r.zsmurf/m.stl`, `r.zsmurf/more/m.stl`")
+        self.assertIn(loss, self.found("r.zsmurf", "--format", "sdf"))
+        self.assertIn(("SML8210", "what reads the SDF does not look into the archive for "
+                       "`r.zsmurf/r.urdf`"),
+                      self.found("r.zsmurf", "--format", "sdf", "--form", "reference"))
+        for arguments in (["sdf", "--copy-assets", "out/files", "-o", "out/world.sdf"], ["gltf"]):
+            self.assertNotIn("SML8210", dict(self.found("r.zsmurf", "--format", *arguments)))
+
+    def found(self, *arguments):
+        report = self.run_tool(*arguments, "--report", "json").stderr
+        return [(d["id"], d["message"]) for d in json.loads(report)["diagnostics"]]
 
     def test_a_refused_scene_copies_nothing(self):
         done = self.run_tool("broken.smurfs", "--format", "sdf", "--copy-assets", "files")

@@ -232,9 +232,12 @@ TEST_CASE("MARS leaves models out of drawings, MARS 2 and Phobos read none") {
   loaded.files.add("rock.yml", "type: rock_field\n");
   loaded.files.add("page.svg", R"svg(<svg width="1">
 <g><title>rock.yml</title><desc>origin_z: 0</desc><path d="m 0,0"/></g>
-<g><title>box.urdf</title><desc>origin_z: 0</desc><path d="m 0,0"/></g>
+<g transform="matrix(0.999624,0.027412,-0.027412,0.999624,0,0)">
+<title>box.urdf</title><desc>origin_z: 0</desc><path d="m 0,0"/></g>
 </svg>)svg");
   loaded.load("page.svg");
+  // Turned by 1.5708 degrees, which are no radians here.
+  CHECK(loaded.briefs() == "SML5012 page.svg:2:11\nSML5012 page.svg:4:8\nSML5044 page.svg:4:8\n");
   const auto loads = [&](std::string_view dialect) {
     std::string text;
     for (const EntityReading& reading : find_dialect(dialect)->read(loaded.scene)) {

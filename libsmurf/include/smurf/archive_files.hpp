@@ -17,6 +17,8 @@ namespace smurf {
 
 /// By the extension, any case.
 bool is_archive(std::string_view path);
+/// Whether a folder on the way to a file is an archive, by its name.
+bool is_in_archive(std::string_view path);
 
 /// Reads what lies in archives, and archives in archives, in memory; everything else is read by the
 /// reader behind it. Each archive is unpacked once, when something in it is first asked for. May be

@@ -32,6 +32,14 @@ bool is_archive(std::string_view path) {
   return extension == ".zsmurf" || extension == ".zsmurfs" || extension == ".zsmurfa";
 }
 
+bool is_in_archive(std::string_view path) {
+  for (std::string_view folder = path::parent(path); folder.size() > 1;
+       folder = path::parent(folder)) {
+    if (is_archive(folder)) return true;
+  }
+  return false;
+}
+
 struct ArchiveFiles::Opened {
   MemoryFiles files;
   std::string reason;  ///< why it cannot be read; empty when it can

@@ -137,6 +137,7 @@ std::string MjcfParts::finish() {
   using enum SceneLosses::World;
   losses_.world({solver, environment});
   losses_.annotations_and_properties();
+  losses_.files_in_archives();
   return xml_.finish();
 }
 

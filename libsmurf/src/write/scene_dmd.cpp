@@ -55,6 +55,7 @@ class DirectivesWriter {
     using enum SceneLosses::World;
     losses_.world({gravity, step_size, solver, environment, lights});
     losses_.annotations_and_properties();
+    losses_.files_in_archives();
     return std::move(out_);
   }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/scene_losses.hpp"
 
+#include <algorithm>
+
 #include "base/rules.hpp"
+#include "smurf/archive_files.hpp"
 
 namespace smurf {
 namespace {
@@ -109,6 +112,45 @@ void SceneLosses::annotations_and_properties() {
                          "keys of " + path(i) + " are not in the " + format_ + ": " + keys);
   }
   old_scenes();
+}
+
+std::vector<std::string> SceneLosses::archived_files(std::size_t index) const {
+  const FlatInstance& instance = scene_.flat.instances[index];
+  std::vector<std::string> files;
+  const auto add = [&](const std::string& file) {
+    if (is_in_archive(file)) files.push_back(file);
+  };
+  if (instance.model) {
+    const FlatModel& model = scene_.flat.models[*instance.model];
+    if (scene_.form == SceneForm::reference) {
+      add(model.urdf);
+    } else {
+      for (const auto& [written, file] : model.resources) add(file);
+    }
+  }
+  for (const FlatShape& shape : instance.shapes) {
+    if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) add(mesh->file);
+    if (const auto* map = std::get_if<FlatHeightmap>(&shape.geometry)) add(map->file);
+  }
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
+void SceneLosses::files_in_archives() {
+  std::set<std::size_t> models;
+  for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
+    const std::optional<std::size_t>& model = scene_.flat.instances[i].model;
+    if (model && !models.insert(*model).second) continue;
+    const std::vector<std::string> files = archived_files(i);
+    if (files.empty()) continue;
+    Diagnostic& diagnostic = scene_.losses.report(
+        rules::sml8210_file_in_archive, place(i),
+        "what reads the " + format_ + " does not look into the archive for " + list(files));
+    diagnostic.help = scene_.form == SceneForm::reference
+                          ? "unpack it, or use --form expand"
+                          : "--copy-assets DIR copies what is named";
+  }
 }
 
 void SceneLosses::old_scenes() {
@@ -255,6 +297,17 @@ constinit const Rule sml8209_old_nodes_stand_still{
            "are.",
     .remedy = "Make a SMURF model of what has to move.",
     .sources = "MARS NodeData.cpp:98-286, Load.cpp:228-268."};
+
+constinit const Rule sml8210_file_in_archive{
+    .id = "SML8210",
+    .name = "file-in-archive",
+    .severity = Severity::warning,
+    .summary = "The result names a file that lies in an archive.",
+    .why =
+        "Only these tools read .zsmurf and .zsmurfs archives in place; a simulator finds no file "
+        "at such a path.",
+    .remedy = "Copy the files with --copy-assets DIR, or unpack the archive.",
+    .sources = "smurfs-flatten."};
 
 }  // namespace rules
 }  // namespace smurf

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "smurf/write_scene.hpp"
 
@@ -32,6 +33,10 @@ class SceneLosses {
   /// model, and what old scenes hold besides shapes and lights.
   void annotations_and_properties();
 
+  /// Files that the result names and that lie in archives, which only our own tools look into: of
+  /// every model its URDF, or its meshes when it is written out, and those of other entities.
+  void files_in_archives();
+
   enum class World : std::uint8_t { gravity, step_size, solver, environment, lights };
   /// Of these settings, those that the scene has.
   void world(std::initializer_list<World> settings);
@@ -40,6 +45,7 @@ class SceneLosses {
   std::string path(std::size_t instance) const;
   Span place(std::size_t instance) const;
   void old_scenes();
+  std::vector<std::string> archived_files(std::size_t instance) const;
   void report_world(World setting, const SceneFile& file);
 
   const SceneExport& scene_;

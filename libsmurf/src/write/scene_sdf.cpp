@@ -45,6 +45,7 @@ class SdfWriter {
     add_groups();
     losses_.world({SceneLosses::World::environment});
     losses_.annotations_and_properties();
+    losses_.files_in_archives();
     return xml_.finish();
   }
 

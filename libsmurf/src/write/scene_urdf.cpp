@@ -41,6 +41,7 @@ class UrdfMerger {
     using enum SceneLosses::World;
     losses_.world({gravity, step_size, solver, environment, lights});
     losses_.annotations_and_properties();
+    losses_.files_in_archives();
     return with_namespaces(xml_.finish());
   }
 

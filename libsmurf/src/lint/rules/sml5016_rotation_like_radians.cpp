@@ -19,6 +19,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
     const RotationForm form = entity.rotation.form;
     if (form != RotationForm::yaw && form != RotationForm::euler) return;
+    if (file.drawing && entity.rotation.span.source == file.source) return;  // not written, drawn
     std::vector<Edit> edits;
     for (const yaml::View number : numbers_of(mapping_of(file, entity).find("rotation"))) {
       const double value = *number.number();
