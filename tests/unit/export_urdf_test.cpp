@@ -259,6 +259,20 @@ std::string tower(const std::string& extensions, const std::string& shape = {}) 
          "</robot>\n";
 }
 
+TEST_CASE("a link with two parents hangs on both of them still") {
+  UrdfExport options;
+  options.collapses_fixed = true;
+  const std::string second = R"(  <joint name="c" type="fixed">
+    <parent link="base"/><child link="top"/>
+  </joint>
+)";
+  const Exported collapsed(Read(tower(second)), options);
+  CHECK_FALSE(collapsed.has("floor"));
+  CHECK(collapsed.has("<link name=\"top\"></link>"));
+  CHECK(collapsed.has("<joint name=\"b\""));
+  CHECK(collapsed.has("<joint name=\"c\""));
+}
+
 TEST_CASE("sensors on a collapsed link stand on the carrying one, where they stood") {
   UrdfExport options;
   options.collapses_fixed = true;

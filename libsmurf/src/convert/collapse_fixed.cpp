@@ -27,6 +27,10 @@ class Collapse {
       carrier_[i] = i;
       bodies_[i] = mass_properties(model_.robot->links[i]);
     }
+    parents_.resize(count);
+    for (const auto& child : model_.tree.joint_child) {
+      if (child) ++parents_[to_size(*child)];
+    }
     for (const LinkIndex index : model_.tree.order) place(to_size(index));
     std::vector<CollapsedLink> collapsed;
     for (const LinkIndex index : model_.tree.order) {
@@ -59,7 +63,7 @@ class Collapse {
 
   void place(std::size_t link) {
     const auto parent_joint = model_.tree.parent_joint[link];
-    if (!parent_joint) return;
+    if (!parent_joint || parents_[link] > 1) return;  // in error, it hangs on all of them
     const std::size_t parent = to_size(*model_.tree.joint_parent[to_size(*parent_joint)]);
     if (!may_collapse(model_.robot->links[link], model_.joint(*parent_joint), parent)) return;
     carrier_[link] = carrier_[parent];
@@ -135,6 +139,7 @@ class Collapse {
   std::set<std::string_view> keep_;
   LinkReferences references_;
   XmlEdits& edits_;
+  std::vector<std::size_t> parents_;    ///< by link: joints that it is the child of
   std::vector<std::size_t> carrier_;    ///< by link
   std::vector<Pose> X_CL_;              ///< by link, in its carrier's frame
   std::vector<MassProperties> bodies_;  ///< by link, with all that it carries
