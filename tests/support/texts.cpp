@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/texts.hpp"
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -20,11 +22,6 @@ std::vector<std::string> texts_below(const std::string& folder,
     texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
   }
   return texts;
-}
-
-std::size_t case_count() {
-  const char* given = std::getenv("SMURF_TEST_CASES");
-  return given != nullptr ? std::strtoull(given, nullptr, 10) : 20000;
 }
 
 std::string mutated(std::string text, std::string (*token)(Random&), Random& random) {
@@ -49,6 +46,31 @@ std::string some_lines(const std::string& text, Random& random) {
     end = std::min(text.find('\n', end), text.size() - 1) + 1;
   }
   return text.substr(begin, end - begin);
+}
+
+void compare_files(std::span<const std::string_view> extensions, Compare compare, double share) {
+  for (const std::string folder : {SMURF_FIXTURES, SMURF_SHARED "/corpus"}) {
+    const std::vector<std::string> texts = texts_below(folder, extensions);
+    const auto compared = static_cast<double>(std::ranges::count_if(texts, compare));
+    MESSAGE(folder << ": " << compared << " of " << texts.size() << " files are compared");
+    CHECK(compared >= share * static_cast<double>(texts.size()));
+  }
+}
+
+void compare_made(std::span<const std::string_view> extensions, Compare compare, double share,
+                  std::string (*make)(const std::string& seed, Random& random)) {
+  std::vector<std::string> seeds = texts_below(SMURF_FIXTURES, extensions);
+  std::erase_if(seeds, [](const std::string& text) { return text.empty() || text.size() > 20000; });
+  REQUIRE(seeds.size() > 100);
+  const char* given = std::getenv("SMURF_TEST_CASES");
+  const std::size_t count = given != nullptr ? std::strtoull(given, nullptr, 10) : 20000;
+  Random random;
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    compared += compare(make(seeds[random.below(seeds.size())], random)) ? 1U : 0U;
+  }
+  MESSAGE(compared << " of " << count << " made texts are compared");
+  CHECK(static_cast<double>(compared) > share * static_cast<double>(count));
 }
 
 }  // namespace smurf::test

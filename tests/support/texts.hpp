@@ -15,13 +15,22 @@ namespace smurf::test {
 std::vector<std::string> texts_below(const std::string& folder,
                                      std::span<const std::string_view> extensions);
 
-/// SMURF_TEST_CASES, or 20,000.
-std::size_t case_count();
-
 /// One to three places of a text replaced, doubled, cut or moved.
 std::string mutated(std::string text, std::string (*token)(Random&), Random& random);
 
 /// A few lines out of a text: small cases are read fast and fail legibly.
 std::string some_lines(const std::string& text, Random& random);
+
+/// Compares how two readers read a text; true when it is one that is compared.
+using Compare = bool (*)(const std::string& text);
+
+/// Compares the texts of the fixtures and, where it is there, of the corpus; at least a share of
+/// each must be of the kind that is compared.
+void compare_files(std::span<const std::string_view> extensions, Compare compare, double share);
+
+/// Compares texts that `make` makes of small ones of the fixtures: SMURF_TEST_CASES of them, or
+/// 20,000.
+void compare_made(std::span<const std::string_view> extensions, Compare compare, double share,
+                  std::string (*make)(const std::string& seed, Random& random));
 
 }  // namespace smurf::test

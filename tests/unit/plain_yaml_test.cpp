@@ -146,35 +146,19 @@ TEST_CASE("the scanner takes what people write, and gives up at everything else"
   }
 }
 
-TEST_CASE("both read the files of the fixtures and of the corpus alike") {
-  for (const std::string folder : {SMURF_FIXTURES, SMURF_SHARED "/corpus"}) {
-    std::size_t accepted = 0;
-    const std::vector<std::string> texts = test::texts_below(folder, kExtensions);
-    for (const std::string& text : texts) accepted += compare(text) ? 1U : 0U;
-    MESSAGE(folder << ": " << accepted << " of " << texts.size() << " files are plain");
-    CHECK(accepted * 10 >= texts.size() * 8);
-  }
+TEST_CASE("both read the YAML of the fixtures and of the corpus alike") {
+  test::compare_files(kExtensions, compare, 0.8);
 }
 
 TEST_CASE("both read mutated texts alike") {
-  std::vector<std::string> seeds = test::texts_below(SMURF_FIXTURES, kExtensions);
-  std::erase_if(seeds, [](const std::string& text) { return text.empty() || text.size() > 20000; });
-  REQUIRE(seeds.size() > 100);
-  Random random;
-  std::size_t accepted = 0;
-  const std::size_t count = test::case_count();
-  for (std::size_t i = 0; i < count; ++i) {
-    std::string text;
-    if (i % 2 == 0) {
-      for (std::size_t tokens = 2 + random.below(14); tokens > 0; --tokens) {
-        text += random_token(random);
-      }
-    } else {
-      text = test::mutated(test::some_lines(seeds[random.below(seeds.size())], random),
-                           random_token, random);
+  test::compare_made(kExtensions, compare, 0.1, [](const std::string& seed, Random& random) {
+    if (random.one_in(2)) {
+      return test::mutated(test::some_lines(seed, random), random_token, random);
     }
-    accepted += compare(text) ? 1U : 0U;
-  }
-  MESSAGE(accepted << " of " << count << " mutated texts are plain");
-  CHECK(accepted * 10 > count);
+    std::string text;
+    for (std::size_t tokens = 2 + random.below(14); tokens > 0; --tokens) {
+      text += random_token(random);
+    }
+    return text;
+  });
 }
