@@ -81,7 +81,9 @@ class TreeBuilder final : public YAML::EventHandler {
   struct Entry {
     std::string_view key;
     yaml::NodeId id;
-    friend auto operator<=>(const Entry&, const Entry&) = default;
+    friend bool operator<(const Entry& a, const Entry& b) {
+      return a.key != b.key ? a.key < b.key : a.id < b.id;
+    }
   };
 
   static std::size_t index(yaml::NodeId id) { return static_cast<std::size_t>(id); }
