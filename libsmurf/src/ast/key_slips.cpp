@@ -107,19 +107,22 @@ Span place_to_add(yaml::View entry, std::string_view key) {
 void report_difference(const KeyDifference& difference, yaml::View mapping, std::string_view what,
                        DiagnosticSink& sink) {
   std::vector<yaml::View> slips;
+  std::unordered_set<std::string_view> given;  // or meant by a key before
   for (const KeySpec* spec : difference.missing) {
     slips.push_back(report_missing(*spec, difference.unknown, mapping, what, sink));
+    if (slips.back()) given.insert(spec->name);
   }
-  std::unordered_set<std::string_view> given;
+  bool has_given = false;
   for (const yaml::View key : difference.unknown) {
     const auto is_this = [&](yaml::View slip) { return slip && slip.key() == key.key(); };
     if (key.is_repeated() || std::any_of(slips.begin(), slips.end(), is_this)) continue;
     const auto meant = meant_key(key.key(), difference.known);
     if (!meant) continue;
-    if (given.empty()) {
+    if (!has_given) {
       for (const yaml::View value : mapping) given.insert(value.key());
+      has_given = true;
     }
-    if (given.contains(*meant)) continue;
+    if (!given.insert(*meant).second) continue;
     Diagnostic& diagnostic = sink.report(rules::sml4005_misspelt_key, key.key_span(),
                                          "no reader knows `" + std::string(key.key()) +
                                              "` in this " + std::string(what));

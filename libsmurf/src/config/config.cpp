@@ -364,9 +364,9 @@ class ConfigReader {
   std::optional<SourceId> open(const std::string& path, Span reference) {
     FileContent content = files_.read(path, Limits{}.file_bytes);
     if (content.status == ReadStatus::ok) return sources_.add(path, std::move(content.text));
-    const Rule& rule =
-        reference.empty() ? rules::sml0001_unreadable_file : rules::sml9002_wrong_setting;
-    if (reference.empty()) reference.source = sources_.add_unreadable(path);
+    const bool is_named = reference != Span{};  // an absent path has a place as well
+    const Rule& rule = is_named ? rules::sml9002_wrong_setting : rules::sml0001_unreadable_file;
+    if (!is_named) reference.source = sources_.add_unreadable(path);
     sink_.report(rule, reference, "cannot read " + quoted(path) + ": " + content.reason);
     return std::nullopt;
   }

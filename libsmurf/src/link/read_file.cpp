@@ -17,7 +17,7 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
   const bool is_too_large = content.status == ReadStatus::too_large;
   const Rule& reported = is_too_large ? rules::sml0002_file_too_large : rule;
   const bool is_named = !reference.empty();
-  if (!is_named) reference.source = context.sources.add_unreadable(path::normalize(path));
+  if (!is_named) reference = {context.sources.add_unreadable(path::normalize(path)), 0, 0};
   Diagnostic& diagnostic = context.sink.report(
       reported, reference, "cannot read `" + path::normalize(path) + "`: " + content.reason);
   if (is_too_large) {
