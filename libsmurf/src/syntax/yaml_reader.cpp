@@ -79,8 +79,8 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
                                     static_cast<std::uint32_t>(text.size()));
   // yaml-cpp ends a document where nothing fits any more; only marks may do that.
   const std::string_view between = text.substr(first_end, std::max(at, first_end) - first_end);
-  const bool has_mark = text.substr(at).starts_with("---") || text.substr(at).starts_with('%') ||
-                        between.find("\n...") != std::string_view::npos;
+  const bool has_mark =
+      text.substr(at).starts_with("---") || between.find("\n...") != std::string_view::npos;
   if (!has_mark) {
     sink.report(rules::sml0010_yaml_syntax, {id, at, at + 1},
                 "this line does not fit what stands above it");
@@ -124,6 +124,17 @@ std::optional<Span> find_content(std::string_view text, std::uint32_t begin, Sou
   return std::nullopt;
 }
 
+/// yaml-cpp reads on behind a directive; YAML, and PyYAML with it, wants a `---` first.
+std::optional<Span> find_open_directive(std::string_view text, SourceId id) {
+  std::optional<Span> directive;
+  auto line = find_content(text, byte_order_mark_size(text), id);
+  for (; line && text[line->begin] == '%'; line = find_content(text, line->end, id)) {
+    directive = line;
+  }
+  if (line && text.substr(line->begin).starts_with("---")) return std::nullopt;
+  return directive;
+}
+
 /// yaml-cpp ends a document where nothing fits any more, and need not tell. What follows must be
 /// a mark then.
 bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, DiagnosticSink& sink) {
@@ -132,7 +143,7 @@ bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, Dia
   const auto rest = find_content(text, static_cast<std::uint32_t>(line_end), id);
   if (!rest) return true;
   const auto at = static_cast<std::uint32_t>(text.find_first_not_of(" \t", rest->begin));
-  for (const std::string_view mark : {"---", "...", "%", "]", "}"}) {
+  for (const std::string_view mark : {"---", "...", "]", "}"}) {
     if (text.substr(at).starts_with(mark)) return true;
   }
   sink.report(rules::sml0010_yaml_syntax, {id, at, at + 1},
@@ -237,6 +248,11 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
   if (engine == YamlEngine::scanner_first) {
     std::optional<yaml::Document> document;
     if (parse_plain(sources, id, limits, sink, document)) return document;
+  }
+  if (const auto directive = find_open_directive(text, id)) {
+    sink.report(rules::sml0010_yaml_syntax, *directive, "no `---` follows this directive").help =
+        "begin the line with `#` to make it a comment";
+    return std::nullopt;
   }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
   DiagnosticSink found;

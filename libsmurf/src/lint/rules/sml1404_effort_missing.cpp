@@ -6,7 +6,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
-    if (!joint.limit || joint.limit->effort.written || !joint.has_one_axis()) return;
+    if (!joint.limit || joint.limit->effort.written) return;
     if (is_empty_limit(model, joint)) return;  // SML1403
     if (has_slip(model, joint.limit->element, "effort")) return;
     findings.report(tag_name(model, joint.limit->element),
