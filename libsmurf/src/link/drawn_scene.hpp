@@ -2,7 +2,6 @@
 // Drawings (.svg) as scenes.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "smurf/load.hpp"
