@@ -10,11 +10,11 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 struct Token {
@@ -24,13 +24,10 @@ struct Token {
 
 std::vector<Token> split(std::string_view text) {
   std::vector<Token> tokens;
-  std::uint32_t at = 0;
-  const auto size = static_cast<std::uint32_t>(text.size());
-  while (at < size) {
-    while (at < size && is_blank(text[at])) ++at;
-    const std::uint32_t begin = at;
-    while (at < size && !is_blank(text[at])) ++at;
-    if (at > begin) tokens.push_back({begin, at});
+  std::size_t at = 0;
+  for (std::string_view word = next_word(text, at); !word.empty(); word = next_word(text, at)) {
+    tokens.push_back(
+        {static_cast<std::uint32_t>(at - word.size()), static_cast<std::uint32_t>(at)});
   }
   return tokens;
 }
@@ -41,11 +38,11 @@ bool read_plain(std::string_view text, std::span<double> out) {
   std::size_t at = 0;
   for (double& value : out) {
     while (at < text.size() && text[at] == ' ') ++at;
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::optional<double> read = parse_number(text.substr(at, end - at));
+    const std::size_t begin = at;
+    while (at < text.size() && text[at] != ' ') ++at;
+    const std::optional<double> read = parse_number(text.substr(begin, at - begin));
     if (!read) return false;
     value = *read;
-    at = end;
   }
   return at == text.size();
 }
@@ -267,7 +264,11 @@ class NumberReader {
 }  // namespace
 
 bool is_xacro(std::string_view value) {
-  return value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos;
+  for (std::size_t at = value.find('$'); at != std::string_view::npos;
+       at = value.find('$', at + 1)) {
+    if (at + 1 < value.size() && (value[at + 1] == '{' || value[at + 1] == '(')) return true;
+  }
+  return false;
 }
 
 void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {

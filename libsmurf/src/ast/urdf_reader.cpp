@@ -44,9 +44,9 @@ class Reader {
     has_quaternions_ = robot.version && *robot.version != "1.0";
     for (const View child : root) {
       if (is(child, "link")) {
-        robot.links.push_back(link(child));
+        link(child, robot.links.emplace_back());
       } else if (is(child, "joint")) {
-        robot.joints.push_back(joint(child));
+        joint(child, robot.joints.emplace_back());
       } else if (is(child, "material")) {
         robot.materials.push_back(material(child));
       } else {
@@ -56,10 +56,18 @@ class Reader {
   }
 
  private:
+  template <class T>
+  static void place(View element, T& out) {
+    out.element = element.id();
+    out.span = element.span();
+  }
+
   static void text(View element, std::string_view name, Field<std::string>& out) {
     const xml::Attribute* attribute = element.attribute(name);
     if (attribute == nullptr) return;
-    out = {std::string(attribute->value), attribute->value_span, true};
+    out.value.emplace(attribute->value);
+    out.span = attribute->value_span;
+    out.written = true;
   }
 
   void number(View element, std::string_view name, Field<double>& out) {
@@ -81,15 +89,13 @@ class Reader {
     if (read_numbers(*attribute, values, sink_)) out.value = values;
   }
 
-  urdf::Origin origin(View parent) {
-    urdf::Origin out;
+  void origin(View parent, urdf::Origin& out) {
     const View element = child_of(parent, "origin");
-    if (!element) return out;
+    if (!element) return;
     out.element = element.id();
     vector(element, "xyz", out.xyz);
     vector(element, "rpy", out.rpy);
     if (has_quaternions_) quaternion(element, out.rpy);
-    return out;
   }
 
   /// Of URDF 1.1, in the place of rpy. Readers of what claims to be 1.0 ignore it.
@@ -102,11 +108,9 @@ class Reader {
     if (norm(q) > 0) rpy = {to_rpy(normalized(q)), xyzw.span, true};
   }
 
-  urdf::Inertial inertial(View element) {
-    urdf::Inertial out;
-    out.element = element.id();
-    out.span = element.span();
-    out.origin = origin(element);
+  void inertial(View element, urdf::Inertial& out) {
+    place(element, out);
+    origin(element, out.origin);
     if (const View mass = child_of(element, "mass")) number(mass, "value", out.mass);
     if (const View inertia = child_of(element, "inertia")) {
       number(inertia, "ixx", out.ixx);
@@ -116,13 +120,11 @@ class Reader {
       number(inertia, "iyz", out.iyz);
       number(inertia, "izz", out.izz);
     }
-    return out;
   }
 
-  urdf::Geometry geometry(View parent) {
-    urdf::Geometry out;
+  void geometry(View parent, urdf::Geometry& out) {
     const View element = child_of(parent, "geometry");
-    if (!element) return out;
+    if (!element) return;
     out.element = element.id();
     // urdfdom takes the first child (link.cpp:224); so do we, foreign elements included.
     for (const View shape : element) {
@@ -130,7 +132,6 @@ class Reader {
       out.shape = this->shape(shape);
       break;
     }
-    return out;
   }
 
   urdf::Shape shape(View element) {
@@ -167,8 +168,7 @@ class Reader {
 
   urdf::Material material(View element) {
     urdf::Material out;
-    out.element = element.id();
-    out.span = element.span();
+    place(element, out);
     text(element, "name", out.name);
     if (out.name && out.name->find('%') != std::string::npos) {
       report_percent(out.name.span, *out.name, sink_);
@@ -178,34 +178,29 @@ class Reader {
     return out;
   }
 
-  urdf::Link link(View element) {
-    urdf::Link out;
-    out.element = element.id();
-    out.span = element.span();
+  void link(View element, urdf::Link& out) {
+    place(element, out);
     text(element, "name", out.name);
     for (const View child : element) {
       if (is(child, "inertial") && !out.inertial) {
-        out.inertial = inertial(child);
+        inertial(child, out.inertial.emplace());
       } else if (is(child, "visual")) {
-        urdf::Visual visual;
-        visual.element = child.id();
-        visual.span = child.span();
-        text(child, "name", visual.name);
-        visual.origin = origin(child);
-        visual.geometry = geometry(child);
+        urdf::Visual& visual = out.visuals.emplace_back();
+        geometry_use(child, visual);
         if (const View paint = child_of(child, "material")) visual.material = material(paint);
-        out.visuals.push_back(std::move(visual));
       } else if (is(child, "collision")) {
-        urdf::Collision collision;
-        collision.element = child.id();
-        collision.span = child.span();
-        text(child, "name", collision.name);
-        collision.origin = origin(child);
-        collision.geometry = geometry(child);
-        out.collisions.push_back(std::move(collision));
+        geometry_use(child, out.collisions.emplace_back());
       }
     }
-    return out;
+  }
+
+  /// What a visual and a collision have.
+  template <class T>
+  void geometry_use(View element, T& out) {
+    place(element, out);
+    text(element, "name", out.name);
+    origin(element, out.origin);
+    geometry(element, out.geometry);
   }
 
   static urdf::JointType joint_type(std::string_view name) {
@@ -219,19 +214,12 @@ class Reader {
     return unknown;
   }
 
-  template <class T>
-  static void place(View element, T& out) {
-    out.element = element.id();
-    out.span = element.span();
-  }
-
-  urdf::Joint joint(View element) {
-    urdf::Joint out;
+  void joint(View element, urdf::Joint& out) {
     place(element, out);
     text(element, "name", out.name);
     text(element, "type", out.type_name);
     if (out.type_name) out.type = joint_type(*out.type_name);
-    out.origin = origin(element);
+    origin(element, out.origin);
     if (const View parent = child_of(element, "parent")) text(parent, "link", out.parent);
     if (const View child = child_of(element, "child")) text(child, "link", out.child);
     if (const View axis = child_of(element, "axis")) {
@@ -268,7 +256,6 @@ class Reader {
       number(calibration, "rising", out.calibration->rising);
       number(calibration, "falling", out.calibration->falling);
     }
-    return out;
   }
 
   DiagnosticSink& sink_;

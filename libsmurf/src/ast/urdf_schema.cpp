@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/suggest.hpp"
+#include "base/words.hpp"
 
 namespace smurf::urdf {
 namespace {
@@ -149,7 +150,7 @@ std::optional<std::string_view> meant_name(std::string_view name,
 const ElementSpec* find_element_spec(std::string_view name) {
   const ElementSpec* found =
       std::find_if(std::begin(kElements), std::end(kElements),
-                   [&](const ElementSpec& spec) { return spec.name == name; });
+                   [&](const ElementSpec& spec) { return is_same(spec.name, name); });
   return found == std::end(kElements) ? nullptr : found;
 }
 

@@ -9,6 +9,7 @@
 #include "ast/urdf_schema.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
@@ -22,6 +23,19 @@ std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"
 
 bool holds(std::span<const std::string_view> names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The place of a name in a table, its size when it is not there. Looked for from `first` on, as
+/// most files keep the order of the table.
+template <class Spec>
+std::size_t index_of(std::span<const Spec> table, std::string_view name, std::size_t first) {
+  for (std::size_t i = first; i < table.size(); ++i) {
+    if (is_same(table[i].name, name)) return i;
+  }
+  for (std::size_t i = 0; i < first; ++i) {
+    if (is_same(table[i].name, name)) return i;
+  }
+  return table.size();
 }
 
 class ShapeChecker {
@@ -38,19 +52,36 @@ class ShapeChecker {
   void element(View element, const ElementSpec& spec) {
     attributes(element, spec);
     text(element);
-    for (const View child : element) this->child(element, child, spec);
-    repeated(element, spec);
+    std::uint64_t seen = 0;  // children by their place in the table, which is short
+    bool is_repeated = false;
+    for (const View child : element) {
+      const std::size_t i = index_of(spec.children, child.name(), 0);
+      if (i == spec.children.size()) {
+        foreign_child(element, child, spec);
+        continue;
+      }
+      const std::uint64_t bit = std::uint64_t{1} << i;
+      is_repeated = is_repeated || (spec.children[i].single && (seen & bit) != 0);
+      seen |= bit;
+      if (const ElementSpec* known = urdf::find_element_spec(child.name())) {
+        this->element(child, *known);
+      }
+    }
+    if (is_repeated) repeated(element, spec);
   }
 
   /// Nothing is unknown and nothing is missing: nearly every element.
   static bool has_what_it_needs(View element, const ElementSpec& spec) {
-    std::ptrdiff_t known = 0;
-    for (const AttributeSpec& attribute : spec.attributes) {
-      const bool is_there = element.attribute(attribute.name) != nullptr;
-      if (attribute.required && !is_there) return false;
-      known += is_there ? 1 : 0;
+    std::ptrdiff_t required = 0;  // of those that are there; none is twice
+    std::size_t next = 0;
+    for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
+      const std::size_t i = index_of(spec.attributes, at->name, next);
+      if (i == spec.attributes.size()) return false;
+      required += spec.attributes[i].required ? 1 : 0;
+      next = i + 1;
     }
-    return known == element.attributes_end() - element.attributes_begin();
+    return required == std::count_if(spec.attributes.begin(), spec.attributes.end(),
+                                     [](const AttributeSpec& known) { return known.required; });
   }
 
   void attributes(View element, const ElementSpec& spec) {
@@ -142,14 +173,8 @@ class ShapeChecker {
     return holds(kNames, name);
   }
 
-  void child(View parent, View child, const ElementSpec& spec) {
+  void foreign_child(View parent, View child, const ElementSpec& spec) {
     const std::string_view name = child.name();
-    const bool is_known = std::any_of(spec.children.begin(), spec.children.end(),
-                                      [&](const ChildSpec& c) { return c.name == name; });
-    if (is_known) {
-      if (const ElementSpec* known = urdf::find_element_spec(name)) element(child, *known);
-      return;
-    }
     if (holds(spec.extensions, name) || name.find(':') != std::string_view::npos) return;
     if (std::any_of(spec.attributes.begin(), spec.attributes.end(),
                     [&](const AttributeSpec& a) { return a.name == name; })) {

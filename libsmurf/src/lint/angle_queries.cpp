@@ -1,34 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/angle_queries.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 
 std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
-  constexpr std::string_view kBlanks = " \t\r\n";
   const std::string_view value = attribute.value;
   const Span whole = attribute.value_span;
   if (whole.end - whole.begin != value.size()) return {};  // entities were decoded
   std::vector<WrittenNumber> numbers;
   numbers.reserve(3);
   std::size_t at = 0;
-  while ((at = value.find_first_not_of(kBlanks, at)) != std::string_view::npos) {
-    const std::size_t end = std::min(value.find_first_of(kBlanks, at), value.size());
-    const std::string_view text = value.substr(at, end - at);
-    const auto number = parse_number(text);
+  for (std::string_view word = next_word(value, at); !word.empty(); word = next_word(value, at)) {
+    const auto number = parse_number(word);
     if (!number) return {};
-    numbers.push_back({text,
-                       *number,
-                       {whole.source, whole.begin + static_cast<std::uint32_t>(at),
-                        whole.begin + static_cast<std::uint32_t>(end)}});
-    at = end;
+    const std::uint32_t end = whole.begin + static_cast<std::uint32_t>(at);
+    numbers.push_back(
+        {word, *number, {whole.source, end - static_cast<std::uint32_t>(word.size()), end}});
   }
   return numbers;
+}
+
+void for_each_turn(const urdf::Robot& robot,
+                   const std::function<void(xml::View, const xml::Attribute&)>& visit) {
+  const xml::Document& document = robot.document;
+  for (std::size_t i = 0; i < document.elements.size(); ++i) {
+    const xml::View element(document, xml::ElementId{static_cast<std::uint32_t>(i)});
+    for (const xml::Attribute* at = element.attributes_begin(); at != element.attributes_end();
+         ++at) {
+      if (at->name != "rpy" || at->value.find_first_not_of("0. +-") == std::string_view::npos) {
+        continue;
+      }
+      visit(element, *at);
+    }
+  }
 }
 
 std::optional<double> intended_right_angle(const WrittenNumber& angle) {

@@ -2,6 +2,7 @@
 // Angles that were meant to be others than they are.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,10 @@ struct WrittenNumber {
 };
 /// The numbers of an attribute; none when one cannot be read or located.
 std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute);
+
+/// Calls `visit` for every `rpy` of the robot that is not plainly zero, and the element it is of.
+void for_each_turn(const urdf::Robot& robot,
+                   const std::function<void(xml::View, const xml::Attribute&)>& visit);
 
 /// The multiple of pi/2 that was rounded or cut to this text: pi/2 for "1.57". None when the text
 /// is no such number, or is exact to 1e-6 rad.

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lint/geometry_queries.hpp"
 #include "lint/inertia.hpp"
@@ -19,24 +18,17 @@ Eigen::Matrix3d rotation_of(const urdf::Origin& origin) {
   return matrix;
 }
 
-/// Adds a shape to the extent; false when its size is not known, or not that of a body.
+/// Adds a shape to the box; false when its size is not known, or not that of a body.
 bool add(const LinkedModel& model, const urdf::Origin& origin, const urdf::Geometry& geometry,
-         Extent& extent) {
+         std::optional<Box>& all) {
   // The unit of a mesh is itself in doubt, and judged by the rules of meshes.
   if (std::holds_alternative<urdf::Mesh>(geometry.shape)) return false;
   const std::optional<Box> box = bounding_box(model, geometry);
   if (!box) return false;
   const Vector3 size = box->size();
   if (!(size[0] > 0 && size[1] > 0 && size[2] > 0)) return false;
-  const Pose X_LS = urdf::to_pose(origin);  // of the shape in the link
-  const Vector3 middle = rotate(X_LS.orientation, box->center());
-  const Eigen::Vector3d reach =
-      rotation_of(origin).cwiseAbs() * Eigen::Map<const Eigen::Vector3d>(size.data()) / 2;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double center = X_LS.position[i] + middle[i];
-    extent.low[i] = std::min(extent.low[i], center - reach[static_cast<Eigen::Index>(i)]);
-    extent.high[i] = std::max(extent.high[i], center + reach[static_cast<Eigen::Index>(i)]);
-  }
+  const Box in_link = moved(*box, urdf::to_pose(origin));
+  all = all ? united(*all, in_link) : in_link;
   return true;
 }
 
@@ -67,16 +59,14 @@ bool Extent::contains(const Vector3& point) const {
 }
 
 std::optional<Extent> extent_of(const LinkedModel& model, const urdf::Link& link) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Extent extent{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  std::optional<Box> all;
   for (const urdf::Visual& visual : link.visuals) {
-    if (!add(model, visual.origin, visual.geometry, extent)) return std::nullopt;
+    if (!add(model, visual.origin, visual.geometry, all)) return std::nullopt;
   }
   for (const urdf::Collision& collision : link.collisions) {
-    if (!add(model, collision.origin, collision.geometry, extent)) return std::nullopt;
+    if (!add(model, collision.origin, collision.geometry, all)) return std::nullopt;
   }
-  if (link.visuals.empty() && link.collisions.empty()) return std::nullopt;
-  return extent;
+  return all ? std::optional(Extent{all->low, all->high}) : std::nullopt;
 }
 
 std::optional<Body> body_of(const urdf::Inertial& inertial) {

@@ -92,6 +92,36 @@ std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& 
   return box;
 }
 
+Box moved(const Box& box, const Pose& X_AB) {
+  const Vector3 size = box.size();
+  Vector3 center = box.center();
+  Vector3 reach{size[0] / 2, size[1] / 2, size[2] / 2};
+  if (X_AB.orientation != Quaternion{}) {
+    center = rotate(X_AB.orientation, center);
+    const std::array<double, 9> R_AB = to_matrix(X_AB.orientation);
+    const Vector3 half = reach;
+    for (std::size_t i = 0; i < 3; ++i) {
+      reach[i] = 0;
+      for (std::size_t j = 0; j < 3; ++j) reach[i] += std::fabs(R_AB[3 * i + j]) * half[j];
+    }
+  }
+  Box around;
+  for (std::size_t i = 0; i < 3; ++i) {
+    around.low[i] = X_AB.position[i] + center[i] - reach[i];
+    around.high[i] = X_AB.position[i] + center[i] + reach[i];
+  }
+  return around;
+}
+
+Box united(const Box& a, const Box& b) {
+  Box box = a;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.low[i] = std::min(a.low[i], b.low[i]);
+    box.high[i] = std::max(a.high[i], b.high[i]);
+  }
+  return box;
+}
+
 bool is_shape(std::string_view element_name) {
   constexpr std::string_view kShapes[] = {"box", "sphere", "cylinder", "capsule", "mesh"};
   return std::find(std::begin(kShapes), std::end(kShapes), element_name) != std::end(kShapes);

@@ -35,6 +35,11 @@ const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
 /// or not finite.
 std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry);
 
+/// The axis-aligned box, in frame A, around a box given in frame B.
+Box moved(const Box& box, const Pose& X_AB);
+/// The smallest box around both.
+Box united(const Box& a, const Box& b);
+
 /// True for the shapes that most readers know: those of URDF 1.0, and the capsule.
 bool is_shape(std::string_view element_name);
 

@@ -5,30 +5,32 @@
 #include <unordered_map>
 
 #include "ast/urdf_numbers.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_identifier(std::string_view name) {
+  return !name.empty() && !is_digit(name.front()) && std::all_of(name.begin(), name.end(), is_word);
 }
 bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 }  // namespace
 
 NameFault name_fault(std::string_view name) {
+  // Nearly all names are sound, and every rule on names asks.
+  if (is_identifier(name) && !name.starts_with("__")) return NameFault::none;
   if (name.empty() || is_xacro(name)) return NameFault::none;  // rules of their own
   if (is_blank(name.front()) || is_blank(name.back())) return NameFault::blank;
   if (name.find('/') != std::string_view::npos) return NameFault::slash;
   if (name.find("::") != std::string_view::npos) return NameFault::double_colon;
   if (name.size() > 3 && name.starts_with("__") && name.ends_with("__")) return NameFault::reserved;
   if (std::any_of(name.begin(), name.end(), is_beyond_ascii)) return NameFault::non_ascii;
-  if (is_digit(name.front()) || !std::all_of(name.begin(), name.end(), is_word)) {
-    return NameFault::irregular;
-  }
-  return NameFault::none;
+  return is_identifier(name) ? NameFault::none : NameFault::irregular;
 }
 
 void for_each_name(const LinkedModel& model,
@@ -63,6 +65,11 @@ std::vector<NameCollision>
 name_collisions(const LinkedModel& model,
                 const std::function<std::string(std::string_view)>& fold) {
   std::vector<NameCollision> collisions;
+  bool has_changed = false;  // if none does, no two become equal
+  for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
+    has_changed = has_changed || fold(*name) != *name;
+  });
+  if (!has_changed) return collisions;
   std::unordered_map<std::string, const Field<std::string>*> links, joints;
   for_each_name(model, [&](std::string_view kind, const Field<std::string>& name) {
     auto& seen = kind == "link" ? links : joints;

@@ -7,6 +7,7 @@
 #include "ast/urdf_schema.hpp"
 #include "base/numbers.hpp"
 #include "base/suggest.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
@@ -91,19 +92,19 @@ bool can_judge(const LinkedModel& model, NameKind kind) {
 }
 
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
-                            Span place, std::string_view subject, Findings& findings) {
+                            Span place, const Subject& subject, Findings& findings) {
   if (!can_judge(model, kind) || names(model, kind).contains(name)) return nullptr;
   if (is_xacro(name)) return nullptr;  // SML1009
   const std::string kind_name(to_string(kind));
   Diagnostic& diagnostic =
-      findings.report(place, std::string(subject) + " names the " + kind_name + " " + quoted(name) +
+      findings.report(place, subject + " names the " + kind_name + " " + quoted(name) +
                                  ", which the model does not have");
   for (const NameKind other : kKinds) {
     // A motor is often named like its joint, so that is no hint for who needs a joint.
     const bool is_annotation = other == NameKind::motor || other == NameKind::sensor;
     if (other == kind || is_annotation || !names(model, other).contains(name)) continue;
-    diagnostic.message = std::string(subject) + " needs a " + kind_name + ", but " + quoted(name) +
-                         " is a " + std::string(to_string(other));
+    diagnostic.message = subject + " needs a " + kind_name + ", but " + quoted(name) + " is a " +
+                         std::string(to_string(other));
     const Span defined = definition(model, other, name);
     if (!defined.empty()) {
       diagnostic.labels.push_back(
@@ -126,7 +127,7 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
 }
 
 void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
-                      std::string_view subject, Findings& findings) {
+                      const Subject& subject, Findings& findings) {
   if (!list) return;
   for (const Spanned<std::string>& name : *list) {
     check_reference(model, kind, name.value, name.span, subject, findings);
@@ -145,9 +146,13 @@ Span within_quotes(const LinkedModel& model, Span place) {
   return {place.source, place.begin + 1, place.end - 1};
 }
 
-std::string subject(std::string_view what, const Annotation& annotation) {
-  if (annotation.name) return std::string(what) + " " + quoted(*annotation.name);
-  return "this " + std::string(what);
+std::string Subject::text() const {
+  if (name_ == nullptr) return std::string(words_);
+  return *name_ ? std::string(words_) + " " + quoted(**name_) : "this " + std::string(words_);
+}
+
+Subject subject(const urdf::Joint& joint) {
+  return joint.name ? Subject("joint", joint.name) : "a joint without name";
 }
 
 void for_each_link(const LinkedModel& model, const std::function<void(const urdf::Link&)>& visit) {
@@ -197,10 +202,8 @@ std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   numbers.reserve(3);
   std::size_t at = 0;
-  while ((at = text.find_first_not_of(" \t\r\n", at)) != std::string_view::npos) {
-    const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
-    if (const auto number = parse_number(text.substr(at, end - at))) numbers.push_back(*number);
-    at = end;
+  for (std::string_view word = next_word(text, at); !word.empty(); word = next_word(text, at)) {
+    if (const auto number = parse_number(word)) numbers.push_back(*number);
   }
   return numbers;
 }
@@ -209,9 +212,7 @@ std::string title(const urdf::Link& link) {
   return link.name ? "link " + quoted(*link.name) : "a link without name";
 }
 
-std::string title(const urdf::Joint& joint) {
-  return joint.name ? "joint " + quoted(*joint.name) : "a joint without name";
-}
+std::string title(const urdf::Joint& joint) { return subject(joint); }
 
 Span tag_name(const LinkedModel& model, xml::ElementId element) {
   return xml::View(model.robot->document, element).name_span();

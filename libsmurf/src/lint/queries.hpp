@@ -23,21 +23,42 @@ Span definition(const LinkedModel& model, NameKind kind, std::string_view name);
 /// True when a name of this kind can be judged: the files that define such names were all read.
 bool can_judge(const LinkedModel& model, NameKind kind);
 
+/// Who a message is about. The text is made only where there is something to report, which is
+/// rare; until then this refers to what it was made from.
+class Subject {
+ public:
+  Subject(const char* words) : words_(words) {}
+  /// "motor `elbow`", or "this motor" without a name.
+  Subject(std::string_view kind, const Field<std::string>& name) : words_(kind), name_(&name) {}
+
+  std::string text() const;
+  operator std::string() const { return text(); }
+  friend std::string operator+(const Subject& a, std::string_view b) { return a.text().append(b); }
+  friend std::string operator+(std::string a, const Subject& b) { return std::move(a) + b.text(); }
+
+ private:
+  std::string_view words_;
+  const Field<std::string>* name_ = nullptr;
+};
+/// "motor `elbow`", or "this motor" for an entry without name.
+inline Subject subject(std::string_view kind, const Annotation& annotation) {
+  return {kind, annotation.name};
+}
+/// As title().
+Subject subject(const urdf::Joint& joint);
+
 /// Reports a reference to a name that is not there: "`subject` names the joint `x`, ...". Says when
 /// the name exists as another kind, else suggests the nearest. Does nothing and returns null when
 /// it is known; else the result is valid until the next report.
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
-                            Span place, std::string_view subject, Findings& findings);
+                            Span place, const Subject& subject, Findings& findings);
 
 /// Same, for a whole list.
 void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
-                      std::string_view subject, Findings& findings);
+                      const Subject& subject, Findings& findings);
 
 /// The place of a YAML scalar within its quotes, if it has any, so that an edit keeps them.
 Span within_quotes(const LinkedModel& model, Span place);
-
-/// "motor `elbow`", or "this motor" for an entry without name.
-std::string subject(std::string_view what, const Annotation& annotation);
 
 /// Calls `visit` for every link (joint) of the robot, if there is one.
 void for_each_link(const LinkedModel& model, const std::function<void(const urdf::Link&)>& visit);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/words.hpp"
 #include "smurf/xml.hpp"
 
 namespace smurf::xml {
@@ -11,15 +12,15 @@ const Attribute* View::attribute(std::string_view name) const {
   const Element& element = this->element();
   const Attribute* first = document_->attributes.data() + element.first_attribute;
   const Attribute* end = first + element.attribute_count;
-  const Attribute* found =
-      std::find_if(first, end, [&](const Attribute& attribute) { return attribute.name == name; });
+  const Attribute* found = std::find_if(
+      first, end, [&](const Attribute& attribute) { return is_same(attribute.name, name); });
   return found == end ? nullptr : found;
 }
 
 View View::child(std::string_view name) const {
   if (!*this) return {};
   for (const View candidate : *this) {
-    if (candidate.name() == name) return candidate;
+    if (is_same(candidate.name(), name)) return candidate;
   }
   return {};
 }

@@ -9,7 +9,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.parent || joint.parent->empty()) return;
     Diagnostic* diagnostic = check_reference(model, NameKind::link, *joint.parent,
-                                             joint.parent.span, title(joint), findings);
+                                             joint.parent.span, subject(joint), findings);
     if (diagnostic != nullptr && *joint.parent == "world") {
       diagnostic->construct = "world";
       diagnostic->notes.push_back("only Drake knows a link `world` that is not declared");

@@ -8,7 +8,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.mimic || !joint.mimic->joint) return;
     check_reference(model, NameKind::joint, *joint.mimic->joint, joint.mimic->joint.span,
-                    "the mimic of " + title(joint), findings);
+                    ("the mimic of " + title(joint)).c_str(), findings);
   });
 }
 

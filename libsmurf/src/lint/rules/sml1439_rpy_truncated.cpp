@@ -10,15 +10,14 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   std::vector<Edit> edits;
-  for (const xml::Attribute& attribute : model.robot->document.attributes) {
-    if (attribute.name != "rpy") continue;
-    const std::vector<WrittenNumber> angles = written_numbers(attribute);
-    if (angles.size() != 3) continue;
+  for_each_turn(*model.robot, [&](xml::View, const xml::Attribute& rpy) {
+    const std::vector<WrittenNumber> angles = written_numbers(rpy);
+    if (angles.size() != 3) return;
     for (const WrittenNumber& angle : angles) {
       const auto intended = intended_right_angle(angle);
       if (intended) edits.push_back({angle.span, format_number(*intended)});
     }
-  }
+  });
   if (edits.empty()) return;
   Diagnostic& diagnostic = findings.report(
       edits.front().span, "a right angle with few digits; " + edits.front().text + " is exact");

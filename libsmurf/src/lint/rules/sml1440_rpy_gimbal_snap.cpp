@@ -16,17 +16,13 @@ bool is_of_shape(xml::View origin) {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
-  const xml::Document& document = model.robot->document;
-  for (std::size_t i = 0; i < document.elements.size(); ++i) {
-    const xml::View origin(document, xml::ElementId{static_cast<std::uint32_t>(i)});
-    if (origin.name() != "origin" || !is_of_shape(origin)) continue;
-    const xml::Attribute* rpy = origin.attribute("rpy");
-    if (rpy == nullptr) continue;
-    const std::vector<WrittenNumber> angles = written_numbers(*rpy);
-    if (angles.size() != 3 || !is_rpy_snapped(angles)) continue;
+  for_each_turn(*model.robot, [&](xml::View origin, const xml::Attribute& rpy) {
+    if (origin.name() != "origin" || !is_of_shape(origin)) return;
+    const std::vector<WrittenNumber> angles = written_numbers(rpy);
+    if (angles.size() != 3 || !is_rpy_snapped(angles)) return;
     const WrittenNumber& pitch = angles[1];
     // Rounded, a right angle was meant, and is what becomes of it (SML1439).
-    if (intended_right_angle(pitch)) continue;
+    if (intended_right_angle(pitch)) return;
     const double exact = std::copysign(std::numbers::pi / 2, pitch.value);
     Diagnostic& diagnostic =
         findings.report(pitch.span, "the pitch " + std::string(pitch.text) + " is " +
@@ -34,7 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                         " rad off a right angle, and Gazebo makes it one");
     diagnostic.help = "write " + format_number(exact);
     diagnostic.fixes.push_back({Applicability::unsafe, {{pitch.span, format_number(exact)}}});
-  }
+  });
 }
 
 }  // namespace

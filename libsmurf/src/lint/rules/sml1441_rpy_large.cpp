@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "lint/angle_queries.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -11,19 +12,18 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   constexpr double kTurn = 2 * std::numbers::pi + 1e-3;
-  for (const xml::Attribute& attribute : model.robot->document.attributes) {
-    if (attribute.name != "rpy") continue;
-    for (const double angle : numbers_in(attribute.value)) {
+  for_each_turn(*model.robot, [&](xml::View, const xml::Attribute& rpy) {
+    for (const double angle : numbers_in(rpy.value)) {
       if (std::fabs(angle) <= kTurn) continue;
       findings
-          .report(attribute.value_span, "the angle " + format_number(angle) + " is " +
-                                            format_rounded(angle / (2 * std::numbers::pi), 3) +
-                                            " turns; is it in degrees?")
+          .report(rpy.value_span, "the angle " + format_number(angle) + " is " +
+                                      format_rounded(angle / (2 * std::numbers::pi), 3) +
+                                      " turns; is it in degrees?")
           .help = format_number(angle) + " degrees are " +
                   format_rounded(angle * std::numbers::pi / 180, 6) + " rad";
       break;
     }
-  }
+  });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/words.hpp"
 #include "lint/body.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
@@ -9,27 +10,33 @@
 namespace smurf::rules {
 namespace {
 
+/// The number of a text that is farthest from 0.
+double farthest_in(std::string_view text) {
+  double farthest = 0;
+  std::size_t at = 0;
+  for (std::string_view word = next_word(text, at); !word.empty(); word = next_word(text, at)) {
+    const double value = parse_number(word).value_or(0);
+    if (std::fabs(value) > std::fabs(farthest)) farthest = value;
+  }
+  return farthest;
+}
+
 /// The unit is one decision, so one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
   const double far = findings.tolerance();
   if (!model.robot) return;
   Habit habit;
   double first = 0;
-  for (const xml::Element& element : model.robot->document.elements) {
-    if (element.name != "origin") continue;
-    for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
-      const xml::Attribute& attribute =
-          model.robot->document.attributes[element.first_attribute + i];
-      if (attribute.name != "xyz") continue;
-      double farthest = 0;
-      for (const double value : numbers_in(attribute.value)) {
-        if (std::fabs(value) > std::fabs(farthest)) farthest = value;
-      }
-      if (std::fabs(farthest) <= far) continue;
-      if (habit.is_first()) first = farthest;
-      habit.add(attribute.value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
-                                          " m away; are millimetres meant?");
-    }
+  const xml::Document& document = model.robot->document;
+  for (std::size_t i = 0; i < document.elements.size(); ++i) {
+    if (document.elements[i].name != "origin") continue;
+    const xml::Attribute* xyz =
+        xml::View(document, xml::ElementId{static_cast<std::uint32_t>(i)}).attribute("xyz");
+    const double farthest = xyz == nullptr ? 0 : farthest_in(xyz->value);
+    if (std::fabs(farthest) <= far) continue;
+    if (habit.is_first()) first = farthest;
+    habit.add(xyz->value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
+                                   " m away; are millimetres meant?");
   }
   if (Diagnostic* diagnostic = habit.report("such origins", findings)) {
     diagnostic->help = format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m";

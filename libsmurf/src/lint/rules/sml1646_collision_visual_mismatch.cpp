@@ -22,29 +22,15 @@ class LinkBox {
       is_known_ = false;
       return;
     }
-    const Pose X_LG = to_pose(origin);
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const Vector3 point{(corner & 1U) != 0 ? shape->high[0] : shape->low[0],
-                          (corner & 2U) != 0 ? shape->high[1] : shape->low[1],
-                          (corner & 4U) != 0 ? shape->high[2] : shape->low[2]};
-      const Vector3 turned = rotate(X_LG.orientation, point);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double x = turned[i] + X_LG.position[i];
-        box_.low[i] = is_empty_ ? x : std::min(box_.low[i], x);
-        box_.high[i] = is_empty_ ? x : std::max(box_.high[i], x);
-      }
-      is_empty_ = false;
-    }
+    const Box in_link = moved(*shape, urdf::to_pose(origin));
+    box_ = box_ ? united(*box_, in_link) : in_link;
   }
 
-  std::optional<Box> box() const {
-    return is_known_ && !is_empty_ ? std::optional(box_) : std::nullopt;
-  }
+  std::optional<Box> box() const { return is_known_ ? box_ : std::nullopt; }
 
  private:
   const LinkedModel& model_;
-  Box box_;
-  bool is_empty_ = true;
+  std::optional<Box> box_;
   bool is_known_ = true;
 };
 
@@ -60,6 +46,13 @@ double gap(const Box& a, const Box& b) {
     distance[i] = std::max({0.0, a.low[i] - b.high[i], b.low[i] - a.high[i]});
   }
   return std::hypot(distance[0], distance[1], distance[2]);
+}
+
+/// The mass and the shapes disagree as well, or the shapes lie far apart: SML1520, or SML1442.
+bool is_otherwise_reported(const LinkedModel& model, const urdf::Link& link) {
+  const auto extent = extent_of(model, link);
+  const double mass = link.inertial ? link.inertial->mass.value_or(0) : 0;
+  return extent && mass >= kNegligibleMass && mass < kLightestMaterial * extent->volume();
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -78,11 +71,6 @@ void check(const LinkedModel& model, Findings& findings) {
       has_mesh = has_mesh || std::holds_alternative<urdf::Mesh>(one.geometry.shape);
     }
     if (!visual.box() || !collision.box()) return;
-    const auto extent = extent_of(model, link);
-    const double mass = link.inertial ? link.inertial->mass.value_or(0) : 0;
-    if (extent && mass >= kNegligibleMass && mass < kLightestMaterial * extent->volume()) {
-      return;  // SML1520, or SML1442
-    }
     const double seen = diagonal(*visual.box());
     const double felt = diagonal(*collision.box());
     if (!(seen > 0 && felt > 0)) return;
@@ -98,6 +86,7 @@ void check(const LinkedModel& model, Findings& findings) {
     } else {
       return;
     }
+    if (is_otherwise_reported(model, link)) return;
     Diagnostic& diagnostic =
         findings.report(tag_name(model, link.collisions.front().element), std::move(message));
     diagnostic.labels.push_back({tag_name(model, link.visuals.front().element), "the visual"});

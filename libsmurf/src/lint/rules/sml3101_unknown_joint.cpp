@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
   }
   for (const Sensor& sensor : model.annotations.sensors) {
-    const std::string who = subject("sensor", sensor);
+    const Subject who = subject("sensor", sensor);
     if (sensor.joint) {
       check_reference(model, NameKind::joint, *sensor.joint, sensor.joint.span, who, findings);
     }

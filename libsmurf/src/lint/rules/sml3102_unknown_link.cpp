@@ -4,13 +4,13 @@
 namespace smurf::rules {
 namespace {
 
-void check_link(const LinkedModel& model, const Field<std::string>& name, const std::string& who,
+void check_link(const LinkedModel& model, const Field<std::string>& name, const Subject& who,
                 Findings& findings) {
   if (name) check_reference(model, NameKind::link, *name, name.span, who, findings);
 }
 
 /// Sensors of nodes take the names of collisions and visuals, too.
-void check_nodes(const LinkedModel& model, const Field<NameList>& list, const std::string& who,
+void check_nodes(const LinkedModel& model, const Field<NameList>& list, const Subject& who,
                  Findings& findings) {
   if (!list) return;
   for (const Spanned<std::string>& name : *list) {
@@ -32,7 +32,7 @@ void check_inertial(const LinkedModel& model, const NodeAnnotation& entry, Findi
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const Sensor& sensor : model.annotations.sensors) {
-    const std::string who = subject("sensor", sensor);
+    const Subject who = subject("sensor", sensor);
     if (sensor.link) {
       check_reference(model, NameKind::link, *sensor.link, sensor.link.span, who, findings);
     }
@@ -60,7 +60,7 @@ void check(const LinkedModel& model, Findings& findings) {
     check_link(model, entry.link, subject("visual entry", entry), findings);
   }
   for (const JointAnnotation& entry : model.annotations.joints) {
-    const std::string who = subject("joint", entry);
+    const Subject who = subject("joint", entry);
     check_link(model, entry.parent, who, findings);
     check_link(model, entry.child, who, findings);
     const auto body = text_at(mapping_of(model, entry), "gearbox_reference_body");

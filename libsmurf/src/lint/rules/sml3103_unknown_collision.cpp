@@ -19,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
   }
   for (const Sensor& sensor : model.annotations.sensors) {
-    const std::string who = subject("sensor", sensor);
+    const Subject who = subject("sensor", sensor);
     check_references(model, NameKind::collision, sensor.collisions, who, findings);
     if (sensor.type && sensor_target(*sensor.type) == NameKind::collision) {
       check_references(model, NameKind::collision, sensor.id, who, findings);

@@ -6,7 +6,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const Sensor& sensor : model.annotations.sensors) {
-    const std::string who = subject("sensor", sensor);
+    const Subject who = subject("sensor", sensor);
     check_references(model, NameKind::motor, sensor.motors, who, findings);
     if (sensor.type && sensor_target(*sensor.type) == NameKind::motor) {
       check_references(model, NameKind::motor, sensor.id, who, findings);

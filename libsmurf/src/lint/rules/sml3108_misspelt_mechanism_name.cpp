@@ -5,12 +5,12 @@ namespace smurf::rules {
 namespace {
 
 void check_name(const LinkedModel& model, NameKind kind, const Spanned<std::string>& name,
-                const std::string& who, Findings& findings) {
+                const Subject& who, Findings& findings) {
   if (!is_slip(model, kind, name.value)) return;
   check_reference(model, kind, name.value, name.span, who, findings);
 }
 
-void check_list(const LinkedModel& model, const Field<NameList>& list, const std::string& who,
+void check_list(const LinkedModel& model, const Field<NameList>& list, const Subject& who,
                 Findings& findings) {
   if (!list) return;
   for (const Spanned<std::string>& name : *list) {
@@ -18,7 +18,7 @@ void check_list(const LinkedModel& model, const Field<NameList>& list, const std
   }
 }
 
-void check_loops(const LinkedModel& model, const Submechanism& entry, const std::string& who,
+void check_loops(const LinkedModel& model, const Submechanism& entry, const Subject& who,
                  Findings& findings) {
   const yaml::View loops = mapping_of(model, entry).find("loop_constraints");
   if (!loops || !loops.is_sequence()) return;
@@ -34,14 +34,9 @@ void check_loops(const LinkedModel& model, const Submechanism& entry, const std:
   }
 }
 
-template <class Entry>
-std::string title_of(std::string_view what, const Entry& entry) {
-  return std::string(what) + (entry.contextual_name ? " " + quoted(*entry.contextual_name) : "");
-}
-
 void check(const LinkedModel& model, Findings& findings) {
   for (const Submechanism& entry : model.annotations.submechanisms) {
-    const std::string who = title_of("submechanism", entry);
+    const Subject who("submechanism", entry.contextual_name);
     for (const Field<NameList>* list :
          {&entry.joint_names, &entry.joint_names_spanning_tree, &entry.joint_names_active,
           &entry.joint_names_independent}) {
@@ -50,7 +45,7 @@ void check(const LinkedModel& model, Findings& findings) {
     check_loops(model, entry, who, findings);
   }
   for (const Exoskeleton& entry : model.annotations.exoskeletons) {
-    const std::string who = title_of("exoskeleton", entry);
+    const Subject who("exoskeleton", entry.contextual_name);
     for (const Field<NameList>* list :
          {&entry.joint_names, &entry.joint_names_spanning_tree, &entry.joint_names_dependent}) {
       check_list(model, *list, who, findings);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <string>
 #include <unordered_map>
 
 #include "lint/annotation_queries.hpp"
@@ -7,8 +6,8 @@
 namespace smurf::rules {
 namespace {
 
-void check_list(const Field<NameList>& list, const std::string& who, Findings& findings) {
-  if (!list) return;
+void check_list(const Field<NameList>& list, const Subject& who, Findings& findings) {
+  if (!list || list->size() < 2) return;
   std::unordered_map<std::string_view, Span> first;
   for (const Spanned<std::string>& name : *list) {
     const auto [found, is_new] = first.emplace(name.value, name.span);
@@ -30,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
     check_list(controller.motors, subject("controller", controller), findings);
   }
   for (const Submechanism& mechanism : model.annotations.submechanisms) {
-    const std::string who = subject("submechanism", mechanism);
+    const Subject who = subject("submechanism", mechanism);
     for (const auto* list : {&mechanism.joint_names, &mechanism.joint_names_spanning_tree,
                              &mechanism.joint_names_active, &mechanism.joint_names_independent}) {
       check_list(*list, who, findings);

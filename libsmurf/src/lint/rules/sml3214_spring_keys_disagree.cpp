@@ -15,7 +15,7 @@ constexpr Pair kPairs[] = {{"spring_const_constraint_axis1", "springStiffness"},
                            {"damping_const_constraint_axis1", "springDamping"}};
 
 /// rock-cpp/smurf reads the four keys when all are there, else none.
-void check_count(yaml::View mapping, const std::string& who, Findings& findings) {
+void check_count(yaml::View mapping, const Subject& who, Findings& findings) {
   std::string_view missing;
   int count = 0;
   for (const Pair& pair : kPairs) {

@@ -18,8 +18,8 @@ struct Needed {
   std::size_t fewest_others;  ///< that have it, before one without it stands out
   std::string_view consequence;
 };
-constexpr Needed kOfMotors[] = {
-    {"type", {}, 1, "MARS 2 stops at a motor without it"},
+constexpr Needed kTypeOfMotor{"type", {}, 1, "MARS 2 stops at a motor without it"};
+constexpr Needed kOfPositionMotors[] = {
     {"p", {}, 1, "MARS reads 0, so that the motor does not follow its commands"},
     {"minValue",
      {"minPosition", "maxValue", "maxPosition"},
@@ -53,58 +53,52 @@ bool is_excused(yaml::View mapping, const Needed& needed) {
                      [&](yaml::View value) { return path::to_lower(value.key()) == needed.key; });
 }
 
-/// Entries of one kind.
-struct Entry {
-  yaml::View mapping;
-  Span place;
-  std::string who;
-};
-
-void check_entries(const std::vector<Entry>& entries, const Needed& needed, Findings& findings) {
-  std::vector<const Entry*> without;
-  for (const Entry& entry : entries) {
-    if (!has_key(entry.mapping, needed)) without.push_back(&entry);
+/// Reports the one of the `entries` that counts and is without what is needed, if it is one.
+template <class T, class Counts>
+void check_entries(const LinkedModel& model, const std::vector<T>& entries, std::string_view what,
+                   const Needed& needed, Findings& findings, Counts counts) {
+  const T* odd = nullptr;
+  std::size_t count = 0;
+  for (const T& entry : entries) {
+    if (!counts(entry)) continue;
+    ++count;
+    if (has_key(mapping_of(model, entry), needed)) continue;
+    if (odd != nullptr) return;
+    odd = &entry;
   }
-  if (without.size() != 1 || entries.size() <= needed.fewest_others) return;
-  const Entry& odd = *without.front();
-  if (is_excused(odd.mapping, needed)) return;
-  const std::size_t others = entries.size() - 1;
+  if (odd == nullptr || count <= needed.fewest_others) return;
+  const yaml::View mapping = mapping_of(model, *odd);
+  if (is_excused(mapping, needed)) return;
+  const std::size_t others = count - 1;
   Diagnostic& diagnostic = findings.report(
-      odd.place, odd.who + " has no " + quoted(needed.key) + ", unlike " +
-                     (others == 1 ? "the other one" : "the " + std::to_string(others) + " others"));
-  diagnostic.labels.push_back({place_to_add(odd.mapping, needed.key), "add it after this"});
+      odd->name.written ? odd->name.span : odd->span,
+      subject(what, *odd) + " has no " + quoted(needed.key) + ", unlike " +
+          (others == 1 ? "the other one" : "the " + std::to_string(others) + " others"));
+  diagnostic.labels.push_back({place_to_add(mapping, needed.key), "add it after this"});
   diagnostic.notes.emplace_back(needed.consequence);
 }
 
-template <class T>
-Entry entry_of(const LinkedModel& model, const T& entry, std::string_view what) {
-  const Span place = entry.name.written ? entry.name.span : entry.span;
-  return {mapping_of(model, entry), place, subject(what, entry)};
+/// Only they have gains and bounds.
+bool is_position_motor(const Motor& motor) {
+  // A type that nobody knows is reported, and may be any.
+  return motor.type &&
+         (*motor.type == "PID" || *motor.type == "generic_bldc" || *motor.type == "1") &&
+         !motor.mimic_motor.written;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::vector<Entry> motors;
-  std::vector<Entry> position_motors;  // only they have gains and bounds
-  for (const Motor& motor : model.annotations.motors) {
-    motors.push_back(entry_of(model, motor, "motor"));
-    // A type that nobody knows is reported, and may be any.
-    const bool is_position =
-        motor.type && (*motor.type == "PID" || *motor.type == "generic_bldc" || *motor.type == "1");
-    if (is_position && !motor.mimic_motor.written) position_motors.push_back(motors.back());
+  const Annotations& all = model.annotations;
+  const auto any = [](const Annotation&) { return true; };
+  check_entries(model, all.motors, "motor", kTypeOfMotor, findings, any);
+  for (const Needed& needed : kOfPositionMotors) {
+    check_entries(model, all.motors, "motor", needed, findings, is_position_motor);
   }
-  for (const Needed& needed : kOfMotors) {
-    check_entries(needed.key == "type" ? motors : position_motors, needed, findings);
+  for (const Needed& needed : kOfCollisions) {
+    check_entries(model, all.collisions, "collision entry", needed, findings, any);
   }
-  std::vector<Entry> collisions;
-  for (const CollisionAnnotation& entry : model.annotations.collisions) {
-    collisions.push_back(entry_of(model, entry, "collision entry"));
+  for (const Needed& needed : kOfLinks) {
+    check_entries(model, all.links, "link entry", needed, findings, any);
   }
-  for (const Needed& needed : kOfCollisions) check_entries(collisions, needed, findings);
-  std::vector<Entry> links;
-  for (const LinkAnnotation& entry : model.annotations.links) {
-    links.push_back(entry_of(model, entry, "link entry"));
-  }
-  for (const Needed& needed : kOfLinks) check_entries(links, needed, findings);
 }
 
 }  // namespace

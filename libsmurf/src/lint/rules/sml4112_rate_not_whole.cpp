@@ -7,7 +7,7 @@
 namespace smurf::rules {
 namespace {
 
-void check_rate(const Field<double>& rate, const std::string& who, Findings& findings) {
+void check_rate(const Field<double>& rate, const Subject& who, Findings& findings) {
   if (!rate || *rate < 0 || std::trunc(*rate) == *rate) return;
   findings
       .report(rate.span,

@@ -16,25 +16,25 @@ bool looks_like_degrees(double angle) {
 }
 
 /// Null when there is nothing to report.
-Diagnostic* check_angle(std::optional<double> angle, Span place, const std::string& what,
-                        Findings& findings) {
+Diagnostic* check_angle(std::optional<double> angle, Span place, std::string_view what,
+                        const Subject& whose, Findings& findings) {
   if (!angle || !looks_like_degrees(*angle)) return nullptr;
-  Diagnostic& diagnostic =
-      findings.report(place, what + " is " + format_number(*angle) + " rad, " +
-                                 format_rounded(std::fabs(*angle) / (2 * std::numbers::pi), 3) +
-                                 " turns; is it in degrees?");
+  Diagnostic& diagnostic = findings.report(
+      place, std::string(what) + " of " + whose + " is " + format_number(*angle) + " rad, " +
+                 format_rounded(std::fabs(*angle) / (2 * std::numbers::pi), 3) +
+                 " turns; is it in degrees?");
   diagnostic.help = format_number(*angle) + " degrees are " +
                     format_rounded(*angle * std::numbers::pi / 180, 6) + " rad";
   return &diagnostic;
 }
 
 /// One finding for all angles of one thing, which are in one unit.
-void check_angles(std::initializer_list<const Field<double>*> angles, const std::string& what,
-                  Findings& findings) {
+void check_angles(std::initializer_list<const Field<double>*> angles, std::string_view what,
+                  const Subject& whose, Findings& findings) {
   Diagnostic* found = nullptr;
   for (const Field<double>* angle : angles) {
     if (found == nullptr) {
-      found = check_angle(angle->value, angle->span, what, findings);
+      found = check_angle(angle->value, angle->span, what, whose, findings);
     } else if (*angle && looks_like_degrees(**angle)) {
       found->labels.push_back({angle->span, "this too"});
     }
@@ -45,14 +45,13 @@ void check_motor(const LinkedModel& model, const Motor& motor, Findings& finding
   const urdf::Joint* joint = joint_of(model, motor);
   if (joint == nullptr || joint->type != urdf::JointType::revolute) return;
   check_angles({&motor.min_value, &motor.max_value, &motor.min_position, &motor.max_position},
-               "a bound of " + subject("motor", motor), findings);
+               "a bound", subject("motor", motor), findings);
 }
 
 void check_stops(const LinkedModel& model, const JointAnnotation& entry, Findings& findings) {
   const urdf::Joint* joint = entry.name ? find_joint(model, *entry.name) : nullptr;
   if (joint == nullptr || joint->type != urdf::JointType::revolute) return;
-  check_angles({&entry.low_stop, &entry.high_stop}, "a stop of " + subject("joint", entry),
-               findings);
+  check_angles({&entry.low_stop, &entry.high_stop}, "a stop", subject("joint", entry), findings);
 }
 
 void check_pose(const LinkedModel& model, const JointPoseSet& pose, Findings& findings) {
@@ -62,8 +61,8 @@ void check_pose(const LinkedModel& model, const JointPoseSet& pose, Findings& fi
     if (joint == nullptr && motor) joint = joint_of(model, model.annotations.motors[*motor]);
     const bool is_angle = joint != nullptr && joint->type == urdf::JointType::revolute;
     if (is_angle) {
-      check_angle(entry.position.value, entry.position.span,
-                  "the position of " + quoted(entry.name.value), findings);
+      check_angle(entry.position.value, entry.position.span, "the position",
+                  quoted(entry.name.value).c_str(), findings);
     }
   }
 }
@@ -75,8 +74,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const Interface& entry : model.annotations.interfaces) {
     if (!entry.rotation) continue;
     for (const double angle : *entry.rotation) {
-      check_angle(angle, entry.rotation.span, "a rotation of " + subject("interface", entry),
-                  findings);
+      check_angle(angle, entry.rotation.span, "a rotation", subject("interface", entry), findings);
     }
   }
 }

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Words between the blanks of XML and YAML, and how they are compared.
+#pragma once
+
+#include <string_view>
+
+namespace smurf {
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// The next word of `text` at or after `at`, which becomes its end; empty when there is none.
+constexpr std::string_view next_word(std::string_view text, std::size_t& at) {
+  while (at < text.size() && is_blank(text[at])) ++at;
+  const std::size_t begin = at;
+  while (at < text.size() && !is_blank(text[at])) ++at;
+  return text.substr(begin, at - begin);
+}
+
+/// `a == b` without a call where the size or the first byte differs, as in most comparisons of a
+/// look-up.
+constexpr bool is_same(std::string_view a, std::string_view b) {
+  return a.size() == b.size() && (a.empty() || (a.front() == b.front() && a == b));
+}
+
+}  // namespace smurf
