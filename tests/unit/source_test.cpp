@@ -97,3 +97,24 @@ TEST_CASE("source: spans are half open") {
   CHECK(!span.empty());
   CHECK(Span{}.empty());
 }
+
+TEST_CASE("lines of a long text are where a count from its beginning finds them") {
+  // Lines of all lengths, some empty, one longer than any block the text may be counted by.
+  std::string text;
+  for (std::size_t i = 0; i < 3000; ++i) text += std::string(i % 17, 'x') + '\n';
+  text += std::string(20000, 'y') + '\n';
+  for (std::size_t i = 0; i < 3000; ++i) text += std::string(i % 5, 'z') + '\n';
+  SourceMap sources;
+  const SourceId id = sources.add("long.txt", text);
+  std::uint32_t line = 1;
+  std::uint32_t begin = 0;
+  for (std::uint32_t at = 0; at <= text.size(); ++at) {
+    CAPTURE(at);
+    REQUIRE(sources.position(id, at) == Position{line, at - begin + 1});
+    if (at == text.size() || text[at] != '\n') continue;
+    REQUIRE(sources.line_span(id, line) == Span{id, begin, at});
+    ++line;
+    begin = at + 1;
+  }
+  CHECK(sources.line_count(id) == line);
+}

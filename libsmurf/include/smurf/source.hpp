@@ -92,11 +92,16 @@ class SourceMap {
   struct Source {
     std::string path;
     std::string text;
-    std::vector<std::uint32_t> line_starts;
+    /// Line ends before each block of the text. A table of all lines would be a fifth as large as
+    /// the text itself, and most files are never asked for a line.
+    std::vector<std::uint32_t> line_ends_before;
+    std::uint32_t line_count = 1;
     bool is_ascii = true;  ///< a column is then a byte
     bool readable = true;
   };
   const Source& at(SourceId id) const { return sources_[static_cast<std::size_t>(id)]; }
+  /// Offset of the first byte of a 1-based line.
+  static std::uint32_t line_start(const Source& source, std::uint32_t line);
 
   std::deque<Source> sources_;
 };

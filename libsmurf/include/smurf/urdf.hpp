@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -150,9 +152,10 @@ struct Joint {
   Field<Vector3> axis;  ///< as written, in the joint frame; not normalised
   std::optional<Limit> limit;
   std::optional<Dynamics> dynamics;
-  std::optional<Mimic> mimic;
-  std::optional<SafetyController> safety_controller;
-  std::optional<Calibration> calibration;
+  // Few joints have these, and each is larger than the rest that is optional.
+  std::unique_ptr<Mimic> mimic;
+  std::unique_ptr<SafetyController> safety_controller;
+  std::unique_ptr<Calibration> calibration;
 
   bool is_movable() const { return type != JointType::fixed && type != JointType::unknown; }
   bool has_one_axis() const {

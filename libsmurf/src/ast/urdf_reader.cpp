@@ -239,20 +239,20 @@ class Reader {
       number(dynamics, "friction", out.dynamics->friction);
     }
     if (const View mimic = child_of(element, "mimic")) {
-      place(mimic, out.mimic.emplace());
+      place(mimic, *(out.mimic = std::make_unique<urdf::Mimic>()));
       text(mimic, "joint", out.mimic->joint);
       number(mimic, "multiplier", out.mimic->multiplier);
       number(mimic, "offset", out.mimic->offset);
     }
     if (const View safety = child_of(element, "safety_controller")) {
-      place(safety, out.safety_controller.emplace());
+      place(safety, *(out.safety_controller = std::make_unique<urdf::SafetyController>()));
       number(safety, "soft_lower_limit", out.safety_controller->soft_lower_limit);
       number(safety, "soft_upper_limit", out.safety_controller->soft_upper_limit);
       number(safety, "k_position", out.safety_controller->k_position);
       number(safety, "k_velocity", out.safety_controller->k_velocity);
     }
     if (const View calibration = child_of(element, "calibration")) {
-      place(calibration, out.calibration.emplace());
+      place(calibration, *(out.calibration = std::make_unique<urdf::Calibration>()));
       number(calibration, "rising", out.calibration->rising);
       number(calibration, "falling", out.calibration->falling);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Line starts are found once per source; columns are counted when a place is shown.
+// Line ends are counted once per source, by blocks; lines and columns are found when a place is
+// shown.
 #include "smurf/source.hpp"
 
 #include <algorithm>
@@ -9,17 +10,26 @@
 #include "base/utf8.hpp"
 
 namespace smurf {
+namespace {
+
+constexpr std::size_t kBlock = 4096;  // bytes; looking through one takes less than printing a line
+
+}  // namespace
 
 SourceId SourceMap::add(std::string path, std::string text) {
   Source source;
   source.path = std::move(path);
   source.text = std::move(text);
   source.is_ascii = utf8::ascii_prefix(source.text) == source.text.size();
-  source.line_starts.push_back(0);
+  std::vector<std::uint32_t>& counts = source.line_ends_before;
+  counts.reserve(source.text.size() / kBlock + 1);
+  counts.push_back(0);
   for (std::size_t at = source.text.find('\n'); at != std::string::npos;
        at = source.text.find('\n', at + 1)) {
-    source.line_starts.push_back(static_cast<std::uint32_t>(at + 1));
+    if (counts.size() <= at / kBlock) counts.resize(at / kBlock + 1, source.line_count - 1);
+    ++source.line_count;
   }
+  counts.resize(source.text.size() / kBlock + 1, source.line_count - 1);
   sources_.push_back(std::move(source));
   return SourceId{static_cast<std::uint32_t>(sources_.size() - 1)};
 }
@@ -43,15 +53,32 @@ std::string_view SourceMap::text(Span span) const {
 }
 
 std::uint32_t SourceMap::line_of(SourceId id, std::uint32_t offset) const {
-  const std::vector<std::uint32_t>& starts = at(id).line_starts;
-  const auto after = std::upper_bound(starts.begin(), starts.end(), offset);
-  return static_cast<std::uint32_t>(after - starts.begin());
+  const Source& source = at(id);
+  const std::size_t block = offset / kBlock;
+  const auto begin = source.text.begin() + static_cast<std::ptrdiff_t>(block * kBlock);
+  const auto end = source.text.begin() + static_cast<std::ptrdiff_t>(offset);
+  return source.line_ends_before[block] + static_cast<std::uint32_t>(std::count(begin, end, '\n')) +
+         1;
+}
+
+std::uint32_t SourceMap::line_start(const Source& source, std::uint32_t line) {
+  if (line == 1) return 0;
+  const std::vector<std::uint32_t>& counts = source.line_ends_before;
+  // The line begins behind the line end of this number, which is in the last block before which
+  // there are fewer.
+  const std::uint32_t line_end = line - 1;
+  const auto block = std::lower_bound(counts.begin(), counts.end(), line_end) - 1;
+  std::size_t at = static_cast<std::size_t>(block - counts.begin()) * kBlock;
+  for (std::uint32_t count = *block; count < line_end; ++count) {
+    at = source.text.find('\n', at) + 1;
+  }
+  return static_cast<std::uint32_t>(at);
 }
 
 Position SourceMap::position(SourceId id, std::uint32_t offset) const {
   assert(offset <= at(id).text.size());
   const std::uint32_t line = line_of(id, offset);
-  std::uint32_t start = at(id).line_starts[line - 1];
+  std::uint32_t start = line_start(at(id), line);
   if (at(id).is_ascii) return {line, offset - start + 1};
   // A byte order mark is not something the author sees as a column.
   if (line == 1 && at(id).text.starts_with("\xEF\xBB\xBF")) {
@@ -62,16 +89,13 @@ Position SourceMap::position(SourceId id, std::uint32_t offset) const {
   return {line, static_cast<std::uint32_t>(utf8::count_code_points(before)) + 1};
 }
 
-std::uint32_t SourceMap::line_count(SourceId id) const {
-  return static_cast<std::uint32_t>(at(id).line_starts.size());
-}
+std::uint32_t SourceMap::line_count(SourceId id) const { return at(id).line_count; }
 
 Span SourceMap::line_span(SourceId id, std::uint32_t line) const {
   const Source& source = at(id);
-  const std::uint32_t begin = source.line_starts[line - 1];
-  std::uint32_t end = line < source.line_starts.size()
-                          ? source.line_starts[line] - 1
-                          : static_cast<std::uint32_t>(source.text.size());
+  const std::uint32_t begin = line_start(source, line);
+  std::uint32_t end = line < source.line_count ? line_start(source, line + 1) - 1
+                                               : static_cast<std::uint32_t>(source.text.size());
   if (end > begin && source.text[end - 1] == '\r') --end;
   return {id, begin, end};
 }

@@ -26,18 +26,14 @@ std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
   return numbers;
 }
 
+bool is_plainly_zero(const xml::Attribute& numbers) {
+  return numbers.value.find_first_not_of("0. ") == std::string_view::npos;
+}
+
 void for_each_turn(const urdf::Robot& robot,
-                   const std::function<void(xml::View, const xml::Attribute&)>& visit) {
-  const xml::Document& document = robot.document;
-  for (std::size_t i = 0; i < document.elements.size(); ++i) {
-    const xml::View element(document, xml::ElementId{static_cast<std::uint32_t>(i)});
-    for (const xml::Attribute* at = element.attributes_begin(); at != element.attributes_end();
-         ++at) {
-      if (at->name != "rpy" || at->value.find_first_not_of("0. +-") == std::string_view::npos) {
-        continue;
-      }
-      visit(element, *at);
-    }
+                   const std::function<void(const xml::Attribute&)>& visit) {
+  for (const xml::Attribute& attribute : robot.document.attributes) {
+    if (is_same(attribute.name, "rpy") && !is_plainly_zero(attribute)) visit(attribute);
   }
 }
 

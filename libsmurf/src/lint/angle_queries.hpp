@@ -20,9 +20,11 @@ struct WrittenNumber {
 /// The numbers of an attribute; none when one cannot be read or located.
 std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute);
 
-/// Calls `visit` for every `rpy` of the robot that is not plainly zero, and the element it is of.
+/// True for "0 0 0" and the like, as most are.
+bool is_plainly_zero(const xml::Attribute& numbers);
+/// Calls `visit` for every `rpy` of the robot that is not plainly zero.
 void for_each_turn(const urdf::Robot& robot,
-                   const std::function<void(xml::View, const xml::Attribute&)>& visit);
+                   const std::function<void(const xml::Attribute&)>& visit);
 
 /// The multiple of pi/2 that was rounded or cut to this text: pi/2 for "1.57". None when the text
 /// is no such number, or is exact to 1e-6 rad.

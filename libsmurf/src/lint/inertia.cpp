@@ -6,6 +6,11 @@
 
 namespace smurf {
 
+bool is_written(const urdf::Inertial& inertial) {
+  return inertial.ixx.written && inertial.ixy.written && inertial.ixz.written &&
+         inertial.iyy.written && inertial.iyz.written && inertial.izz.written;
+}
+
 std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& inertial) {
   const Field<double>* const entries[] = {&inertial.ixx, &inertial.ixy, &inertial.ixz,
                                           &inertial.iyy, &inertial.iyz, &inertial.izz};

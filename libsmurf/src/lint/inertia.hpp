@@ -9,6 +9,8 @@
 
 namespace smurf {
 
+/// True when all six entries are written, readable or not.
+bool is_written(const urdf::Inertial& inertial);
 /// Principal moments, ascending, kg m^2; none unless all six entries are readable.
 std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& inertial);
 

@@ -4,7 +4,7 @@
 namespace smurf {
 
 std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_t joint) {
-  const std::optional<urdf::Mimic>& mimic = model.robot->joints[joint].mimic;
+  const std::unique_ptr<urdf::Mimic>& mimic = model.robot->joints[joint].mimic;
   if (!mimic || !mimic->joint) return std::nullopt;
   return model.joint_names.find(*mimic->joint);
 }

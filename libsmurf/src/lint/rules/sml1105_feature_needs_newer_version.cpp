@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/words.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 constexpr std::string_view kNewer[] = {"quat_xyzw", "acceleration", "deceleration", "jerk"};
-constexpr std::size_t kShortest = std::string_view("jerk").size();
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (const xml::Attribute& attribute : model.robot->document.attributes) {
-    if (attribute.name.size() < kShortest) continue;  // most are
     for (const std::string_view name : kNewer) {
-      if (attribute.name != name) continue;
+      if (!is_same(attribute.name, name)) continue;
       findings.report(attribute.name_span(), quoted(name) + " is ignored by readers of URDF 1.0");
     }
   }

@@ -10,7 +10,7 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   std::vector<Edit> edits;
-  for_each_turn(*model.robot, [&](xml::View, const xml::Attribute& rpy) {
+  for_each_turn(*model.robot, [&](const xml::Attribute& rpy) {
     const std::vector<WrittenNumber> angles = written_numbers(rpy);
     if (angles.size() != 3) return;
     for (const WrittenNumber& angle : angles) {

@@ -4,21 +4,20 @@
 
 #include "base/numbers.hpp"
 #include "lint/angle_queries.hpp"
-#include "lint/queries.hpp"
+#include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 /// Joints and inertials keep their pose (parser_urdf.cc:2802).
-bool is_of_shape(xml::View origin) {
-  return origin.parent().name() == "visual" || origin.parent().name() == "collision";
-}
-
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
-  for_each_turn(*model.robot, [&](xml::View origin, const xml::Attribute& rpy) {
-    if (origin.name() != "origin" || !is_of_shape(origin)) return;
-    const std::vector<WrittenNumber> angles = written_numbers(rpy);
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    if (!use.origin.rpy || (*use.origin.rpy)[1] == 0) return;
+    const xml::Attribute* rpy =
+        xml::View(model.robot->document, use.origin.element).attribute("rpy");
+    if (rpy == nullptr) return;
+    const std::vector<WrittenNumber> angles = written_numbers(*rpy);
     if (angles.size() != 3 || !is_rpy_snapped(angles)) return;
     const WrittenNumber& pitch = angles[1];
     // Rounded, a right angle was meant, and is what becomes of it (SML1439).

@@ -12,7 +12,7 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   constexpr double kTurn = 2 * std::numbers::pi + 1e-3;
-  for_each_turn(*model.robot, [&](xml::View, const xml::Attribute& rpy) {
+  for_each_turn(*model.robot, [&](const xml::Attribute& rpy) {
     for (const double angle : numbers_in(rpy.value)) {
       if (std::fabs(angle) <= kTurn) continue;
       findings

@@ -29,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
   double first = 0;
   const xml::Document& document = model.robot->document;
   for (std::size_t i = 0; i < document.elements.size(); ++i) {
-    if (document.elements[i].name != "origin") continue;
+    if (!is_same(document.elements[i].name, "origin")) continue;
     const xml::Attribute* xyz =
         xml::View(document, xml::ElementId{static_cast<std::uint32_t>(i)}).attribute("xyz");
     const double farthest = xyz == nullptr ? 0 : farthest_in(xyz->value);

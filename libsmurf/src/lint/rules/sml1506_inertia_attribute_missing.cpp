@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/suggest.hpp"
+#include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -21,7 +22,7 @@ bool is_misspelt(const xml::View element, std::string_view name) {
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
-    if (!link.inertial) return;
+    if (!link.inertial || is_written(*link.inertial)) return;
     const xml::View inertia =
         xml::View(model.robot->document, link.inertial->element).child("inertia");
     if (!inertia) return;

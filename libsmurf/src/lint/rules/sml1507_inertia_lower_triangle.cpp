@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -15,6 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const xml::View inertia =
         xml::View(model.robot->document, link.inertial->element).child("inertia");
     if (!inertia) return;
+    if (is_written(*link.inertial) && inertia.element().attribute_count == 6) return;
     for (const auto& [lower, upper] : kMirrored) {
       const xml::Attribute* below = inertia.attribute(lower);
       const xml::Attribute* above = inertia.attribute(upper);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
+#include <utility>
 
 #include "lint/annotation_queries.hpp"
 
@@ -13,13 +14,17 @@ struct Function {
 constexpr Function kFunctions[] = {
     {"polynom2", 3}, {"polynom3", 4}, {"polynom4", 5}, {"polynom5", 6}};
 
+constexpr std::pair<std::string_view, std::string_view> kKeys[] = {
+    {"maxeffort_approximation", "maxeffort_coefficients"},
+    {"maxspeed_approximation", "maxspeed_coefficients"}};
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) {
     const yaml::View mapping = mapping_of(model, motor);
-    for (const std::string prefix : {"maxeffort", "maxspeed"}) {
-      const auto name = text_at(mapping, prefix + "_approximation");
+    for (const auto& [approximation, coefficients] : kKeys) {
+      const auto name = text_at(mapping, approximation);
       if (!name) continue;
-      const yaml::View list = mapping.find(prefix + "_coefficients");
+      const yaml::View list = mapping.find(coefficients);
       const std::size_t count = list && list.is_sequence() ? list.size() : 0;
       for (const Function& function : kFunctions) {
         if (name->value != function.name || count >= function.coefficients) continue;
