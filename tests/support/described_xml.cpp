@@ -22,12 +22,14 @@ std::string described_xml(XmlEngine engine, const std::string& text) {
     out << diagnostic.rule->id << ' ' << diagnostic.span << ' ' << diagnostic.message << '\n';
   }
   if (!document) return out.str() + "refused";
-  for (const xml::Element& element : document->elements) {
+  for (std::size_t n = 0; n < document->elements.size(); ++n) {
+    const xml::View view(*document, xml::ElementId{static_cast<std::uint32_t>(n)});
+    const xml::Element& element = view.element();
     out << element.name << ' ' << element.span << ' ' << element.tag_span() << ' '
         << element.name_span() << " parent " << static_cast<std::uint32_t>(element.parent)
         << " first " << static_cast<std::uint32_t>(element.first_child) << " next "
-        << static_cast<std::uint32_t>(element.next_sibling) << " text `" << element.text << "` "
-        << element.text_span;
+        << static_cast<std::uint32_t>(element.next_sibling) << " text `" << view.text() << "` "
+        << view.text_span();
     for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
       const xml::Attribute& attribute = document->attributes[element.first_attribute + i];
       out << ' ' << attribute.name << "=`" << attribute.value << "` " << attribute.name_span()

@@ -50,10 +50,10 @@ void add_lines(const SourceMap& sources, const xml::View& view, Lines& lines) {
   line.append(" ").append(slice(sources, element.name_span()));
   line.append(" tag ").append(slice(sources, element.tag_span()));
   line.append(" whole ").append(slice(sources, element.span));
-  if (!element.text.empty()) {
-    line.append(" text ").append(slice(sources, element.text_span));
-    if (element.text != sources.text(element.text_span))
-      line.append(" = ").append(visible(element.text));
+  if (!view.text().empty()) {
+    line.append(" text ").append(slice(sources, view.text_span()));
+    if (view.text() != sources.text(view.text_span()))
+      line.append(" = ").append(visible(view.text()));
   }
   lines.push_back(std::move(line));
   for (const auto* a = view.attributes_begin(); a != view.attributes_end(); ++a) {

@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "smurf/mesh.hpp"
@@ -53,8 +52,14 @@ class NameTable {
   const std::vector<std::string_view>& names() const { return names_; }  ///< unique, in order
 
  private:
+  /// The slot that holds the name, or the empty one where it belongs.
+  std::size_t slot_of(std::string_view name) const;
+
+  // Open addressing: robots have tens of thousands of names, and a node for each would take more
+  // than all else here.
   std::vector<std::string_view> names_;
-  std::unordered_map<std::string_view, std::uint32_t> by_name_;
+  std::vector<std::uint32_t> indices_;  ///< of names_
+  std::vector<std::uint32_t> slots_;    ///< places in names_, from 1; 0 is empty
 };
 
 /// A path written in a URDF and the files it means, in the view of URDF readers (relative to the

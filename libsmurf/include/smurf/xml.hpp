@@ -16,6 +16,7 @@ namespace smurf::xml {
 
 enum class ElementId : std::uint32_t {};
 inline constexpr ElementId kNoElement{0xffffffffU};
+inline constexpr std::uint32_t kNoText = 0xffffffffU;
 
 // Robots have hundreds of thousands of both, so what can be told from the rest is not kept.
 struct Attribute {
@@ -31,17 +32,22 @@ struct Attribute {
   Span span() const { return {value_span.source, begin, value_span.end + 1}; }
 };
 
+/// Character data directly inside an element, the first piece only.
+struct Text {
+  std::string_view value;  ///< untrimmed; empty when a child stands before it
+  Span span;               ///< without the blanks around it
+};
+
 struct Element {
   std::string_view name;  ///< as written, right behind the '<'
-  std::string_view text;  ///< character data directly inside, first piece only, untrimmed
   Span span;              ///< from '<' to the end of the end tag
-  Span text_span;
   std::uint32_t tag_end = 0;
   std::uint32_t first_attribute = 0;
   std::uint32_t attribute_count = 0;
   ElementId parent = kNoElement;
   ElementId first_child = kNoElement;
   ElementId next_sibling = kNoElement;
+  std::uint32_t text = kNoText;  ///< in Document::texts
 
   /// The start tag with its brackets.
   Span tag_span() const { return {span.source, span.begin, tag_end}; }
@@ -64,6 +70,7 @@ struct Document {
   SourceId source{};
   std::vector<Element> elements;  ///< in document order
   std::vector<Attribute> attributes;
+  std::vector<Text> texts;  ///< elements of URDF have none
   std::vector<Span> comments;
   std::deque<std::string> decoded;
   ElementId root = kNoElement;
@@ -85,6 +92,14 @@ class View {
   Span span() const { return element().span; }
   Span tag_span() const { return element().tag_span(); }
   Span name_span() const { return element().name_span(); }
+
+  /// Of an element without text both are empty.
+  std::string_view text() const {
+    return element().text == kNoText ? std::string_view() : document_->texts[element().text].value;
+  }
+  Span text_span() const {
+    return element().text == kNoText ? Span{} : document_->texts[element().text].span;
+  }
 
   const Attribute* attribute(std::string_view name) const;
   /// Begin and end pointers of the attributes, in document order.

@@ -230,14 +230,13 @@ class DrawingReader {
   std::optional<DrawnEntity> read(const Group& group, std::optional<double> width, double& z) {
     DrawnEntity entity;
     entity.group = group.element.name_span();
-    const std::string_view title =
-        group.title ? trimmed(group.title.element().text) : std::string_view();
+    const std::string_view title = group.title ? trimmed(group.title.text()) : std::string_view();
     if (title.empty()) {
       refuse_group(group.title ? group.title.name_span() : entity.group,
                    "this group has no title that names the file of its entity");
       return std::nullopt;
     }
-    entity.file = {std::string(title), inner(group.title.element().text_span, group.title, title)};
+    entity.file = {std::string(title), inner(group.title.text_span(), group.title, title)};
     entity.height = entity.group;
     const bool has_height = read_height(group, entity, z);
     const auto local = read_origin(group);
@@ -254,7 +253,7 @@ class DrawingReader {
 
   /// The bytes of a text without the blanks around it, where no character is written as an entity.
   static Span inner(Span span, xml::View element, std::string_view text) {
-    const std::string_view whole = element.element().text;
+    const std::string_view whole = element.text();
     if (span.end - span.begin != whole.size()) return span;
     const auto skipped = static_cast<std::uint32_t>(text.data() - whole.data());
     return {span.source, span.begin + skipped,
@@ -264,14 +263,14 @@ class DrawingReader {
   /// Without `origin_z:` the height of the group before stays.
   bool read_height(const Group& group, DrawnEntity& entity, double& z) {
     const std::string_view text =
-        group.description ? trimmed(group.description.element().text) : std::string_view();
+        group.description ? trimmed(group.description.text()) : std::string_view();
     if (text.empty()) {
       refuse_group(group.description ? group.description.name_span() : entity.group,
                    "this group has no `<desc>origin_z: NUMBER</desc>`, without which MARS stops "
                    "with an uncaught exception");
       return false;
     }
-    const Span place = inner(group.description.element().text_span, group.description, text);
+    const Span place = inner(group.description.text_span(), group.description, text);
     const std::vector<std::string_view> parts = words(text);
     if (parts.front() != "origin_z:") {
       Diagnostic& diagnostic =

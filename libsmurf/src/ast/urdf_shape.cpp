@@ -148,8 +148,8 @@ class ShapeChecker {
     for (const xml::Attribute* attribute : instead) {
       diagnostic.labels.push_back({attribute->name_span(), "no attribute of URDF"});
     }
-    if (!element.element().text_span.empty()) {
-      diagnostic.labels.push_back({element.element().text_span, "readers do not look at text"});
+    if (!element.text_span().empty()) {
+      diagnostic.labels.push_back({element.text_span(), "readers do not look at text"});
     }
     return true;
   }
@@ -157,7 +157,7 @@ class ShapeChecker {
   /// URDF keeps everything in attributes. That an element has none of those it needs is reported
   /// as such, whatever else it holds.
   void text(View element) {
-    const Span place = element.element().text_span;
+    const Span place = element.text_span();
     const bool is_empty = element.attributes_begin() == element.attributes_end();
     if (place.empty() || (is_empty && needs_attributes(element.name()))) return;
     Diagnostic& diagnostic =

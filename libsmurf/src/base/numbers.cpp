@@ -41,20 +41,24 @@ std::optional<double> parse_short(std::string_view text) {
   if (is_negative || text.starts_with('+')) text.remove_prefix(1);
   if (text.size() >= kPowersOfTen.size()) return std::nullopt;
   std::uint64_t digits = 0;
-  std::size_t point = text.size();
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    if (is_digit(text[at])) {
+  std::size_t at = 0;
+  const auto read_digits = [&] {
+    for (; at < text.size() && is_digit(text[at]); ++at) {
       digits = 10 * digits + static_cast<std::uint64_t>(text[at] - '0');
-    } else if (text[at] == '.' && point == text.size()) {
-      point = at;
-    } else {
-      return std::nullopt;
     }
+  };
+  read_digits();
+  std::size_t count = at;
+  std::size_t decimals = 0;
+  if (at < text.size() && text[at] == '.') {
+    const std::size_t point = at++;
+    read_digits();
+    decimals = at - point - 1;
+    count += decimals;
   }
-  const bool has_point = point < text.size();
-  if (text.size() == (has_point ? 1U : 0U)) return std::nullopt;
-  const double value =
-      static_cast<double>(digits) / kPowersOfTen[has_point ? text.size() - point - 1 : 0];
+  if (at != text.size() || count == 0) return std::nullopt;
+  auto value = static_cast<double>(digits);
+  if (decimals > 0) value /= kPowersOfTen[decimals];
   return is_negative ? -value : value;
 }
 

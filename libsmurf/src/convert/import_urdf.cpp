@@ -23,7 +23,7 @@ void Context::keep_as_text(Span span, const std::string& what, const std::string
 }
 
 std::string_view text_of(xml::View element) {
-  std::string_view text = element ? element.element().text : std::string_view();
+  std::string_view text = element ? element.text() : std::string_view();
   constexpr std::string_view kBlanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};

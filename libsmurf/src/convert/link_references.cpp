@@ -31,7 +31,7 @@ std::string signature(xml::View element) {
   std::sort(attributes.begin(), attributes.end());
   std::string text = "<" + std::string(element.name()) + "\n";
   for (const std::string& attribute : attributes) text += attribute;
-  text.append(trimmed(element.element().text));
+  text.append(trimmed(element.text()));
   for (const xml::View child : element) text += signature(child);
   return text + ">";
 }
@@ -116,7 +116,7 @@ void LinkReferences::read_names(xml::View element) {
        ++one) {
     add(one->value);
   }
-  add(trimmed(element.element().text));
+  add(trimmed(element.text()));
   for (const xml::View child : element) read_names(child);
 }
 

@@ -77,8 +77,8 @@ class Prefixer {
       if (refers && is_name(one->value)) rename(element, one->name);
     }
     const bool is_leaf = element.begin() == element.end();
-    if (is_leaf && is_name(element.element().text) && !is_world(element.element().text)) {
-      Span place = element.element().text_span;
+    if (is_leaf && is_name(element.text()) && !is_world(element.text())) {
+      Span place = element.text_span();
       place.end = place.begin;
       edits_.replace(place, escape_xml(prefix_));
     }

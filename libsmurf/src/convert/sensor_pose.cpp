@@ -37,7 +37,7 @@ Pose sensor_pose(xml::View sensor) {
     return {{xyz[0], xyz[1], xyz[2]}, from_rpy({rpy[0], rpy[1], rpy[2]})};
   }
   const xml::View pose = sensor.child("pose");
-  const auto p = six_numbers(pose ? pose.element().text : std::string_view());
+  const auto p = six_numbers(pose ? pose.text() : std::string_view());
   return {{p[0], p[1], p[2]}, from_rpy({p[3], p[4], p[5]})};
 }
 

@@ -30,7 +30,7 @@ Value to_value(xml::View element) {
     object.push_back({std::string(child.name()), to_value(child)});
   }
   if (!object.empty()) return {std::move(object)};
-  const std::string_view text = trimmed(element.element().text);
+  const std::string_view text = trimmed(element.text());
   if (const auto number = parse_number(text)) return {*number};
   return {std::string(text)};
 }

@@ -22,6 +22,10 @@ namespace {
 
 template <class T>
 void append(std::vector<T>& to, std::vector<T>&& from) {
+  if (to.empty()) {  // nearly always: a section is in one file
+    to = std::move(from);
+    return;
+  }
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 

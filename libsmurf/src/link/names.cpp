@@ -2,16 +2,34 @@
 // Name tables: where names are matched.
 #include "smurf/linked.hpp"
 
+#include <algorithm>
+#include <functional>
+
 namespace smurf {
 
+std::size_t NameTable::slot_of(std::string_view name) const {
+  const std::size_t last = slots_.size() - 1;  // sizes are powers of two
+  std::size_t slot = std::hash<std::string_view>{}(name)&last;
+  while (slots_[slot] != 0 && names_[slots_[slot] - 1] != name) slot = (slot + 1) & last;
+  return slot;
+}
+
 void NameTable::add(std::string_view name, std::uint32_t index) {
-  if (by_name_.emplace(name, index).second) names_.push_back(name);
+  if (2 * names_.size() >= slots_.size()) {
+    slots_.assign(std::max<std::size_t>(8, 2 * slots_.size()), 0);
+    for (std::uint32_t i = 0; i < names_.size(); ++i) slots_[slot_of(names_[i])] = i + 1;
+  }
+  std::uint32_t& slot = slots_[slot_of(name)];
+  if (slot != 0) return;
+  names_.push_back(name);
+  indices_.push_back(index);
+  slot = static_cast<std::uint32_t>(names_.size());
 }
 
 std::optional<std::uint32_t> NameTable::find(std::string_view name) const {
-  const auto found = by_name_.find(name);
-  if (found == by_name_.end()) return std::nullopt;
-  return found->second;
+  const std::uint32_t found = slots_.empty() ? 0 : slots_[slot_of(name)];
+  if (found == 0) return std::nullopt;
+  return indices_[found - 1];
 }
 
 const yaml::Document* LinkedModel::document(SourceId source) const {

@@ -24,7 +24,7 @@ std::string_view value(View element, std::string_view attribute) {
   return found == nullptr ? std::string_view() : found->value;
 }
 
-std::string_view trimmed_text(View element) { return Words(element.element().text).rest_of_line(); }
+std::string_view trimmed_text(View element) { return Words(element.text()).rest_of_line(); }
 
 std::vector<double> numbers(std::string_view text) {
   std::vector<double> all;
@@ -126,7 +126,7 @@ class ColladaReader {
         if (written && *written >= 3) stride = static_cast<std::size_t>(*written);
       }
     }
-    const std::vector<double> all = numbers(array.element().text);
+    const std::vector<double> all = numbers(array.text());
     if (!is_finite(all)) {
       fail(array, "the coordinates of the vertices are not all numbers");
       return;
@@ -145,7 +145,7 @@ class ColladaReader {
     const View corners = primitives.child("vcount");
     if (!corners) return polygons;
     std::uint64_t sum = 0;
-    Words words(corners.element().text);
+    Words words(corners.text());
     while (!words.is_at_end()) {
       const auto corner_count = parse_integer(words.next());
       if (corner_count && *corner_count > 2) sum += static_cast<std::uint64_t>(*corner_count) - 2;
@@ -186,7 +186,7 @@ class ColladaReader {
                               : name == "translate" || name == "scale" ? 3
                                                                        : 0;
     if (count == 0) return true;
-    const std::vector<double> all = numbers(element.element().text);
+    const std::vector<double> all = numbers(element.text());
     if (all.size() != count || !is_finite(all)) return false;
     if (name == "matrix") {
       const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(all.data());

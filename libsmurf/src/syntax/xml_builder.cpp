@@ -57,15 +57,16 @@ void XmlBuilder::close(std::uint32_t end) {
 
 bool XmlBuilder::add_text(Span text) {
   Element& element = at(open_.back().element);
-  if (!element.text_span.empty()) return false;
+  if (element.text != xml::kNoText) return false;
   constexpr std::string_view kBlanks = " \t\r\n";
   const std::string_view written = text_.substr(text.begin, text.end - text.begin);
   const std::size_t first = written.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return false;
-  if (open_.back().last_child == kNoElement) element.text = written;
-  element.text_span = {text.source, text.begin + static_cast<std::uint32_t>(first),
-                       text.begin +
-                           static_cast<std::uint32_t>(written.find_last_not_of(kBlanks) + 1)};
+  const std::size_t last = written.find_last_not_of(kBlanks);
+  element.text = static_cast<std::uint32_t>(document_.texts.size());
+  document_.texts.push_back({open_.back().last_child == kNoElement ? written : std::string_view(),
+                             {text.source, text.begin + static_cast<std::uint32_t>(first),
+                              text.begin + static_cast<std::uint32_t>(last + 1)}});
   return true;
 }
 

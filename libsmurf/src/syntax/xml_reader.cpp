@@ -32,16 +32,20 @@ class Decoder {
     if (text != decoded) text = document_.decoded.emplace_back(decoded);
   }
 
+  void text(const char* decoded, std::string_view& written) {
+    if (decoded != nullptr && !written.empty()) {
+      set(written, decoded);
+    } else {
+      written = {};
+    }
+  }
+
   // Recursion is bounded by Limits::xml_depth, which the scanner enforces.
   bool element(const tinyxml2::XMLElement& from) {
     if (next_ >= document_.elements.size()) return false;
     Element& element = document_.elements[next_++];
     if (element.name != from.Name() || !attributes(from, element)) return false;
-    if (const char* text = from.GetText(); text != nullptr && !element.text.empty()) {
-      set(element.text, text);
-    } else {
-      element.text = {};
-    }
+    if (element.text != xml::kNoText) text(from.GetText(), document_.texts[element.text].value);
     for (const tinyxml2::XMLElement* child = from.FirstChildElement(); child != nullptr;
          child = child->NextSiblingElement()) {
       if (!this->element(*child)) return false;

@@ -22,17 +22,16 @@ void check(const LinkedModel& model, Findings& findings) {
     if (transmission.name() != "transmission") continue;
     const xml::View type = transmission.child("type");
     if (!type) continue;
-    const xml::Element& element = type.element();
     constexpr int kSlip = 2;  // edits; HalfDifferentialTransmission is no slip
     const auto* near =
         std::find_if(std::begin(kTypes), std::end(kTypes), [&](std::string_view known) {
-          return edit_distance(element.text, known, kSlip) <= kSlip;
+          return edit_distance(type.text(), known, kSlip) <= kSlip;
         });
-    if (near == std::end(kTypes) || *near == element.text) continue;
-    Diagnostic& diagnostic = findings.report(element.text_span, "no transmission is of the type " +
-                                                                    quoted(element.text));
+    if (near == std::end(kTypes) || *near == type.text()) continue;
+    Diagnostic& diagnostic =
+        findings.report(type.text_span(), "no transmission is of the type " + quoted(type.text()));
     diagnostic.help = "did you mean " + quoted(*near) + "?";
-    diagnostic.fixes.push_back({Applicability::unsafe, {{element.text_span, std::string(*near)}}});
+    diagnostic.fixes.push_back({Applicability::unsafe, {{type.text_span(), std::string(*near)}}});
   }
 }
 
