@@ -46,7 +46,8 @@ struct KinematicTree {
 /// Names of one kind, the first of equal names wins. Views point into the model.
 class NameTable {
  public:
-  void add(std::string_view name, std::uint32_t index);
+  /// The index that the name already has, if it has one; it then keeps that.
+  std::optional<std::uint32_t> add(std::string_view name, std::uint32_t index);
   std::optional<std::uint32_t> find(std::string_view name) const;
   bool contains(std::string_view name) const { return find(name).has_value(); }
   const std::vector<std::string_view>& names() const { return names_; }  ///< unique, in order

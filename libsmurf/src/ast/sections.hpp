@@ -44,10 +44,18 @@ namespace sections {
 #include "ast/sections.def"
 #undef SMURF_SECTION
 
+/// How many entries the list or mapping has that holds `entry`.
+inline std::size_t sibling_count(yaml::View entry) {
+  const yaml::Document& document = entry.document();
+  const yaml::NodeId parent = document.nodes[static_cast<std::size_t>(entry.id())].parent;
+  return parent == yaml::kNoNode ? 1 : yaml::View(document, parent).size();
+}
+
 /// The usual `read` of a section: one table row per key, one vector of entries.
 template <class T>
 void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view entry_name,
                yaml::View entry, Span section, std::vector<T>& entries, DiagnosticSink& sink) {
+  if (entries.empty()) entries.reserve(sibling_count(entry));  // to grow would take twice the room
   T& item = entries.emplace_back();
   item.section = section;
   read_entry(keys, more, entry, item, entry_name, sink, Slips::reported);

@@ -14,16 +14,17 @@ std::size_t NameTable::slot_of(std::string_view name) const {
   return slot;
 }
 
-void NameTable::add(std::string_view name, std::uint32_t index) {
+std::optional<std::uint32_t> NameTable::add(std::string_view name, std::uint32_t index) {
   if (2 * names_.size() >= slots_.size()) {
     slots_.assign(std::max<std::size_t>(8, 2 * slots_.size()), 0);
     for (std::uint32_t i = 0; i < names_.size(); ++i) slots_[slot_of(names_[i])] = i + 1;
   }
   std::uint32_t& slot = slots_[slot_of(name)];
-  if (slot != 0) return;
+  if (slot != 0) return indices_[slot - 1];
   names_.push_back(name);
   indices_.push_back(index);
   slot = static_cast<std::uint32_t>(names_.size());
+  return std::nullopt;
 }
 
 std::optional<std::uint32_t> NameTable::find(std::string_view name) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/angle_queries.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,7 +28,8 @@ std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
 }
 
 bool is_plainly_zero(const xml::Attribute& numbers) {
-  return numbers.value.find_first_not_of("0. ") == std::string_view::npos;
+  return std::all_of(numbers.value.begin(), numbers.value.end(),
+                     [](char c) { return c == '0' || c == '.' || c == ' '; });
 }
 
 void for_each_turn(const urdf::Robot& robot,

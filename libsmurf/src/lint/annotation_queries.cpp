@@ -88,9 +88,10 @@ bool is_node(const LinkedModel& model, std::string_view name) {
 
 std::vector<const Motor*> leading_motors(const LinkedModel& model) {
   std::vector<const Motor*> leading;
-  std::unordered_set<std::string_view> driven;
+  NameTable driven;
+  leading.reserve(model.annotations.motors.size());
   for (const Motor& motor : model.annotations.motors) {
-    if (!motor.joint || driven.insert(*motor.joint).second) leading.push_back(&motor);
+    if (!motor.joint || !driven.add(*motor.joint, 0)) leading.push_back(&motor);
   }
   return leading;
 }

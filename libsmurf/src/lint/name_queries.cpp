@@ -2,6 +2,7 @@
 #include "lint/name_queries.hpp"
 
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 
 #include "ast/urdf_numbers.hpp"
@@ -11,9 +12,17 @@ namespace smurf {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_word(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
+
+/// Letters, digits and `_`, by byte.
+constexpr std::array<bool, 256> kWord = [] {
+  std::array<bool, 256> words{};
+  for (const char c : std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                       "0123456789_")) {
+    words[static_cast<unsigned char>(c)] = true;
+  }
+  return words;
+}();
+bool is_word(char c) { return kWord[static_cast<unsigned char>(c)]; }
 bool is_identifier(std::string_view name) {
   return !name.empty() && !is_digit(name.front()) && std::all_of(name.begin(), name.end(), is_word);
 }

@@ -5,14 +5,15 @@
 #include "syntax/xml_scanner.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <string>
+#include <utility>
 
 #include "base/limits.hpp"
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_builder.hpp"
+#include "syntax/xml_bytes.hpp"
 #include "syntax/xml_prefixes.hpp"
 #include "syntax/xml_prolog.hpp"
 
@@ -21,25 +22,6 @@ namespace {
 
 using xml::Attribute;
 using xml::Element;
-
-enum ByteClass : std::uint8_t { blank = 1, name_start = 2, name_char = 4, special = 8 };
-
-/// What a byte may be; the names are those of tinyxml2.
-constexpr std::array<std::uint8_t, 256> kClasses = [] {
-  std::array<std::uint8_t, 256> classes{};
-  const auto add = [&](std::string_view bytes, int what) {
-    for (const char c : bytes)
-      classes[static_cast<unsigned char>(c)] |= static_cast<std::uint8_t>(what);
-  };
-  add(" \t\n\r", blank);
-  add("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_:", name_start | name_char);
-  add("0123456789-.", name_char);
-  add("\"'<&\r", special);
-  for (std::size_t byte = 0x80; byte < 0x100; ++byte) classes[byte] = name_start | name_char;
-  return classes;
-}();
-
-bool is(char c, ByteClass what) { return (kClasses[static_cast<unsigned char>(c)] & what) != 0; }
 
 class Scanner {
  public:
@@ -231,16 +213,21 @@ class Scanner {
   }
 
   Span scan_name() {
-    const std::uint32_t begin = at_;
-    if (at_ < size() && is(text_[at_], name_start)) {
-      while (at_ < size() && is(text_[at_], name_char)) ++at_;
+    std::uint32_t at = at_;
+    std::uint8_t classes = 0;
+    if (at < size() && is(text_[at], name_start)) {
+      for (; at < size() && is(text_[at], name_char); ++at) {
+        classes |= kClasses[static_cast<unsigned char>(text_[at])];
+      }
     }
-    return span(begin, at_);
+    has_prefix_ = has_prefix_ || (classes & colon) != 0;
+    return span(std::exchange(at_, at), at);
   }
 
   void start_tag() {
     const std::uint32_t begin = at_++;
     is_prolog_ = false;
+    has_prefix_ = false;
     Element element;
     element.span = span(begin, begin);
     element.name = slice(scan_name());
@@ -272,11 +259,7 @@ class Scanner {
     element.tag_end = at_;
     element.span = element.tag_span();
     tree_.open(element);
-    prefixes_.check(element.name_span());
-    for (std::size_t i = element.first_attribute; i < tree_.attributes().size(); ++i) {
-      prefixes_.check(tree_.attributes()[i].name_span());
-    }
-    check_inclusion(element.name_span());
+    if (has_prefix_) check_prefixes(element);
     if (is_closed) close_element();
   }
 
@@ -339,7 +322,7 @@ class Scanner {
     }
     const char quote = text_[at_++];
     const std::uint32_t begin = at_;
-    while (at_ < size() && text_[at_] != quote && text_[at_] != '<') step();
+    skip_to(quote, '<');
     if (at_ >= size() || text_[at_] == '<') {
       malformed(span(begin - 1, begin),
                 "the value of the attribute " + quoted(attribute.name_span()) + " is never closed");
@@ -387,17 +370,29 @@ class Scanner {
            (value > 0xFFFF && value <= 0x10FFFF);
   }
 
-  void check_inclusion(Span name) {
-    if (slice(name) != "xi:include") return;
-    sink_.report(rules::sml1013_dtd_or_xinclude, name, "URDF readers do not follow `xi:include`");
+  void check_prefixes(const Element& element) {
+    prefixes_.check(element.name_span());
+    for (std::size_t i = element.first_attribute; i < tree_.attributes().size(); ++i) {
+      prefixes_.check(tree_.attributes()[i].name_span());
+    }
+    if (element.name != "xi:include") return;
+    sink_.report(rules::sml1013_dtd_or_xinclude, element.name_span(),
+                 "URDF readers do not follow `xi:include`");
   }
 
-  /// Over runs of bytes that mean themselves, or over one that does not.
-  void step() {
-    if (!is(text_[at_], special)) {
-      while (++at_ < size() && !is(text_[at_], special)) {
-      }
-    } else if (text_[at_] == '&') {
+  /// To the end of a value or text: one of both bytes, or the end of the file.
+  void skip_to(char a, char b) {
+    while (true) {
+      std::uint32_t at = at_;
+      while (at < size() && !is(text_[at], special)) ++at;
+      at_ = at;
+      if (at_ >= size() || text_[at_] == a || text_[at_] == b) return;
+      special_byte();
+    }
+  }
+
+  void special_byte() {
+    if (text_[at_] == '&') {
       reference();
     } else {
       is_plain_ = is_plain_ && text_[at_] != '\r';
@@ -444,7 +439,7 @@ class Scanner {
     const std::uint32_t begin = at_;
     skip_space();
     const std::uint32_t visible = at_;
-    while (at_ < size() && text_[at_] != '<') step();
+    skip_to('<', '<');
     if (visible == at_) return;
     if (tree_.depth() == 0) {
       outside_of_root(span(visible, at_));
@@ -472,6 +467,7 @@ class Scanner {
   XmlBuilder tree_;
   bool well_formed_ = true;
   bool is_plain_ = true;
+  bool has_prefix_ = false;  ///< a name in the start tag has one
   std::uint32_t at_ = 0;
   bool is_prolog_ = true;  ///< nothing but processing instructions so far
   bool has_declaration_ = false;

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_map>
-
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::unordered_map<std::string_view, Span> visuals, collisions;
+  NameTable visuals, collisions;
+  std::vector<Span> places;
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (!use.name || use.name->empty()) return;
     auto& seen = use.role == GeometryRole::visual ? visuals : collisions;
-    const auto [first, is_new] = seen.emplace(*use.name, use.name.span);
-    if (is_new) return;
+    const auto first = seen.add(*use.name, static_cast<std::uint32_t>(places.size()));
+    places.push_back(use.name.span);
+    if (!first) return;
     Diagnostic& diagnostic =
         findings.report(use.name.span, "a second " + std::string(to_string(use.role)) +
                                            " of the name " + quoted(*use.name));
-    diagnostic.labels.push_back({first->second, "the first"});
+    diagnostic.labels.push_back({places[*first], "the first"});
   });
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_map>
-
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -12,14 +10,15 @@ constexpr std::string_view kReplaces = "readers disagree on which of the two cou
 template <class Entries>
 void check_entries(const Entries& entries, std::string_view kind, std::string_view note,
                    Findings& findings) {
-  std::unordered_map<std::string_view, Span> first;
-  for (const auto& entry : entries) {
+  NameTable names;
+  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+    const auto& entry = entries[i];
     if (!entry.name || entry.name->empty()) continue;
-    const auto [found, is_new] = first.emplace(*entry.name, entry.name.span);
-    if (is_new) continue;
+    const auto first = names.add(*entry.name, i);
+    if (!first) continue;
     Diagnostic& diagnostic = findings.report(
         entry.name.span, "there is another " + std::string(kind) + " " + quoted(*entry.name));
-    diagnostic.labels.push_back({found->second, "the first one"});
+    diagnostic.labels.push_back({entries[*first].name.span, "the first one"});
     diagnostic.notes.emplace_back(note);
   }
 }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unordered_map>
-
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -8,12 +6,13 @@ namespace {
 
 void check_list(const Field<NameList>& list, const Subject& who, Findings& findings) {
   if (!list || list->size() < 2) return;
-  std::unordered_map<std::string_view, Span> first;
-  for (const Spanned<std::string>& name : *list) {
-    const auto [found, is_new] = first.emplace(name.value, name.span);
-    if (is_new) continue;
+  NameTable names;
+  for (std::uint32_t i = 0; i < list->size(); ++i) {
+    const Spanned<std::string>& name = (*list)[i];
+    const auto first = names.add(name.value, i);
+    if (!first) continue;
     findings.report(name.span, who + " lists " + quoted(name.value) + " twice")
-        .labels.push_back({found->second, "listed here"});
+        .labels.push_back({(*list)[*first].span, "listed here"});
   }
 }
 
