@@ -13,7 +13,6 @@
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
 #include "support/null_events.hpp"
-#include "syntax/plain_yaml.hpp"
 #include "syntax/yaml_reader.hpp"
 
 using namespace smurf;
@@ -96,15 +95,5 @@ void yaml_tree(benchmark::State& state, YamlEngine engine) {
 }
 BENCHMARK_CAPTURE(yaml_tree, yaml_cpp, YamlEngine::yaml_cpp);
 BENCHMARK_CAPTURE(yaml_tree, scanner_first, YamlEngine::scanner_first);
-
-void yaml_scanner_events(benchmark::State& state) {
-  const std::string text = text_of("smurf/m_motors.yml");
-  for (auto step : state) {
-    test::NullEvents handler;
-    if (!scan_plain_yaml(text, handler)) state.SkipWithError("not plain");
-  }
-  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
-}
-BENCHMARK(yaml_scanner_events);
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <iterator>
 
 #include "support/described_yaml.hpp"
-#include "support/null_events.hpp"
 #include "support/texts.hpp"
 #include "syntax/plain_yaml.hpp"
 
@@ -18,8 +17,12 @@ using smurf::test::Random;
 namespace {
 
 bool is_plain(const std::string& text) {
-  test::NullEvents events;
-  return scan_plain_yaml(text, events);
+  SourceMap sources;
+  DiagnosticSink sink;
+  const SourceId id = sources.add("a.yml", text);
+  const Limits limits{.yaml_depth = text.size()};  // none that the text reaches
+  YamlBuilder builder(sources, id, limits, sink);
+  return scan_plain_yaml(text, builder);
 }
 
 /// True when the scanner accepted the text.

@@ -45,30 +45,30 @@ void report_not_number(const KeySpec& spec, yaml::View value, std::string_view e
 }
 
 /// What readers with other grammars than ours make of a number or a text. JSON has one meaning.
-void check_notation(const KeySpec& spec, yaml::View value, bool is_whole, DiagnosticSink& sink) {
-  const std::optional<double> number = value.number();
-  if (!number || is_json(value.document())) return;
+void check_notation(const KeySpec& spec, yaml::View value, double number, bool is_whole,
+                    DiagnosticSink& sink) {
   const std::optional<std::string> in_mars = read_by_scanf(value.text(), is_whole);
-  const std::optional<std::string> in_yaml11 = read_by_yaml11(value);
+  const std::optional<std::string> in_yaml11 = number_by_yaml11(value.text());
+  if ((!in_mars && !in_yaml11) || is_json(value.document())) return;
   if (in_mars) {
     Diagnostic& diagnostic = sink.report(rules::sml4006_number_notation, value.span(),
                                          "MARS reads `" + std::string(value.text()) + "` of " +
                                              name_of(spec) + " as " + *in_mars);
-    offer(diagnostic, "write " + format_number(*number), value.span(), format_number(*number));
-  } else if (in_yaml11) {
+    offer(diagnostic, "write " + format_number(number), value.span(), format_number(number));
+  } else {
     Diagnostic& diagnostic = sink.report(rules::sml4007_yaml_version, value.span(),
                                          "Phobos reads `" + std::string(value.text()) + "` of " +
                                              name_of(spec) + " as " + *in_yaml11);
-    const std::string text = in_all_notations(*number);
+    const std::string text = in_all_notations(number);
     offer(diagnostic, "write " + text, value.span(), text);
   }
 }
 
 /// Words that YAML 1.1 takes for booleans, times and dates.
 void check_text(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
-  if (value.number()) return;  // a type or a version may be a number
-  const std::optional<std::string> in_yaml11 = read_by_yaml11(value);
-  if (!in_yaml11) return;
+  if (value.style() != yaml::Style::plain) return;
+  const std::optional<std::string> in_yaml11 = text_by_yaml11(value.text());
+  if (!in_yaml11 || value.number()) return;  // a type or a version may be a number
   Diagnostic& diagnostic = sink.report(rules::sml4007_yaml_version, value.span(),
                                        "Phobos reads `" + std::string(value.text()) + "` of " +
                                            name_of(spec) + " as " + *in_yaml11);
@@ -146,7 +146,9 @@ void read_text(const KeySpec& spec, yaml::View value, Target target, DiagnosticS
 
 void read_number(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
   const std::optional<double> number = finite_number(spec, value, sink);
-  if (number && check_range(spec, value, *number, sink)) check_notation(spec, value, false, sink);
+  if (number && check_range(spec, value, *number, sink)) {
+    check_notation(spec, value, *number, false, sink);
+  }
   store(target, value, number);
 }
 
@@ -158,7 +160,7 @@ void read_integer(const KeySpec& spec, yaml::View value, Target target, Diagnost
     report_not_number(spec, value, "a whole number", sink);
   } else if (check_range(spec, value, *number, sink)) {
     whole = static_cast<std::int64_t>(*number);
-    check_notation(spec, value, true, sink);
+    check_notation(spec, value, *number, true, sink);
   }
   store(target, value, whole);
 }

@@ -3,6 +3,8 @@
 // The reader, the JSON schemas and the suggestions for misspelt keys are made from the same rows.
 #pragma once
 
+#include <bitset>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -144,17 +146,26 @@ using MoreKeys = std::initializer_list<std::span<const KeySpec>>;
 /// Null when no table has the key; the first table that has it counts.
 const KeySpec* find_key(MoreKeys tables, std::string_view name);
 
+/// No table whose values are kept is larger.
+inline constexpr std::size_t kMostKeys = 64;
+
 /// Reads `mapping` into `out` by tables. Keys without a row are left to the tree.
 template <class T>
 void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, T& out,
                std::string_view what, DiagnosticSink& sink, Slips slips = Slips::ignored) {
-  std::vector<bool> seen(keys.size(), false);
-  std::vector<bool> given(keys.size(), false);
+  assert(keys.size() <= kMostKeys);
+  std::bitset<kMostKeys> seen;
+  std::bitset<kMostKeys> given;
   KeyDifference difference;
+  std::size_t i = 0;
   for (const yaml::View value : mapping) {
-    std::size_t i = 0;
-    while (i < keys.size() && keys[i].spec.name != value.key()) ++i;
-    if (i == keys.size()) {
+    // Many write the keys in the order of the table: the search goes on from the last one.
+    std::size_t left = keys.size();
+    while (left > 0 && keys[i].spec.name != value.key()) {
+      i = i + 1 == keys.size() ? 0 : i + 1;
+      --left;
+    }
+    if (left == 0) {
       const KeySpec* spec = find_key(more, value.key());
       if (spec == nullptr) difference.unknown.push_back(value);
       if (spec != nullptr && !value.is_repeated()) read_value(*spec, value, {}, sink);
@@ -174,8 +185,8 @@ void read_keys(std::span<const Key<T>> keys, MoreKeys more, yaml::View mapping, 
         keys[i].member);
     read_value(keys[i].spec, value, target, sink);
   }
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (keys[i].spec.required && !given[i]) difference.missing.push_back(&keys[i].spec);
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    if (keys[key].spec.required && !given[key]) difference.missing.push_back(&keys[key].spec);
   }
   if (slips == Slips::reported && !difference.unknown.empty()) {
     for (const Key<T>& key : keys) difference.known.push_back(key.spec.name);

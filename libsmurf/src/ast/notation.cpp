@@ -60,15 +60,18 @@ std::string octal_value(std::string_view digits) {
   return format_number(value);
 }
 
+}  // namespace
+
 /// PyYAML wants a point, and a sign in the exponent; a sign and no digit before the point is text.
 std::optional<std::string> number_by_yaml11(std::string_view text) {
   const std::string_view digits = without_sign(text);
   if (digits.starts_with("0x")) return std::nullopt;
   if (digits.starts_with("0o")) return "a text";
-  const bool has_point = digits.find('.') != std::string_view::npos;
-  const std::size_t exponent = digits.find_first_of("eE");
-  if (exponent != std::string_view::npos) {
-    const char sign = digits[exponent + 1];
+  bool has_point = false;
+  for (std::size_t at = 0; at < digits.size(); ++at) {
+    has_point = has_point || digits[at] == '.';
+    if (digits[at] != 'e' && digits[at] != 'E') continue;
+    const char sign = digits[at + 1];
     if (!has_point || (sign != '+' && sign != '-')) return "a text";
   }
   if (digits.front() == '.' && digits.size() != text.size()) return "a text";
@@ -81,7 +84,15 @@ std::optional<std::string> number_by_yaml11(std::string_view text) {
   return (text.front() == '-' ? "-" : "") + value;
 }
 
-}  // namespace
+std::optional<std::string> text_by_yaml11(std::string_view text) {
+  // All that is special there begins with one of these.
+  constexpr std::string_view kStarts = "yYnNoO+-0123456789";
+  if (text.empty() || kStarts.find(text.front()) == std::string_view::npos) return std::nullopt;
+  if (is_boolean(text)) return "a boolean";
+  if (is_sexagesimal(text)) return "a number to the base 60";
+  if (is_date(text)) return "a date";
+  return std::nullopt;
+}
 
 bool is_json(const yaml::Document& document) {
   const yaml::View root = document.view();
@@ -102,17 +113,6 @@ std::optional<std::string> read_by_scanf(std::string_view number, bool is_whole)
   if (whole.empty()) return "undefined memory";
   const double read = parse_number(whole).value_or(0);
   return format_number(number.front() == '-' ? -read : read);
-}
-
-std::optional<std::string> read_by_yaml11(yaml::View value) {
-  if (!value.is_scalar() || value.style() != yaml::Style::plain) return std::nullopt;
-  const std::string_view text = value.text();
-  if (text.empty()) return std::nullopt;
-  if (value.number()) return number_by_yaml11(text);
-  if (is_boolean(text)) return "a boolean";
-  if (is_sexagesimal(text)) return "a number to the base 60";
-  if (is_date(text)) return "a date";
-  return std::nullopt;
 }
 
 std::string in_all_notations(double number) {

@@ -17,9 +17,13 @@ bool is_json(const yaml::Document& document);
 /// is the same number.
 std::optional<std::string> read_by_scanf(std::string_view number, bool is_whole);
 
-/// What PyYAML makes of a plain scalar: "a text", "8", "a boolean"; none when it agrees with the
-/// YAML 1.2 core schema.
-std::optional<std::string> read_by_yaml11(yaml::View value);
+/// What PyYAML makes of a number of the YAML 1.2 core schema: "a text", "8"; none when it is the
+/// same number.
+std::optional<std::string> number_by_yaml11(std::string_view number);
+
+/// What PyYAML makes of a plain scalar that is no number in the core schema: "a boolean"; none when
+/// it is a text for both.
+std::optional<std::string> text_by_yaml11(std::string_view text);
 
 /// A number as every reader understands it: 1.0e-07.
 std::string in_all_notations(double number);

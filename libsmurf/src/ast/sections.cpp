@@ -62,6 +62,12 @@ const SectionSpec* find_section(std::string_view name) {
   return nullptr;
 }
 
+std::size_t items_from(yaml::View item) {
+  const yaml::Node& node = item.document().nodes[static_cast<std::size_t>(item.id())];
+  const yaml::View parent(item.document(), node.parent);
+  return parent.is_sequence() ? parent.size() - node.position : 1;
+}
+
 std::vector<std::string_view> section_names() {
   std::vector<std::string_view> names;
   for (const SectionSpec* section : kSections) names.push_back(section->name);

@@ -3,6 +3,7 @@
 // sections.def.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -38,24 +39,29 @@ const SectionSpec* find_section(std::string_view name);
 void read_sections(yaml::View root, bool (*is_taken)(std::string_view key), Annotations& out,
                    DiagnosticSink& sink);
 
+/// How many items of a list are left from this one on, whatever they are; 1 outside of a list.
+std::size_t items_from(yaml::View item);
+
 namespace sections {
 
 #define SMURF_SECTION(name) extern const SectionSpec name;
 #include "ast/sections.def"
 #undef SMURF_SECTION
 
-/// How many entries the list or mapping has that holds `entry`.
-inline std::size_t sibling_count(yaml::View entry) {
-  const yaml::Document& document = entry.document();
-  const yaml::NodeId parent = document.nodes[static_cast<std::size_t>(entry.id())].parent;
-  return parent == yaml::kNoNode ? 1 : yaml::View(document, parent).size();
+/// Room for what follows in the list: what grows step by step needs up to three times its size for
+/// a while. A hostile list, which may be full of nulls, does not get more than it has filled.
+template <class T>
+void make_room(yaml::View entry, std::vector<T>& entries) {
+  constexpr std::size_t kFirst = 1U << 14U;
+  if (entries.size() < entries.capacity()) return;
+  entries.reserve(entries.size() + std::min(items_from(entry), std::max(entries.size(), kFirst)));
 }
 
 /// The usual `read` of a section: one table row per key, one vector of entries.
 template <class T>
 void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view entry_name,
                yaml::View entry, Span section, std::vector<T>& entries, DiagnosticSink& sink) {
-  if (entries.empty()) entries.reserve(sibling_count(entry));  // to grow would take twice the room
+  make_room(entry, entries);
   T& item = entries.emplace_back();
   item.section = section;
   read_entry(keys, more, entry, item, entry_name, sink, Slips::reported);

@@ -3,30 +3,30 @@
 // tests/unit/plain_yaml_test.cpp compares them.
 #include "syntax/plain_yaml.hpp"
 
-#include <yaml-cpp/mark.h>
-
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "syntax/text_check.hpp"
+
 namespace smurf {
 namespace {
 
-/// What a byte may be in a plain scalar.
+/// What a byte may be in a plain scalar. The first ones are content.
 enum class CharClass : std::uint8_t {
-  foreign,    ///< tabs, carriage returns, control bytes: left to yaml-cpp
   plain,      ///< always content
   no_start,   ///< content, but not as the first byte
   flow_sign,  ///< content outside of brackets only
   ending,     ///< blank, line end, colon, number sign: depends on what is beside it
+  foreign,    ///< tabs, carriage returns, control bytes: left to yaml-cpp
 };
 
 constexpr std::array<CharClass, 256> char_classes() {
   std::array<CharClass, 256> classes{};
-  for (std::size_t c = 0x21; c < 256; ++c)
-    classes[c] = c == 0x7f ? CharClass::foreign : CharClass::plain;
+  for (std::size_t c = 0; c < 256; ++c)
+    classes[c] = c < 0x20 || c == 0x7f ? CharClass::foreign : CharClass::plain;
   for (const char c : std::string_view("&*!|>'\"%@`-"))
     classes[static_cast<unsigned char>(c)] = CharClass::no_start;
   for (const char c : std::string_view(",[]{}?"))
@@ -42,7 +42,7 @@ constexpr std::uint32_t kLongestKey = 1000;
 
 class Scanner {
  public:
-  Scanner(std::string_view text, YAML::EventHandler& handler) : text_(text), handler_(handler) {}
+  Scanner(std::string_view text, YamlBuilder& builder) : text_(text), builder_(builder) {}
 
   bool run() {
     while (to_next_token()) {
@@ -50,7 +50,6 @@ class Scanner {
     }
     if (at_ < size() || !has_content_) return false;
     while (!levels_.empty()) close_level();
-    handler_.OnDocumentEnd();
     return true;
   }
 
@@ -59,12 +58,13 @@ class Scanner {
   struct Level {
     std::uint32_t column;
     bool is_list;
-    bool awaits_value;  ///< a key or a dash was read, its value not yet
+    bool awaits_value;       ///< a key or a dash was read, its value not yet
+    std::uint32_t sign_end;  ///< behind that dash, or the colon of that key
   };
   struct Scalar {
     std::uint32_t begin;
-    bool is_quoted;
-    std::string_view text;
+    std::uint32_t end;
+    yaml::Style style;
     bool has_doubled_quotes;  ///< '' stands for one quote
   };
 
@@ -76,13 +76,7 @@ class Scanner {
     return peek(ahead) == ' ' || peek(ahead) == '\n';
   }
   bool is_dash() const { return peek() == '-' && is_end_of_word(1); }
-  CharClass char_class() const { return kClasses[static_cast<unsigned char>(peek())]; }
-
-  YAML::Mark mark_of(std::uint32_t at) const {
-    YAML::Mark mark;
-    mark.pos = static_cast<int>(at);
-    return mark;
-  }
+  static CharClass class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
 
   void skip_spaces() {
     while (at_ < size() && text_[at_] == ' ') ++at_;
@@ -129,27 +123,35 @@ class Scanner {
     return peek() == '\n' || (peek() == '#' && skip_comment());
   }
 
-  void tell_null() { handler_.OnNull(mark_of(at_), 0); }
-
-  void close_level() {
-    const Level level = levels_.back();
-    if (level.awaits_value) tell_null();
-    levels_.pop_back();
-    if (level.is_list) {
-      handler_.OnSequenceEnd();
-    } else {
-      handler_.OnMapEnd();
-    }
+  /// The value that the level awaits is absent.
+  void add_absent(const Level& level) {
+    builder_.add_null(builder_.span(level.sign_end, level.sign_end));
   }
 
-  void open_level(bool is_list) {
-    if (!levels_.empty()) levels_.back().awaits_value = false;
-    if (is_list) {
-      handler_.OnSequenceStart(mark_of(at_), tag_, 0, YAML::EmitterStyle::Block);
+  void close_level() {
+    if (levels_.back().awaits_value) add_absent(levels_.back());
+    levels_.pop_back();
+    builder_.close();
+  }
+
+  /// Begins an entry of the list or mapping in this column, which is opened when it is not.
+  bool begin_entry(std::uint32_t begin, bool is_list, std::uint32_t sign_end) {
+    const std::uint32_t column = begin - line_begin_;
+    const bool is_open =
+        !levels_.empty() && levels_.back().is_list == is_list && levels_.back().column == column;
+    if (is_open) {
+      if (levels_.back().awaits_value) add_absent(levels_.back());
     } else {
-      handler_.OnMapStart(mark_of(at_), tag_, 0, YAML::EmitterStyle::Block);
+      if (!levels_.empty()) {
+        if (!levels_.back().awaits_value) return false;
+        levels_.back().awaits_value = false;
+      }
+      builder_.open(is_list ? yaml::Kind::sequence : yaml::Kind::mapping, begin, false);
+      levels_.push_back({column, is_list, false, 0});
     }
-    levels_.push_back({at_ - line_begin_, is_list, false});
+    levels_.back().awaits_value = true;
+    levels_.back().sign_end = sign_end;
+    return true;
   }
 
   /// Closes what the column of the next token ends. False when it fits to nothing that is open.
@@ -168,7 +170,7 @@ class Scanner {
   bool read_line() {
     has_content_ = true;
     while (is_dash()) {
-      if (!take_dash()) return false;
+      if (!begin_entry(at_, true, at_ + 1)) return false;
       ++at_;
       skip_spaces();
       if (peek() == '\n' || peek() == '#') return at_end_of_line();
@@ -194,36 +196,9 @@ class Scanner {
     return value && at_end_of_line() && take_value(*value);
   }
 
-  bool take_dash() {
-    const std::uint32_t column = at_ - line_begin_;
-    const bool is_open =
-        !levels_.empty() && levels_.back().is_list && levels_.back().column == column;
-    if (is_open) {
-      if (levels_.back().awaits_value) tell_null();
-    } else {
-      if (!levels_.empty() && !levels_.back().awaits_value) return false;
-      open_level(true);
-    }
-    levels_.back().awaits_value = true;
-    return true;
-  }
-
   bool take_key(const Scalar& key) {
-    const std::uint32_t column = key.begin - line_begin_;
-    const std::uint32_t after = at_;
-    at_ = key.begin;
-    const bool is_open =
-        !levels_.empty() && !levels_.back().is_list && levels_.back().column == column;
-    if (is_open) {
-      if (levels_.back().awaits_value) tell_null();
-    } else {
-      if (!levels_.empty() && !levels_.back().awaits_value) return false;
-      open_level(false);
-    }
-    levels_.back().awaits_value = true;
-    at_ = after;
-    if (is_null(key)) return false;
-    tell(key);
+    if (!begin_entry(key.begin, false, at_ + 1) || is_null(key)) return false;
+    add(key);
     return true;
   }
 
@@ -236,30 +211,37 @@ class Scanner {
 
   bool take_value(const Scalar& value) {
     if (!begin_value(value.begin)) return false;
-    tell(value);
+    add(value);
     return true;
   }
 
-  static bool is_null(const Scalar& scalar) {
-    const std::string_view text = scalar.text;
-    return !scalar.is_quoted && (text == "~" || text == "null" || text == "Null" || text == "NULL");
+  std::string_view bytes(const Scalar& scalar) const {
+    return text_.substr(scalar.begin, scalar.end - scalar.begin);
   }
 
-  void tell(const Scalar& scalar) {
-    if (is_null(scalar)) {
-      handler_.OnNull(mark_of(scalar.begin), 0);
-      return;
+  bool is_null(const Scalar& scalar) const {
+    const char first = text_[scalar.begin];
+    if (first != '~' && first != 'n' && first != 'N') return false;
+    const std::string_view text = bytes(scalar);
+    return text == "~" || text == "null" || text == "Null" || text == "NULL";
+  }
+
+  void add(const Scalar& scalar) {
+    const Span span = builder_.span(scalar.begin, scalar.end);
+    if (is_null(scalar)) return builder_.add_null(span);
+    std::string_view text = bytes(scalar);
+    if (scalar.style != yaml::Style::plain) text = text.substr(1, text.size() - 2);
+    if (scalar.has_doubled_quotes) text = builder_.keep(without_doubled_quotes(text));
+    builder_.add_scalar(span, scalar.style, text);
+  }
+
+  static std::string without_doubled_quotes(std::string_view text) {
+    std::string single;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+      single += text[at];
+      if (text[at] == '\'') ++at;
     }
-    if (scalar.has_doubled_quotes) {
-      value_.clear();
-      for (std::size_t at = 0; at < scalar.text.size(); ++at) {
-        value_ += scalar.text[at];
-        if (scalar.text[at] == '\'') ++at;
-      }
-    } else {
-      value_.assign(scalar.text);
-    }
-    handler_.OnScalar(mark_of(scalar.begin), tag_, 0, value_);
+    return single;
   }
 
   std::optional<Scalar> read_scalar(bool in_flow) {
@@ -269,13 +251,13 @@ class Scanner {
   /// Quotes that close on their line, without escapes.
   std::optional<Scalar> read_quoted() {
     const char quote = peek();
-    Scalar scalar{at_, true, {}, false};
+    Scalar scalar{at_, 0, quote == '"' ? yaml::Style::double_quoted : yaml::Style::single_quoted,
+                  false};
     for (++at_; at_ < size(); ++at_) {
       const char c = text_[at_];
       if (c == quote) {
         if (quote == '"' || peek(1) != '\'') {
-          scalar.text = text_.substr(scalar.begin + 1, at_ - scalar.begin - 1);
-          ++at_;
+          scalar.end = ++at_;
           return scalar;
         }
         scalar.has_doubled_quotes = true;
@@ -289,29 +271,36 @@ class Scanner {
 
   /// Up to what ends a plain scalar on its line; blanks at its end do not belong to it.
   std::optional<Scalar> read_plain(bool in_flow) {
-    if (char_class() != CharClass::plain &&
+    if (class_of(peek()) != CharClass::plain &&
         (peek() != '-' || in_flow_stop(1) || is_end_of_word(1))) {
       return std::nullopt;
     }
+    const CharClass last_content = in_flow ? CharClass::no_start : CharClass::flow_sign;
     const std::uint32_t begin = at_;
     std::uint32_t end = at_;
-    for (; at_ < size(); ++at_) {
-      const CharClass kind = char_class();
-      if (kind == CharClass::foreign) return std::nullopt;
-      if (kind == CharClass::flow_sign && in_flow) break;
-      if (kind == CharClass::ending) {
-        const char c = peek();
-        if (c == '\n') break;
-        if (c == ' ') continue;
-        if (c == '#' && text_[at_ - 1] == ' ') break;
-        if (c == ':' && is_end_of_word(1)) break;
-        if (c == ':' && in_flow) return std::nullopt;
-      }
+    for (;; ++at_) {
+      end = skip_content(last_content, end);
+      const char c = peek();
+      if (c == '\n' || class_of(c) == CharClass::flow_sign) break;
+      if (class_of(c) == CharClass::foreign) return std::nullopt;
+      if (c == ' ') continue;
+      if (c == '#' && text_[at_ - 1] == ' ') break;
+      if (c == ':' && is_end_of_word(1)) break;
+      if (c == ':' && in_flow) return std::nullopt;
       end = at_ + 1;
     }
     if (in_flow && peek() == '?') return std::nullopt;
     at_ = end;
-    return Scalar{begin, false, text_.substr(begin, end - begin), false};
+    return Scalar{begin, end, yaml::Style::plain, false};
+  }
+
+  /// Returns where the content ends that stands here; `end` when there is none.
+  std::uint32_t skip_content(CharClass last, std::uint32_t end) {
+    const std::string_view text = text_;
+    std::size_t at = at_;
+    while (at < text.size() && class_of(text[at]) <= last) ++at;
+    if (at != at_) end = at_ = static_cast<std::uint32_t>(at);
+    return end;
   }
 
   bool in_flow_stop(std::uint32_t ahead) const {
@@ -328,11 +317,7 @@ class Scanner {
       const char c = peek();
       if (c == '[' || c == '{') {
         brackets.push_back(c);
-        if (c == '[') {
-          handler_.OnSequenceStart(mark_of(at_), tag_, 0, YAML::EmitterStyle::Flow);
-        } else {
-          handler_.OnMapStart(mark_of(at_), tag_, 0, YAML::EmitterStyle::Flow);
-        }
+        builder_.open(c == '[' ? yaml::Kind::sequence : yaml::Kind::mapping, at_, true);
         ++at_;
         if (!to_next_token()) return false;
         const bool is_empty = peek() == (c == '[' ? ']' : '}');
@@ -341,7 +326,7 @@ class Scanner {
       } else {
         const std::optional<Scalar> value = read_scalar(true);
         if (!value) return false;
-        tell(*value);
+        add(*value);
       }
       if (!end_flow_entry(brackets)) return false;
     } while (!brackets.empty());
@@ -355,7 +340,7 @@ class Scanner {
         at_ - key->begin > kLongestKey) {
       return false;
     }
-    tell(*key);
+    add(*key);
     ++at_;
     return to_next_token();
   }
@@ -370,32 +355,24 @@ class Scanner {
         return to_next_token() && (brackets.back() == '[' || read_flow_key());
       }
       if (c != (brackets.back() == '[' ? ']' : '}')) return false;
-      if (c == ']') {
-        handler_.OnSequenceEnd();
-      } else {
-        handler_.OnMapEnd();
-      }
+      builder_.close(++at_);
       brackets.pop_back();
-      ++at_;
     }
     return true;
   }
 
   std::string_view text_;
-  YAML::EventHandler& handler_;
+  YamlBuilder& builder_;
   std::uint32_t at_ = 0;
   std::uint32_t line_begin_ = 0;
   bool has_content_ = false;
   std::vector<Level> levels_;
-  std::string value_;      ///< kept between scalars for its memory
-  const std::string tag_;  ///< no tags in what is read here
 };
 
 }  // namespace
 
-bool scan_plain_yaml(std::string_view text, YAML::EventHandler& handler) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  return !text.starts_with(kByteOrderMark) && Scanner(text, handler).run();
+bool scan_plain_yaml(std::string_view text, YamlBuilder& builder) {
+  return byte_order_mark_size(text) == 0 && Scanner(text, builder).run();
 }
 
 }  // namespace smurf

@@ -65,13 +65,16 @@ bool is_forbidden(char c, TextFormat format) {
 std::size_t find_control_character(std::string_view text, TextFormat format) {
   std::size_t at = 0;
   while (at < text.size()) {
-    // Eight bytes a step, as long as none is below 0x20 or 0x7F (or beyond ASCII).
+    // Eight bytes a step, as long as all are ASCII, not 0x7F, and at least 0x20 or a line end. The
+    // highest bit of each byte tells: no sum with an ASCII byte carries into the next.
     for (; at + sizeof(std::uint64_t) <= text.size(); at += sizeof(std::uint64_t)) {
+      constexpr std::uint64_t kHighest = 0x8080808080808080U;
       std::uint64_t word = 0;
       std::memcpy(&word, text.data() + at, sizeof word);
-      const std::uint64_t below = word - 0x2020202020202020U;
-      const std::uint64_t above = word + 0x0101010101010101U;
-      if (((below | above | word) & 0x8080808080808080U) != 0) break;
+      const std::uint64_t is_delete = word + 0x0101010101010101U;
+      const std::uint64_t is_visible = word + 0x6060606060606060U;
+      const std::uint64_t is_no_line_end = (word ^ 0x0A0A0A0A0A0A0A0AU) + 0x7F7F7F7F7F7F7F7FU;
+      if (((word | is_delete | (is_no_line_end & ~is_visible)) & kHighest) != 0) break;
     }
     for (std::size_t end = std::min(at + sizeof(std::uint64_t), text.size()); at < end; ++at) {
       if (is_forbidden(text[at], format)) return at;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spans are not in the events: yaml-cpp tells where a value begins, the text where it ends.
 #include "syntax/yaml_builder.hpp"
 
 #include <algorithm>
+#include <bitset>
+#include <functional>
 
 #include "base/limits.hpp"
 #include "base/rules.hpp"
-#include "syntax/yaml_spans.hpp"
 
 namespace smurf {
 
@@ -15,267 +15,201 @@ using yaml::kNoNode;
 using yaml::Node;
 using yaml::NodeId;
 
-Span TreeBuilder::open_bracket() const {
-  if (frames_.empty() || !frames_.back().flow) return {document_.source, 0, 0};
-  const std::uint32_t begin = document_.nodes[index(frames_.back().node)].span.begin;
-  return {document_.source, begin, begin + 1};
+YamlBuilder::YamlBuilder(const SourceMap& sources, SourceId id, const Limits& limits,
+                         DiagnosticSink& sink)
+    : text_(sources.text(id)), limits_(limits), sink_(sink) {
+  document_.source = id;
+  // A node takes 12 to 20 bytes of text; memory that no node comes to is never touched.
+  document_.nodes.reserve(std::min<std::size_t>(text_.size() / 12 + 1, 1U << 20U));
 }
 
-void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
-  // An absent value carries the mark of the next token; only a written null has a place.
-  const std::uint32_t begin = skip_properties(text_, offset(mark));
-  const std::uint32_t size = written_null(begin);
-  Node node;
-  node.span = {document_.source, begin, begin + size};
-  if (size == 0) {
-    const std::uint32_t at = absent_place(offset(mark));
-    node.span = {document_.source, at, at};
-    check_absent(offset(mark));
-    check_colon();
-  }
-  append(node, anchor, 1);
+Span YamlBuilder::open_bracket() const {
+  if (open_.empty() || !open_.back().is_flow) return span(0, 0);
+  return span(begin(open_.back()), begin(open_.back()) + 1);
 }
 
-void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
-  const std::uint32_t begin = offset(mark);
-  std::uint32_t end = begin + 1;
-  while (end < text_.size() &&
-         std::string_view(" \t\r\n,[]{}").find(text_[end]) == std::string_view::npos) {
-    ++end;
-  }
-  Node node;
-  node.span = {document_.source, begin, end};
+void YamlBuilder::add_null(Span span, Anchor anchor) {
+  const bool is_key = expects_key();
+  if (is_key) take_key(span, text_.substr(span.begin, span.end - span.begin));
+  if (is_key && anchor == 0) return;
+  is_key ? add_unlinked(Kind::null, span) : add(Kind::null, span, 1);
+  if (anchor != 0) anchors_[anchor] = {last(), 1};
+}
+
+void YamlBuilder::add_scalar(Span span, yaml::Style style, std::string_view text, Anchor anchor) {
+  const bool is_key = expects_key();
+  if (is_key) take_key(span, text);
+  if (is_key && anchor == 0) return;
+  Node& node = is_key ? add_unlinked(Kind::scalar, span) : add(Kind::scalar, span, 1);
+  node.style = style;
+  node.text = text;
+  if (anchor != 0) anchors_[anchor] = {last(), 1};
+}
+
+void YamlBuilder::add_alias(Span span, Anchor anchor) {
   const auto target = anchors_.find(anchor);
   if (target == anchors_.end()) {
-    sink_.report(rules::sml0016_cyclic_alias, node.span,
-                 "the alias `" + std::string(text_.substr(begin, end - begin)) +
+    sink_.report(rules::sml0016_cyclic_alias, span,
+                 "the alias `" + std::string(text_.substr(span.begin, span.end - span.begin)) +
                      "` stands inside the value it repeats");
-    append(node, 0, 1);
-    return;
+    return add_null(span);
   }
-  const Node& value = at(target->second);
-  node.kind = value.kind;
-  node.target = target->second;
-  node.text = value.text;
-  const bool is_complex = value.kind == Kind::sequence || value.kind == Kind::mapping;
-  if (is_complex && expects_key()) {
-    sink_.report(rules::sml0012_complex_key, node.span, "a list or mapping is used as a key").help =
-        "use a plain text, or put it in quotes";
+  const Kind kind = at(target->second.node).kind;
+  const std::string_view text = at(target->second.node).text;
+  if (expects_key()) {
+    if (kind == Kind::sequence || kind == Kind::mapping) report_complex_key(span);
+    return take_key(span, text);
   }
-  append(node, 0, sizes_[index(target->second)]);
+  Node& node = add(kind, span, target->second.size);
+  node.target = target->second.node;
+  node.text = text;
 }
 
-void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                           const std::string& value) {
-  const ScalarExtent extent = scalar_extent(text_, offset(mark), value);
-  Node node;
-  node.kind = Kind::scalar;
-  node.style = extent.style;
-  node.span = {document_.source, extent.begin, extent.end};
-  if (extent.begin == extent.end) {  // only a tag is written
-    node.span.begin = node.span.end = absent_place(offset(mark));
-  }
-  if (!extent.closed) {
-    sink_.report(rules::sml0010_yaml_syntax, {document_.source, extent.begin, extent.begin + 1},
-                 "this quote is never closed");
-  }
-  const std::string_view bytes = text_.substr(extent.begin, extent.end - extent.begin);
-  const std::string_view inner = extent.style == yaml::Style::plain || bytes.size() < 2
-                                     ? bytes
-                                     : bytes.substr(1, bytes.size() - 2);
-  node.text = inner == value ? inner : std::string_view(document_.decoded.emplace_back(value));
-  append(node, anchor, 1);
+void YamlBuilder::report_complex_key(Span place) {
+  sink_.report(rules::sml0012_complex_key, place, "a list or mapping is used as a key").help =
+      "use a plain text, or put it in quotes";
 }
 
-std::uint32_t TreeBuilder::absent_place(std::uint32_t mark) const {
-  if (frames_.empty() || expects_key()) return mark;
-  const Frame& frame = frames_.back();
-  const std::uint32_t before = frame.has_key ? frame.key_span.end : frame.end;
-  const std::uint32_t sign = skip_blank(text_, before);
-  const bool is_sign = sign < text_.size() && text_[sign] == (frame.has_key ? ':' : '-');
-  return is_sign ? sign + 1 : frame.has_key ? before : mark;
-}
-
-std::uint32_t TreeBuilder::written_null(std::uint32_t begin) const {
-  for (const std::string_view word : {"~", "null", "Null", "NULL"}) {
-    if (!text_.substr(begin).starts_with(word)) continue;
-    std::size_t after = begin + word.size();
-    if (after < text_.size() &&
-        std::string_view(" \t\r\n,]}:").find(text_[after]) == std::string_view::npos) {
-      continue;
-    }
-    after = std::min(text_.find_first_not_of(" \t", after), text_.size());
-    const bool is_key = after < text_.size() && text_[after] == ':';
-    return is_key && !expects_key() ? 0 : static_cast<std::uint32_t>(word.size());
-  }
-  return 0;
-}
-
-void TreeBuilder::check_absent(std::uint32_t at_offset) {
-  if (frames_.empty() || !frames_.back().flow) return;
-  const Frame& frame = frames_.back();
-  if (frame.has_key || at_offset >= text_.size() || text_[at_offset] != ',') return;
-  sink_.report(rules::sml0010_yaml_syntax, {document_.source, at_offset, at_offset + 1},
-               "there is no entry before this comma");
-}
-
-/// yaml-cpp takes a line that fits nowhere, at the end of a mapping, for a key without value.
-void TreeBuilder::check_colon() {
-  const bool is_flow =
-      std::any_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.flow; });
-  if (frames_.empty() || is_flow || !frames_.back().has_key) return;
-  const Span key = frames_.back().key_span;
-  const std::uint32_t sign = skip_blank(text_, key.end);
-  if (key.empty() || (sign < text_.size() && text_[sign] == ':')) return;
-  const std::size_t before =
-      key.begin == 0 ? std::string_view::npos : text_.find_last_not_of(" \t", key.begin - 1);
-  if (before != std::string_view::npos && text_[before] == '?') return;  // `? key` needs none
-  sink_.report(rules::sml0010_yaml_syntax, {key.source, key.begin, key.begin + 1},
-               "this line does not fit what stands above it: no `:` makes it a key");
-}
-
-void TreeBuilder::append(Node node, YAML::anchor_t anchor, std::uint64_t size) {
-  if (!takes_key(node)) {
-    const NodeId id = add(node, size);
-    if (anchor != 0) anchors_[anchor] = id;
-  } else if (anchor != 0) {
-    anchors_[anchor] = add_unlinked(node);
-  }
-}
-
-bool TreeBuilder::takes_key(const Node& node) {
-  if (!expects_key()) return false;
-  Frame& frame = frames_.back();
-  frame.has_key = true;
+void YamlBuilder::take_key(Span span, std::string_view key) {
+  Collection& mapping = open_.back();
+  mapping.has_key = true;
+  mapping.key = key;
+  mapping.key_span = span;
+  mapping.end = std::max(mapping.end, span.end);
   // A pair inside a flow list, [a: 1], is a mapping without brackets of its own.
-  if (node.span.begin == at(frame.node).span.begin) frame.flow = false;
-  const bool is_null = node.kind == Kind::null && node.target == kNoNode;
-  frame.key = is_null ? text_.substr(node.span.begin, node.span.end - node.span.begin) : node.text;
-  frame.key_span = node.span;
-  frame.end = std::max(frame.end, node.span.end);
-  return true;
+  if (mapping.is_flow && span.begin == begin(mapping)) mapping.is_flow = false;
 }
 
-NodeId TreeBuilder::add_unlinked(const Node& node) {
-  document_.nodes.push_back(node);
-  sizes_.push_back(1);
-  return NodeId{static_cast<std::uint32_t>(document_.nodes.size() - 1)};
+Node& YamlBuilder::add_unlinked(Kind kind, Span span) {
+  Node& node = document_.nodes.emplace_back();
+  node.kind = kind;
+  node.span = span;
+  return node;
 }
 
-NodeId TreeBuilder::add(Node& node, std::uint64_t size) {
-  const NodeId id{static_cast<std::uint32_t>(document_.nodes.size())};
-  if (frames_.empty()) {
-    document_.root = id;
+Node& YamlBuilder::add(Kind kind, Span span, std::uint64_t size) {
+  if (document_.nodes.size() >= limits_.yaml_nodes) stop_at_nodes(span.begin);
+  Node& node = add_unlinked(kind, span);
+  if (open_.empty()) {
+    document_.root = last();
+    return node;
+  }
+  Collection& collection = open_.back();
+  node.parent = collection.node;
+  node.key = collection.key;
+  node.key_span = collection.key_span;
+  Node& parent = at(collection.node);
+  node.position = parent.child_count++;
+  if (collection.last_child == kNoNode) {
+    parent.first_child = last();
   } else {
-    Frame& frame = frames_.back();
-    node.parent = frame.node;
-    node.key = frame.key;
-    node.key_span = frame.key_span;
-    Node& parent = at(frame.node);
-    node.position = parent.child_count++;
-    if (frame.last_child == kNoNode) {
-      parent.first_child = id;
-    } else {
-      at(frame.last_child).next_sibling = id;
-    }
-    frame.last_child = id;
-    frame.has_key = false;
-    frame.end = std::max(frame.end, node.span.end);
+    at(collection.last_child).next_sibling = last();
   }
-  if (document_.nodes.size() >= limits_.yaml_nodes) {
-    stop(rules::sml0002_file_too_large, {node.span.source, node.span.begin, node.span.begin},
-         "the file holds more than " + std::to_string(limits_.yaml_nodes) + " values",
-         "yaml-nodes");
-  }
-  document_.nodes.push_back(node);
-  sizes_.push_back(size);
-  if (!frames_.empty()) grow(frames_.back().node, size);
-  return id;
+  collection.last_child = last();
+  collection.has_key = false;
+  collection.end = std::max(collection.end, span.end);
+  grow(collection, size);
+  return node;
 }
 
-void TreeBuilder::stop(const Rule& rule, Span place, std::string message, std::string_view limit) {
+void YamlBuilder::stop(const Rule& rule, Span place, std::string message, std::string_view limit) {
   sink_.report(rule, place, std::move(message)).help = raise_limit(limit);
   throw StopParsing();
 }
 
-void TreeBuilder::grow(NodeId parent, std::uint64_t size) {
-  std::uint64_t& total = sizes_[index(parent)];
-  total += size;
-  if (total <= limits_.yaml_expanded_nodes) return;
-  stop(rules::sml0015_alias_expansion, at(parent).span,
+void YamlBuilder::stop_at_nodes(std::uint32_t at) {
+  stop(rules::sml0002_file_too_large, span(at, at),
+       "the file holds more than " + std::to_string(limits_.yaml_nodes) + " values", "yaml-nodes");
+}
+
+void YamlBuilder::stop_at_expanded_nodes(const Collection& collection) {
+  stop(rules::sml0015_alias_expansion, at(collection.node).span,
        "aliases make this value larger than " + std::to_string(limits_.yaml_expanded_nodes) +
            " nodes",
        "yaml-expanded-nodes");
 }
 
-void TreeBuilder::open(Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value style) {
-  Node node;
-  node.kind = kind;
-  const std::uint32_t begin = skip_properties(text_, offset(mark));
-  node.span = {document_.source, begin, begin + 1};
-  if (frames_.size() >= limits_.yaml_depth) {
-    stop(rules::sml0014_nesting_too_deep, node.span,
-         "lists and mappings are nested deeper than " + std::to_string(limits_.yaml_depth) +
-             " levels",
-         "yaml-depth");
-  }
-  Frame frame;
-  frame.end = node.span.begin;
-  frame.flow = style == YAML::EmitterStyle::Flow;
-  frame.anchor = anchor;
-  if (takes_key(node)) {
-    sink_.report(rules::sml0012_complex_key, node.span, "a list or mapping is used as a key").help =
-        "use a plain text, or put it in quotes";
-    frame.is_key = true;
-    frame.node = add_unlinked(node);
-  } else {
-    frame.node = add(node, 1);
-  }
-  frames_.push_back(frame);
+void YamlBuilder::stop_at_depth(Span place) {
+  stop(rules::sml0014_nesting_too_deep, place,
+       "lists and mappings are nested deeper than " + std::to_string(limits_.yaml_depth) +
+           " levels",
+       "yaml-depth");
 }
 
-void TreeBuilder::close() {
-  const Frame frame = frames_.back();
-  frames_.pop_back();
-  Node& node = at(frame.node);
-  node.span.end = frame.end;
-  if (frame.flow) node.span.end = flow_end(text_, std::max(frame.end, node.span.begin + 1));
-  if (frame.anchor != 0) anchors_[frame.anchor] = frame.node;
-  if (frames_.empty()) return;
-  frames_.back().end = std::max(frames_.back().end, node.span.end);
-  if (frame.is_key) {
-    frames_.back().key_span = node.span;
+void YamlBuilder::open(Kind kind, std::uint32_t begin, bool is_flow, Anchor anchor) {
+  const Span place = span(begin, begin + 1);
+  if (open_.size() >= limits_.yaml_depth) stop_at_depth(place);
+  Collection collection;
+  collection.is_key = expects_key();
+  if (collection.is_key) {
+    report_complex_key(place);
+    take_key(place, {});
+    add_unlinked(kind, place);
   } else {
-    grow(frames_.back().node, sizes_[index(frame.node)] - 1);
+    add(kind, place, 1);
+  }
+  collection.node = last();
+  collection.end = begin;
+  collection.is_mapping = kind == Kind::mapping;
+  collection.is_flow = is_flow;
+  collection.anchor = anchor;
+  open_.push_back(collection);
+}
+
+void YamlBuilder::close(std::uint32_t end) {
+  const Collection closed = open_.back();
+  open_.pop_back();
+  Node& node = at(closed.node);
+  if (closed.is_mapping) report_duplicates(node);
+  node.span.end = end;
+  if (closed.anchor != 0) anchors_[closed.anchor] = {closed.node, closed.size};
+  if (open_.empty()) return;
+  Collection& parent = open_.back();
+  parent.end = std::max(parent.end, end);
+  if (closed.is_key) {
+    parent.key_span = node.span;
+  } else {
+    grow(parent, closed.size - 1);
   }
 }
 
-void TreeBuilder::report_duplicates(NodeId mapping) {
-  if (at(mapping).child_count < 2) return;
-  std::vector<Entry>& entries = entries_;
-  entries.clear();
-  for (NodeId child = at(mapping).first_child; child != kNoNode; child = at(child).next_sibling) {
+bool YamlBuilder::may_have_duplicates(const Node& mapping) const {
+  if (mapping.child_count < 2) return false;
+  std::bitset<2048> seen;  // by hash; in mappings of ordinary size, hardly two share a bit
+  for (NodeId child = mapping.first_child; child != kNoNode;) {
+    const Node& node = document_.nodes[index(child)];
+    const std::size_t bit = std::hash<std::string_view>()(node.key) % seen.size();
+    if (seen[bit]) return true;
+    seen[bit] = true;
+    child = node.next_sibling;
+  }
+  return false;
+}
+
+void YamlBuilder::report_duplicates(const Node& mapping) {
+  if (!may_have_duplicates(mapping)) return;
+  entries_.clear();
+  for (NodeId child = mapping.first_child; child != kNoNode; child = at(child).next_sibling) {
     // A list or mapping as a key has no text; it is reported as such.
     const Span key = at(child).key_span;
     if (at(child).key.empty() && !key.empty() && text_[key.begin] != '"' &&
         text_[key.begin] != '\'') {
       continue;
     }
-    entries.push_back({at(child).key, child});
+    entries_.push_back({at(child).key, child});
   }
-  std::sort(entries.begin(), entries.end());
-  for (std::size_t i = 1, first = 0; i < entries.size(); ++i) {
-    if (entries[i].key != entries[first].key) {
+  std::sort(entries_.begin(), entries_.end());
+  for (std::size_t i = 1, first = 0; i < entries_.size(); ++i) {
+    if (entries_[i].key != entries_[first].key) {
       first = i;
       continue;
     }
-    at(entries[i].id).is_repeated = true;
+    at(entries_[i].id).is_repeated = true;
     Diagnostic& diagnostic =
-        sink_.report(rules::sml0011_duplicate_key, at(entries[i].id).key_span,
-                     "duplicate key `" + std::string(entries[i].key) + "` in one mapping");
+        sink_.report(rules::sml0011_duplicate_key, at(entries_[i].id).key_span,
+                     "duplicate key `" + std::string(entries_[i].key) + "` in one mapping");
     diagnostic.caret = "repeated here";
-    diagnostic.labels.push_back({at(entries[first].id).key_span, "first set here"});
+    diagnostic.labels.push_back({at(entries_[first].id).key_span, "first set here"});
     diagnostic.notes.push_back("MARS takes the first value, Phobos (PyYAML) the last");
     diagnostic.help = "delete one of the two";
   }

@@ -1,41 +1,73 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// yaml-cpp's events into our tree. Stays inside of syntax/, as all that shows yaml-cpp does.
+// The tree of a YAML file as it grows: values come in document order, the key before its value.
 #pragma once
 
-#include <yaml-cpp/eventhandler.h>
-#include <yaml-cpp/mark.h>
-
-#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/yaml.hpp"
-#include "syntax/text_check.hpp"
 
 namespace smurf {
 
-/// Thrown through yaml-cpp to leave a document that exceeds a limit.
+/// Thrown through a parser to leave a document that exceeds a limit.
 struct StopParsing {};
 
-/// Reports SML0002, SML0010-SML0012 and SML0014-SML0016 on the way.
-class TreeBuilder final : public YAML::EventHandler {
+/// Both engines feed it, the scanner and yaml-cpp. In a mapping, what is added in turn is a key and
+/// its value. Reports SML0002, SML0011, SML0012 and SML0014-SML0016 on the way.
+class YamlBuilder {
  public:
-  TreeBuilder(const SourceMap& sources, SourceId id, const Limits& limits, DiagnosticSink& sink)
-      : text_(sources.text(id)),
-        mark_shift_(byte_order_mark_size(text_)),
-        limits_(limits),
-        sink_(sink) {
-    document_.source = id;
-    // A node takes 12 to 20 bytes of text; what is too much of a large file is never touched.
-    document_.nodes.reserve(std::min<std::size_t>(text_.size() / 16, 1U << 16U));
+  /// What aliases refer to; 0 is none.
+  using Anchor = std::size_t;
+
+  /// A list or mapping that is open.
+  struct Collection {
+    yaml::NodeId node = yaml::kNoNode;
+    yaml::NodeId last_child = yaml::kNoNode;
+    std::uint32_t end = 0;   ///< of the last key or value so far
+    std::uint64_t size = 1;  ///< nodes of it so far, itself included and aliases expanded
+    Anchor anchor = 0;
+    bool is_mapping = false;
+    bool is_flow = false;  ///< in brackets
+    bool has_key = false;  ///< a mapping that waits for the value of `key`
+    bool is_key = false;   ///< this collection itself stands where a key should
+    std::string_view key;
+    Span key_span;
+  };
+
+  YamlBuilder(const SourceMap& sources, SourceId id, const Limits& limits, DiagnosticSink& sink);
+
+  yaml::Document take() { return std::move(document_); }
+
+  Span span(std::uint32_t begin, std::uint32_t end) const { return {document_.source, begin, end}; }
+  /// Keeps a text that differs from its bytes.
+  std::string_view keep(std::string text) {
+    return document_.decoded.emplace_back(std::move(text));
   }
 
-  yaml::Document take() {
-    document_.nodes.shrink_to_fit();
-    return std::move(document_);
+  /// The span is empty where an absent value would stand.
+  void add_null(Span span, Anchor anchor = 0);
+  /// `text` is a part of the source, or one that the builder keeps.
+  void add_scalar(Span span, yaml::Style style, std::string_view text, Anchor anchor = 0);
+  void add_alias(Span span, Anchor anchor);
+  /// `begin` is the bracket of a list or mapping in brackets.
+  void open(yaml::Kind kind, std::uint32_t begin, bool is_flow, Anchor anchor = 0);
+  /// Without brackets, a list or mapping ends with its last child.
+  void close() { close(open_.back().end); }
+  void close(std::uint32_t end);
+
+  /// From the root to the innermost.
+  const std::vector<Collection>& collections() const { return open_; }
+  bool expects_key() const {
+    return !open_.empty() && open_.back().is_mapping && !open_.back().has_key;
+  }
+  std::uint32_t begin(const Collection& collection) const {
+    return document_.nodes[index(collection.node)].span.begin;
   }
   /// The innermost bracket that is open; an empty span when there is none.
   Span open_bracket() const;
@@ -44,40 +76,11 @@ class TreeBuilder final : public YAML::EventHandler {
     return document_.root == yaml::kNoNode ? 0 : document_.nodes[index(document_.root)].span.end;
   }
 
-  void OnDocumentStart(const YAML::Mark&) override {}
-  void OnDocumentEnd() override {}
-
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override;
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override;
-  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                const std::string& value) override;
-  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value style) override {
-    open(yaml::Kind::sequence, mark, anchor, style);
-  }
-  void OnSequenceEnd() override { close(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value style) override {
-    open(yaml::Kind::mapping, mark, anchor, style);
-  }
-  void OnMapEnd() override {
-    report_duplicates(frames_.back().node);
-    close();
-  }
-
  private:
-  struct Frame {
+  struct Anchored {
     yaml::NodeId node = yaml::kNoNode;
-    yaml::NodeId last_child = yaml::kNoNode;
-    std::uint32_t end = 0;  ///< of the last key or value so far
-    YAML::anchor_t anchor = 0;
-    bool flow = false;     ///< in brackets
-    bool has_key = false;  ///< a mapping that waits for the value of `key`
-    bool is_key = false;   ///< this collection itself stands where a key should
-    std::string_view key;
-    Span key_span;
+    std::uint64_t size = 0;
   };
-
   struct Entry {
     std::string_view key;
     yaml::NodeId id;
@@ -88,49 +91,38 @@ class TreeBuilder final : public YAML::EventHandler {
 
   static std::size_t index(yaml::NodeId id) { return static_cast<std::size_t>(id); }
   yaml::Node& at(yaml::NodeId id) { return document_.nodes[index(id)]; }
-  std::uint32_t offset(const YAML::Mark& mark) const {
-    return std::min(static_cast<std::uint32_t>(mark.pos) + mark_shift_,
-                    static_cast<std::uint32_t>(text_.size()));
+
+  yaml::NodeId last() const {
+    return yaml::NodeId{static_cast<std::uint32_t>(document_.nodes.size() - 1)};
   }
 
-  bool expects_key() const {
-    return !frames_.empty() && !frames_.back().has_key &&
-           document_.nodes[index(frames_.back().node)].kind == yaml::Kind::mapping;
-  }
-
-  /// Where an absent value would stand: behind the dash or the colon before it.
-  std::uint32_t absent_place(std::uint32_t mark) const;
-  std::uint32_t written_null(std::uint32_t begin) const;
-
-  /// yaml-cpp reads `[1,,2]` and `{,}` as holding nulls; YAML has no such entries.
-  void check_absent(std::uint32_t at_offset);
-  void check_colon();
-  void append(yaml::Node node, YAML::anchor_t anchor, std::uint64_t size);
-
-  /// True when the node is the key of an open mapping, which is then stored in the frame.
-  bool takes_key(const yaml::Node& node);
-
+  /// The innermost mapping then waits for the value.
+  void take_key(Span span, std::string_view key);
   /// A key that something refers to: it has a node, but no place in the tree.
-  yaml::NodeId add_unlinked(const yaml::Node& node);
-  yaml::NodeId add(yaml::Node& node, std::uint64_t size);
+  yaml::Node& add_unlinked(yaml::Kind kind, Span span);
+  yaml::Node& add(yaml::Kind kind, Span span, std::uint64_t size);
+  void grow(Collection& collection, std::uint64_t size) {
+    collection.size += size;
+    if (collection.size > limits_.yaml_expanded_nodes) stop_at_expanded_nodes(collection);
+  }
   /// Reports that a limit is reached, and leaves the document.
   [[noreturn]] void stop(const Rule& rule, Span place, std::string message, std::string_view limit);
-  void grow(yaml::NodeId parent, std::uint64_t size);
-  void open(yaml::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor,
-            YAML::EmitterStyle::value style);
-  void close();
+  [[noreturn]] void stop_at_nodes(std::uint32_t at);
+  [[noreturn]] void stop_at_expanded_nodes(const Collection& collection);
+  [[noreturn]] void stop_at_depth(Span place);
+  void report_complex_key(Span place);
 
-  void report_duplicates(yaml::NodeId mapping);
+  /// False when all keys differ for sure.
+  bool may_have_duplicates(const yaml::Node& mapping) const;
+  void report_duplicates(const yaml::Node& mapping);
 
   std::string_view text_;
-  std::uint32_t mark_shift_;  ///< yaml-cpp does not count a byte order mark
   const Limits& limits_;
   DiagnosticSink& sink_;
   yaml::Document document_;
-  std::vector<Frame> frames_;
-  std::vector<Entry> entries_;        ///< of report_duplicates(), kept for its memory
-  std::vector<std::uint64_t> sizes_;  ///< nodes below and including each node, aliases expanded
-  std::unordered_map<YAML::anchor_t, yaml::NodeId> anchors_;
+  std::vector<Collection> open_;
+  std::vector<Entry> entries_;  ///< of report_duplicates(), kept for its memory
+  std::unordered_map<Anchor, Anchored> anchors_;
 };
 
 }  // namespace smurf

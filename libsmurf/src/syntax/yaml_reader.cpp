@@ -18,6 +18,7 @@
 #include "syntax/text_check.hpp"
 #include "syntax/yaml_builder.hpp"
 #include "syntax/yaml_errors.hpp"
+#include "syntax/yaml_events.hpp"
 
 namespace smurf {
 namespace {
@@ -188,11 +189,12 @@ bool is_too_deep(const SourceMap& sources, SourceId id, const Limits& limits,
   const std::string part = suspicious_part(sources.text(id), limits);
   if (part.empty()) return false;
   DiagnosticSink found;
-  TreeBuilder builder(sources, id, limits, found);
+  YamlBuilder builder(sources, id, limits, found);
+  YamlEvents events(sources.text(id), builder, found);
   try {
     ViewBuffer buffer(part);
     std::istream stream(&buffer);
-    YAML::Parser(stream).HandleNextDocument(builder);
+    YAML::Parser(stream).HandleNextDocument(events);
   } catch (const StopParsing&) {
   } catch (const YAML::Exception&) {
   }
@@ -213,7 +215,7 @@ bool has_too_many_nodes(const DiagnosticSink& found) {
 bool parse_plain(const SourceMap& sources, SourceId id, const Limits& limits, DiagnosticSink& sink,
                  std::optional<yaml::Document>& document) {
   DiagnosticSink found;  // counts only when the text is judged
-  TreeBuilder builder(sources, id, limits, found);
+  YamlBuilder builder(sources, id, limits, found);
   try {
     if (!scan_plain_yaml(sources.text(id), builder)) return false;
     document = builder.take();
@@ -256,12 +258,13 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
   }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
   DiagnosticSink found;
-  TreeBuilder builder(sources, id, limits, found);
+  YamlBuilder builder(sources, id, limits, found);
+  YamlEvents events(text, builder, found);
   try {
     ViewBuffer buffer(text);
     std::istream stream(&buffer);
     YAML::Parser parser(stream);
-    if (parser.HandleNextDocument(builder) && check_rest(text, builder.end(), id, found)) {
+    if (parser.HandleNextDocument(events) && check_rest(text, builder.end(), id, found)) {
       check_second_document(parser, text, builder.end(), id, found);
     }
   } catch (const StopParsing&) {

@@ -91,8 +91,10 @@ std::optional<bool> View::boolean() const {
 
 View View::find(std::string_view key) const {
   if (!*this || !is_mapping()) return {};
-  for (const View child : *this) {
-    if (child.key() == key) return child;
+  for (NodeId id = value().first_child; id != kNoNode;) {
+    const Node& child = document_->nodes[static_cast<std::size_t>(id)];
+    if (child.key == key) return {*document_, id};
+    id = child.next_sibling;
   }
   return {};
 }
