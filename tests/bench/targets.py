@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""The table of performance targets, measured now: targets.py BIN [--quick]
+"""The table of performance targets, measured now: targets.py BIN [--quick] [--libraries]
 
 Processor time of whole processes, the best of several interleaved runs, so that what else the machine
 does matters little; what counts is the ratio to a peer in the same run. Peers that no package offers
 are taken from the environment and skipped without it: SMURF_BENCH_PHOBOS and SMURF_BENCH_SMURF_PARSER
 are commands that load the .smurf file given as their last argument.
+
+`--libraries` says that BIN reads by yaml-cpp and tinyxml2 alone (SMURF_SCANNERS=OFF): the floors are made
+for it, the goals for the scanners. Only T6 has another bound then, because what it divides by is slower.
 
 Exit code 1 when a floor does not hold.
 """
@@ -67,11 +70,12 @@ def exponent(sizes: list, costs: list) -> float:
 
 
 class Bench:
-    def __init__(self, binaries: pathlib.Path, work: pathlib.Path, quick: bool):
+    def __init__(self, binaries: pathlib.Path, work: pathlib.Path, quick: bool, libraries: bool):
         self.lint = str(binaries / "smurf-lint")
         self.pieces = binaries / "pieces"
         self.work = work
         self.quick = quick
+        self.libraries = libraries
         self.rows = []
 
     def generate(self, kind: str, size: int, *shape: str) -> pathlib.Path:
@@ -118,7 +122,7 @@ class Bench:
         self.against_environment("T4", "smurf_parser / lint, 4,200 links", "SMURF_BENCH_SMURF_PARSER", 4200, 2.5, 12)
         self.measure_pieces(large_folder)
         self.measure_start_up()
-        self.measure_memory(large, large_files)
+        self.measure_memory()
         self.measure_growth()
         self.measure_threads()
         self.measure_hostile()
@@ -134,8 +138,8 @@ class Bench:
         time_of = {row["name"]: row["cpu_time"] for row in json.loads(done.stdout)["benchmarks"]}
         self.row("T5", "urdfdom / URDF load with checks, 4,200 links",
                  time_of["urdf_urdfdom"] / time_of["urdf_load"], 3.5, 4.5)
-        self.row("T6", "whole lint / load alone", time_of["model_load_and_lint"] / time_of["model_load"], 1.5, 1.2,
-                 at_least=False)
+        self.row("T6", "whole lint / load alone", time_of["model_load_and_lint"] / time_of["model_load"],
+                 *((1.2, None) if self.libraries else (1.5, None)), at_least=False)
         self.row("T7", "yaml-cpp with tree / its bare events",
                  time_of["yaml_tree/yaml_cpp"] / time_of["yaml_yaml_cpp_events"], 1.1, None, at_least=False)
         self.row("-", "yaml-cpp with tree / scanner with tree",
@@ -150,11 +154,15 @@ class Bench:
         peer, ours = best([loop([hello]), loop([self.lint, "--version"])], 5)
         self.row("T8", "--version / a hello with iostream", ours.cpu / peer.cpu, 2, 1.5, at_least=False)
 
-    def measure_memory(self, model: str, files: list):
-        empty, run = Run([self.lint, "--version"]), Run([self.lint, model])
-        size = sum(os.path.getsize(file) for file in files)
-        self.row("T9", "peak memory / bytes of input, 4,200 links", (run.memory - empty.memory) / size, 10, 7,
-                 at_least=False)
+    def measure_memory(self):
+        # What each further byte costs: the peak of a small process would be that of this script, which it is
+        # started from and which the kernel counts with it.
+        models = [self.model(size) for size in (2100, 4200)]
+        peaks = [Run([self.lint, "-j", "1", model]).memory for model in models]
+        sizes = [sum(path.stat().st_size for path in pathlib.Path(model).parent.parent.rglob("*.*"))
+                 for model in models]
+        self.row("T9", "further peak memory / bytes of input, 2,100 to 4,200 links",
+                 (peaks[1] - peaks[0]) / (sizes[1] - sizes[0]), 10, 7, at_least=False)
 
     def measure_growth(self):
         sizes = [1000, 4000] if self.quick else [1000, 4000, 16000]
@@ -199,7 +207,8 @@ class Bench:
 
 def main() -> int:
     with tempfile.TemporaryDirectory() as work:
-        bench = Bench(pathlib.Path(sys.argv[1]), pathlib.Path(work), "--quick" in sys.argv)
+        bench = Bench(pathlib.Path(sys.argv[1]), pathlib.Path(work), "--quick" in sys.argv,
+                      "--libraries" in sys.argv)
         bench.run()
     print(f"{'':4} {'target':48} {'today':>18} {'floor':>7} {'goal':>7}")
     for name, what, figure, floor, goal, verdict in bench.rows:
