@@ -48,6 +48,8 @@ class NameTable {
  public:
   /// The index that the name already has, if it has one; it then keeps that.
   std::optional<std::uint32_t> add(std::string_view name, std::uint32_t index);
+  /// Makes room for as many names.
+  void reserve(std::size_t count);
   std::optional<std::uint32_t> find(std::string_view name) const;
   bool contains(std::string_view name) const { return find(name).has_value(); }
   const std::vector<std::string_view>& names() const { return names_; }  ///< unique, in order
@@ -55,6 +57,7 @@ class NameTable {
  private:
   /// The slot that holds the name, or the empty one where it belongs.
   std::size_t slot_of(std::string_view name) const;
+  void rehash(std::size_t slots);
 
   // Open addressing: robots have tens of thousands of names, and a node for each would take more
   // than all else here.

@@ -185,6 +185,7 @@ class ModelLoader {
 
   template <class Items>
   static void name_all(const Items& items, NameTable& table) {
+    table.reserve(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
       if (items[i].name) table.add(*items[i].name, static_cast<std::uint32_t>(i));
     }
@@ -209,6 +210,8 @@ class ModelLoader {
     name_all(robot.links, model_.link_names);
     name_all(robot.joints, model_.joint_names);
     name_all(robot.materials, model_.material_names);
+    model_.visual_names.reserve(robot.links.size());  // of robots as they mostly are
+    model_.collision_names.reserve(robot.links.size());
     for (std::size_t i = 0; i < robot.links.size(); ++i) {
       const auto index = static_cast<std::uint32_t>(i);
       for (const urdf::Visual& visual : robot.links[i].visuals) {

@@ -3,9 +3,15 @@
 #include "smurf/linked.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 
 namespace smurf {
+namespace {
+
+constexpr std::size_t kSlotsForName = 2;  // fewer make long ways
+
+}  // namespace
 
 std::size_t NameTable::slot_of(std::string_view name) const {
   const std::size_t last = slots_.size() - 1;  // sizes are powers of two
@@ -14,10 +20,20 @@ std::size_t NameTable::slot_of(std::string_view name) const {
   return slot;
 }
 
+void NameTable::rehash(std::size_t slots) {
+  slots_.assign(slots, 0);
+  for (std::uint32_t i = 0; i < names_.size(); ++i) slots_[slot_of(names_[i])] = i + 1;
+}
+
+void NameTable::reserve(std::size_t count) {
+  names_.reserve(count);
+  indices_.reserve(count);
+  if (kSlotsForName * count >= slots_.size()) rehash(std::bit_ceil(kSlotsForName * count + 1));
+}
+
 std::optional<std::uint32_t> NameTable::add(std::string_view name, std::uint32_t index) {
-  if (2 * names_.size() >= slots_.size()) {
-    slots_.assign(std::max<std::size_t>(8, 2 * slots_.size()), 0);
-    for (std::uint32_t i = 0; i < names_.size(); ++i) slots_[slot_of(names_[i])] = i + 1;
+  if (kSlotsForName * names_.size() >= slots_.size()) {
+    rehash(std::max<std::size_t>(8, 2 * slots_.size()));
   }
   std::uint32_t& slot = slots_[slot_of(name)];
   if (slot != 0) return indices_[slot - 1];

@@ -89,6 +89,7 @@ bool is_node(const LinkedModel& model, std::string_view name) {
 std::vector<const Motor*> leading_motors(const LinkedModel& model) {
   std::vector<const Motor*> leading;
   NameTable driven;
+  driven.reserve(model.annotations.motors.size());
   leading.reserve(model.annotations.motors.size());
   for (const Motor& motor : model.annotations.motors) {
     if (!motor.joint || !driven.add(*motor.joint, 0)) leading.push_back(&motor);

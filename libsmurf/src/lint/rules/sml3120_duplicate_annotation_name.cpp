@@ -11,6 +11,7 @@ template <class Entries>
 void check_entries(const Entries& entries, std::string_view kind, std::string_view note,
                    Findings& findings) {
   NameTable names;
+  names.reserve(entries.size());
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
     const auto& entry = entries[i];
     if (!entry.name || entry.name->empty()) continue;
