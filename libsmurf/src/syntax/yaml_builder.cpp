@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bitset>
-#include <functional>
 
 #include "base/limits.hpp"
 #include "base/rules.hpp"
@@ -173,12 +172,23 @@ void YamlBuilder::close(std::uint32_t end) {
   }
 }
 
+namespace {
+
+/// Keys have a few letters, for which this is quicker than std::hash.
+std::size_t hash_of(std::string_view key) {
+  std::size_t hash = 0;
+  for (const char c : key) hash = 31 * hash + static_cast<unsigned char>(c);
+  return hash;
+}
+
+}  // namespace
+
 bool YamlBuilder::may_have_duplicates(const Node& mapping) const {
   if (mapping.child_count < 2) return false;
   std::bitset<2048> seen;  // by hash; in mappings of ordinary size, hardly two share a bit
   for (NodeId child = mapping.first_child; child != kNoNode;) {
     const Node& node = document_.nodes[index(child)];
-    const std::size_t bit = std::hash<std::string_view>()(node.key) % seen.size();
+    const std::size_t bit = hash_of(node.key) % seen.size();
     if (seen[bit]) return true;
     seen[bit] = true;
     child = node.next_sibling;
