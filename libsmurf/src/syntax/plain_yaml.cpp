@@ -221,11 +221,12 @@ class Scanner {
     return text_.substr(scalar.begin, scalar.end - scalar.begin);
   }
 
+  static bool is_null(std::string_view bytes) {
+    return bytes == "~" || bytes == "null" || bytes == "Null" || bytes == "NULL";
+  }
   bool is_null(const Scalar& scalar) const {
     const char first = text_[scalar.begin];
-    if (first != '~' && first != 'n' && first != 'N') return false;
-    const std::string_view text = bytes(scalar);
-    return text == "~" || text == "null" || text == "Null" || text == "NULL";
+    return (first == '~' || first == 'n' || first == 'N') && is_null(bytes(scalar));
   }
 
   void add(const Scalar& scalar) {
@@ -235,8 +236,10 @@ class Scanner {
 
   void add_text(const Scalar& scalar) {
     std::string_view text = bytes(scalar);
-    if (scalar.style != yaml::Style::plain) text = text.substr(1, text.size() - 2);
-    if (scalar.has_doubled_quotes) text = builder_.keep(without_doubled_quotes(text));
+    if (scalar.style != yaml::Style::plain) {
+      text = text.substr(1, text.size() - 2);
+      if (scalar.has_doubled_quotes) text = builder_.keep(without_doubled_quotes(text));
+    }
     builder_.add_scalar(builder_.span(scalar.begin, scalar.end), scalar.style, text);
   }
 

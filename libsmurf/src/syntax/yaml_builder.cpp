@@ -79,13 +79,6 @@ void YamlBuilder::take_key(Span span, std::string_view key) {
   if (mapping.is_flow && span.begin == begin(mapping)) mapping.is_flow = false;
 }
 
-Node& YamlBuilder::add_unlinked(Kind kind, Span span) {
-  Node& node = document_.nodes.emplace_back();
-  node.kind = kind;
-  node.span = span;
-  return node;
-}
-
 Node& YamlBuilder::add(Kind kind, Span span, std::uint64_t size) {
   if (document_.nodes.size() >= limits_.yaml_nodes) stop_at_nodes(span.begin);
   Node& node = add_unlinked(kind, span);
