@@ -115,8 +115,10 @@ class Scanner {
   }
 
   bool is_document_mark() const {
+    const char c = peek();
+    if (c != '-' && c != '.') return c == '%';
     const std::string_view mark = text_.substr(at_, 3);
-    return mark == "---" || mark == "..." || peek() == '%';
+    return mark == "---" || mark == "...";
   }
 
   /// After the last token of a line: true when there is nothing but a comment.
