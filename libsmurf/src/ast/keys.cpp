@@ -47,6 +47,7 @@ void report_not_number(const KeySpec& spec, yaml::View value, std::string_view e
 /// What readers with other grammars than ours make of a number or a text. JSON has one meaning.
 void check_notation(const KeySpec& spec, yaml::View value, double number, bool is_whole,
                     DiagnosticSink& sink) {
+  if (is_in_all_notations(value.text(), is_whole)) return;
   const std::optional<std::string> in_mars = read_by_scanf(value.text(), is_whole);
   const std::optional<std::string> in_yaml11 = number_by_yaml11(value.text());
   if ((!in_mars && !in_yaml11) || is_json(value.document())) return;

@@ -101,6 +101,14 @@ bool is_json(const yaml::Document& document) {
   return first.key_span().end - first.key_span().begin == first.key().size() + 2;
 }
 
+bool is_in_all_notations(std::string_view number, bool is_whole) {
+  if (number.starts_with('-')) number.remove_prefix(1);
+  if (number.empty() || !is_digit(number.front())) return false;
+  const bool is_octal = number.front() == '0' && number.size() > 1 && number[1] != '.';
+  return !is_octal && std::all_of(number.begin(), number.end(),
+                                  [&](char c) { return is_digit(c) || (c == '.' && !is_whole); });
+}
+
 std::optional<std::string> read_by_scanf(std::string_view number, bool is_whole) {
   const std::string_view digits = without_sign(number);
   if (digits.starts_with("0o")) return "0";

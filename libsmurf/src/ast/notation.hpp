@@ -13,6 +13,10 @@ namespace smurf {
 /// True for a document that is written as JSON, which leaves no room for notations.
 bool is_json(const yaml::Document& document);
 
+/// True for what nearly all numbers are, digits and a point: every reader takes them alike. A
+/// number that is to be whole has no point either.
+bool is_in_all_notations(std::string_view number, bool is_whole);
+
 /// What scanf's %lf, or %d when the number is to be whole, reads from a YAML number; none when it
 /// is the same number.
 std::optional<std::string> read_by_scanf(std::string_view number, bool is_whole);

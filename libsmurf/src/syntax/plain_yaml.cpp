@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,10 +61,10 @@ class Scanner {
     std::uint32_t sign_end;  ///< behind that dash, or the colon of that key
   };
   struct Scalar {
-    std::uint32_t begin;
-    std::uint32_t end;
-    yaml::Style style;
-    bool has_doubled_quotes;  ///< '' stands for one quote
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    yaml::Style style = yaml::Style::plain;
+    bool has_doubled_quotes = false;  ///< '' stands for one quote
   };
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(text_.size()); }
@@ -79,7 +78,10 @@ class Scanner {
   static CharClass class_of(char c) { return kClasses[static_cast<unsigned char>(c)]; }
 
   void skip_spaces() {
-    while (at_ < size() && text_[at_] == ' ') ++at_;
+    const std::string_view text = text_;
+    std::size_t at = at_;
+    while (at < text.size() && text[at] == ' ') ++at;
+    at_ = static_cast<std::uint32_t>(at);
   }
 
   /// Over a comment, which yaml-cpp lets hold any byte; no comment may touch what stands before.
@@ -113,8 +115,10 @@ class Scanner {
   }
 
   bool is_document_mark() const {
+    const char c = peek();
+    if (c != '-' && c != '.') return c == '%';
     const std::string_view mark = text_.substr(at_, 3);
-    return mark == "---" || mark == "..." || peek() == '%';
+    return mark == "---" || mark == "...";
   }
 
   /// After the last token of a line: true when there is nothing but a comment.
@@ -176,13 +180,13 @@ class Scanner {
       if (peek() == '\n' || peek() == '#') return at_end_of_line();
     }
     if (peek() == '[' || peek() == '{') return read_flow() && at_end_of_line();
-    const std::optional<Scalar> first = read_scalar(false);
-    if (!first) return false;
+    Scalar first;
+    if (!read_scalar(first, false)) return false;
     const std::uint32_t after = at_;
     skip_spaces();
-    if (peek() != ':') return at_end_of_line() && take_value(*first);
-    if (after != at_ || !is_end_of_word(1) || at_ - first->begin > kLongestKey) return false;
-    return take_key(*first) && read_value();
+    if (peek() != ':') return at_end_of_line() && take_value(first);
+    if (after != at_ || !is_end_of_word(1) || at_ - first.begin > kLongestKey) return false;
+    return take_key(first) && read_value();
   }
 
   /// The value behind a key, on its line.
@@ -192,13 +196,13 @@ class Scanner {
     if (peek() == '\n' || peek() == '#') return at_end_of_line();
     if (is_dash()) return false;
     if (peek() == '[' || peek() == '{') return read_flow() && at_end_of_line();
-    const std::optional<Scalar> value = read_scalar(false);
-    return value && at_end_of_line() && take_value(*value);
+    Scalar value;
+    return read_scalar(value, false) && at_end_of_line() && take_value(value);
   }
 
   bool take_key(const Scalar& key) {
     if (!begin_entry(key.begin, false, at_ + 1) || is_null(key)) return false;
-    add(key);
+    add_text(key);
     return true;
   }
 
@@ -219,20 +223,26 @@ class Scanner {
     return text_.substr(scalar.begin, scalar.end - scalar.begin);
   }
 
+  static bool is_null(std::string_view bytes) {
+    return bytes == "~" || bytes == "null" || bytes == "Null" || bytes == "NULL";
+  }
   bool is_null(const Scalar& scalar) const {
     const char first = text_[scalar.begin];
-    if (first != '~' && first != 'n' && first != 'N') return false;
-    const std::string_view text = bytes(scalar);
-    return text == "~" || text == "null" || text == "Null" || text == "NULL";
+    return (first == '~' || first == 'n' || first == 'N') && is_null(bytes(scalar));
   }
 
   void add(const Scalar& scalar) {
-    const Span span = builder_.span(scalar.begin, scalar.end);
-    if (is_null(scalar)) return builder_.add_null(span);
+    if (!is_null(scalar)) return add_text(scalar);
+    builder_.add_null(builder_.span(scalar.begin, scalar.end));
+  }
+
+  void add_text(const Scalar& scalar) {
     std::string_view text = bytes(scalar);
-    if (scalar.style != yaml::Style::plain) text = text.substr(1, text.size() - 2);
-    if (scalar.has_doubled_quotes) text = builder_.keep(without_doubled_quotes(text));
-    builder_.add_scalar(span, scalar.style, text);
+    if (scalar.style != yaml::Style::plain) {
+      text = text.substr(1, text.size() - 2);
+      if (scalar.has_doubled_quotes) text = builder_.keep(without_doubled_quotes(text));
+    }
+    builder_.add_scalar(builder_.span(scalar.begin, scalar.end), scalar.style, text);
   }
 
   static std::string without_doubled_quotes(std::string_view text) {
@@ -244,36 +254,37 @@ class Scanner {
     return single;
   }
 
-  std::optional<Scalar> read_scalar(bool in_flow) {
-    return peek() == '"' || peek() == '\'' ? read_quoted() : read_plain(in_flow);
+  bool read_scalar(Scalar& scalar, bool in_flow) {
+    const char first = peek();
+    return first == '"' || first == '\'' ? read_quoted(scalar) : read_plain(scalar, in_flow);
   }
 
   /// Quotes that close on their line, without escapes.
-  std::optional<Scalar> read_quoted() {
+  bool read_quoted(Scalar& scalar) {
     const char quote = peek();
-    Scalar scalar{at_, 0, quote == '"' ? yaml::Style::double_quoted : yaml::Style::single_quoted,
-                  false};
+    scalar = {at_, 0, quote == '"' ? yaml::Style::double_quoted : yaml::Style::single_quoted,
+              false};
     for (++at_; at_ < size(); ++at_) {
       const char c = text_[at_];
       if (c == quote) {
         if (quote == '"' || peek(1) != '\'') {
           scalar.end = ++at_;
-          return scalar;
+          return true;
         }
         scalar.has_doubled_quotes = true;
         ++at_;
       } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f || (c == '\\' && quote == '"')) {
-        return std::nullopt;
+        return false;
       }
     }
-    return std::nullopt;
+    return false;
   }
 
   /// Up to what ends a plain scalar on its line; blanks at its end do not belong to it.
-  std::optional<Scalar> read_plain(bool in_flow) {
+  bool read_plain(Scalar& scalar, bool in_flow) {
     if (class_of(peek()) != CharClass::plain &&
         (peek() != '-' || in_flow_stop(1) || is_end_of_word(1))) {
-      return std::nullopt;
+      return false;
     }
     const CharClass last_content = in_flow ? CharClass::no_start : CharClass::flow_sign;
     const std::uint32_t begin = at_;
@@ -282,16 +293,17 @@ class Scanner {
       end = skip_content(last_content, end);
       const char c = peek();
       if (c == '\n' || class_of(c) == CharClass::flow_sign) break;
-      if (class_of(c) == CharClass::foreign) return std::nullopt;
+      if (class_of(c) == CharClass::foreign) return false;
       if (c == ' ') continue;
       if (c == '#' && text_[at_ - 1] == ' ') break;
       if (c == ':' && is_end_of_word(1)) break;
-      if (c == ':' && in_flow) return std::nullopt;
+      if (c == ':' && in_flow) return false;
       end = at_ + 1;
     }
-    if (in_flow && peek() == '?') return std::nullopt;
+    if (in_flow && peek() == '?') return false;
     at_ = end;
-    return Scalar{begin, end, yaml::Style::plain, false};
+    scalar = {begin, end, yaml::Style::plain, false};
+    return true;
   }
 
   /// Returns where the content ends that stands here; `end` when there is none.
@@ -324,9 +336,9 @@ class Scanner {
         if (!is_empty && c == '{' && !read_flow_key()) return false;
         if (!is_empty) continue;
       } else {
-        const std::optional<Scalar> value = read_scalar(true);
-        if (!value) return false;
-        add(*value);
+        Scalar value;
+        if (!read_scalar(value, true)) return false;
+        add(value);
       }
       if (!end_flow_entry(brackets)) return false;
     } while (!brackets.empty());
@@ -335,12 +347,12 @@ class Scanner {
 
   /// `key: `, up to the value.
   bool read_flow_key() {
-    const std::optional<Scalar> key = read_scalar(true);
-    if (!key || is_null(*key) || peek() != ':' || !is_end_of_word(1) ||
-        at_ - key->begin > kLongestKey) {
+    Scalar key;
+    if (!read_scalar(key, true) || is_null(key) || peek() != ':' || !is_end_of_word(1) ||
+        at_ - key.begin > kLongestKey) {
       return false;
     }
-    add(*key);
+    add_text(key);
     ++at_;
     return to_next_token();
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bitset>
-#include <functional>
 
 #include "base/limits.hpp"
 #include "base/rules.hpp"
@@ -78,13 +77,6 @@ void YamlBuilder::take_key(Span span, std::string_view key) {
   mapping.end = std::max(mapping.end, span.end);
   // A pair inside a flow list, [a: 1], is a mapping without brackets of its own.
   if (mapping.is_flow && span.begin == begin(mapping)) mapping.is_flow = false;
-}
-
-Node& YamlBuilder::add_unlinked(Kind kind, Span span) {
-  Node& node = document_.nodes.emplace_back();
-  node.kind = kind;
-  node.span = span;
-  return node;
 }
 
 Node& YamlBuilder::add(Kind kind, Span span, std::uint64_t size) {
@@ -173,12 +165,23 @@ void YamlBuilder::close(std::uint32_t end) {
   }
 }
 
+namespace {
+
+/// Keys have a few letters, for which this is quicker than std::hash.
+std::size_t hash_of(std::string_view key) {
+  std::size_t hash = 0;
+  for (const char c : key) hash = 31 * hash + static_cast<unsigned char>(c);
+  return hash;
+}
+
+}  // namespace
+
 bool YamlBuilder::may_have_duplicates(const Node& mapping) const {
   if (mapping.child_count < 2) return false;
   std::bitset<2048> seen;  // by hash; in mappings of ordinary size, hardly two share a bit
   for (NodeId child = mapping.first_child; child != kNoNode;) {
     const Node& node = document_.nodes[index(child)];
-    const std::size_t bit = std::hash<std::string_view>()(node.key) % seen.size();
+    const std::size_t bit = hash_of(node.key) % seen.size();
     if (seen[bit]) return true;
     seen[bit] = true;
     child = node.next_sibling;
