@@ -325,7 +325,6 @@ class Usage(LintTest):
                 ("--max-warnings: '-1' is not a whole number of at least 0",
                  ["--max-warnings=-1"]),
                 ("--jobs: '0' is not a whole number of at least 1", ["-j0"]),
-                ("--jobs: '0' is not a whole number of at least 1", ["-qj0"]),
                 ("--package: 'arm' is not NAME=DIR", ["--package", "arm"]),
                 ("--quiet takes no value", ["--quiet=false"]),
                 ("there is no rule 'SML31O1'; did you mean 'SML3101'?", ["--explain", "SML31O1"]),
