@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has(const fs::path& folder, const char* name) {
+bool has(const fs::path& folder, std::string_view name) {
   std::error_code ignored;
   return fs::exists(folder / name, ignored);
 }
@@ -33,8 +33,10 @@ void allow_project(ConfinedFiles& files, const std::string& input) {
   files.allow(project_of(folder).string());
   if (folder == path) files.allow(path.string());
   for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
-    for (const char* name : {".gitignore", ".smurf-lintignore"}) files.allow((at / name).string());
-    files.allow((at / kConfigName).string());
+    for (const std::string_view name :
+         std::initializer_list<std::string_view>{".gitignore", ".smurf-lintignore", kConfigName}) {
+      if (has(at, name)) files.allow((at / name).string());
+    }
   }
 }
 
