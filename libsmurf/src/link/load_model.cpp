@@ -7,6 +7,7 @@
 #include "ast/model_reader.hpp"
 #include "ast/sections.hpp"
 #include "ast/urdf_reader.hpp"
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
@@ -79,6 +80,25 @@ class ModelLoader {
     return document;
   }
 
+  /// False when the model has too many entries with those of this file; that is reported. An entry
+  /// takes far more memory once it is read than a value of the file.
+  bool has_room(const yaml::Document& document) {
+    if (!document.view() || !document.view().is_mapping()) return true;
+    for (const yaml::View section : document.view()) {
+      if (!section.is_sequence()) continue;
+      entries_ += section.size();
+      if (entries_ <= context_.limits.annotation_entries) continue;
+      context_.sink
+          .report(rules::sml0002_file_too_large, section.place(),
+                  "with this list, the model has more than " +
+                      std::to_string(context_.limits.annotation_entries) + " entries")
+          .help = raise_limit("annotation-entries");
+      model_.is_complete = false;
+      return false;
+    }
+    return true;
+  }
+
   void main_file(const std::string& path) {
     const auto source = read_source(path, {}, rules::sml0001_unreadable_file, context_);
     if (!source) {
@@ -86,7 +106,7 @@ class ModelLoader {
       return;
     }
     auto document = parse(*source, ModelFile::Kind::main);
-    if (!document) return;
+    if (!document || !has_room(*document)) return;
     auto main = read_model(*document, context_.sink);
     model_.files.back().document = std::move(document);
     if (!main) {
@@ -155,7 +175,7 @@ class ModelLoader {
       return;
     }
     auto document = parse(*source, ModelFile::Kind::annotation);
-    if (!document) return;
+    if (!document || !has_room(*document)) return;
     if (!model_.has_main && holds_templates(*document)) return;
     auto annotations = read_annotations(*document, context_.sink);
     model_.files.back().document = std::move(document);
@@ -223,6 +243,7 @@ class ModelLoader {
 
   LoadContext& context_;
   LinkedModel model_;
+  std::uint64_t entries_ = 0;  ///< of all lists of all annotation files
 };
 
 }  // namespace

@@ -212,7 +212,7 @@ bool has_too_many_nodes(const DiagnosticSink& found) {
 /// True when the text is judged: it is plain, or so large that nobody reads it a second time.
 bool parse_plain(const SourceMap& sources, SourceId id, const Limits& limits, DiagnosticSink& sink,
                  std::optional<yaml::Document>& document) {
-  DiagnosticSink found;  // counts only when the text is judged
+  DiagnosticSink found(limits.findings);  // counts only when the text is judged
   TreeBuilder builder(sources, id, limits, found);
   try {
     if (!scan_plain_yaml(sources.text(id), builder)) return false;
@@ -255,7 +255,7 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
     return std::nullopt;
   }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
-  DiagnosticSink found;
+  DiagnosticSink found(limits.findings);
   TreeBuilder builder(sources, id, limits, found);
   try {
     ViewBuffer buffer(text);
