@@ -10,6 +10,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 import urllib.parse
 import xml.etree.ElementTree as ElementTree
@@ -48,11 +49,24 @@ def line_hashes(text):
     return hashes
 
 
+def copy_fixtures():
+    """A repository with the fixtures of the rules, nearly 2,000 files."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="smurf-reports-"))
+    shutil.copytree(cli.FIXTURES / "rules", folder / "rules")
+    (folder / ".git").mkdir()
+    return folder
+
+
 class ReportTest(cli.CliTest):
+    """The tests of a class share one copy of the fixtures as their current folder, and leave the fixtures as they are."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.repository = copy_fixtures()
+        cls.addClassCleanup(shutil.rmtree, cls.repository, ignore_errors=True)
+
     def setUp(self):
-        super().setUp()
-        shutil.copytree(cli.FIXTURES / "rules", self.folder / "rules")
-        (self.folder / ".git").mkdir()
+        self.folder = self.repository
 
     def report(self, form, *paths, folder=None, code=1):
         arguments = ["--format", form, *(paths or (p.relative_to(self.folder) for p in entries(self.folder)))]
@@ -152,6 +166,8 @@ class Sarif(ReportTest):
 
     def test_fixes_are_those_of_fix(self):
         """Fixes taken from SARIF, round by round as --fix does it, give the same bytes."""
+        self.folder = copy_fixtures()
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
         compared = 0
         for entry in entries(self.folder):
             here = entry.parent

@@ -6,6 +6,7 @@ import json
 import pathlib
 import sys
 import xml.etree.ElementTree
+import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
@@ -255,6 +256,31 @@ class Options(LoadCheckTest):
 
     def test_nothing_to_check(self):
         self.expect_complaint("cannot read 'none.urdf': No such file or directory", "none.urdf")
+
+    def test_a_model_without_a_urdf_gets_no_verdict(self):
+        for files, rule in {"files: []": "SML2003", "files: {}": "SML4001"}.items():
+            self.write("a.smurf", f"modelname: a\n{files}\n")
+            report = self.report(1, "a.smurf")
+            self.assertEqual(report["checks"][0]["stages"], [])
+            self.assertEqual([d["id"] for d in report["diagnostics"]], [rule])
+
+    def test_what_lies_in_archives(self):
+        def packed(**files):
+            target = io.BytesIO()
+            with zipfile.ZipFile(target, "w") as zipped:
+                for name, text in files.items():
+                    zipped.writestr(name.replace("_", "."), text)
+            return target.getvalue()
+        ball = {"ball_urdf": BALL, "ball_smurf": "modelname: ball\nfiles: [ball.urdf]\n"}
+        self.write("ball.zsmurf", packed(**ball))
+        self.write("scene.smurfs", "entities:\n- {name: a, type: zsmurf, file: ball.zsmurf, position: [0, 0, 1]}\n")
+        self.write("all.zsmurfs", packed(**ball, all_smurfs="entities:\n- {name: a, type: smurf, file: ball.smurf}\n"))
+        for path, model in {"scene.smurfs": "ball.zsmurf/ball.smurf", "all.zsmurfs": "all.zsmurfs/ball.smurf"}.items():
+            report = self.report(0, path)
+            self.assertIn(model, [check["file"] for check in report["checks"]])
+            self.assertEqual({check["verdict"] for check in report["checks"]}, {"pass"})
+        self.write("empty.zsmurfs", packed(x_smurf=""))
+        self.expect_complaint("cannot read 'empty.zsmurfs': it holds no .smurfs", "empty.zsmurfs")
 
 
 if __name__ == "__main__":

@@ -172,6 +172,23 @@ TEST_CASE("hostile: texts that are no model") {
   }
 }
 
+TEST_CASE("hostile: sections, entries and values that hold nothing") {
+  constexpr std::string_view kSections[] = {
+#define SMURF_SECTION(name) #name,
+#include "ast/sections.def"
+#undef SMURF_SECTION
+      "entities", "physics", "environment", "scene", "files"};
+  for (const std::string_view section : kSections) {
+    for (const std::string_view value :
+         {"{}", "[]", "[{}]", "[[]]", "[{}, {}]", "[null]", "[{name: a}]", "[{name: {}}]",
+          "[{name: a, type: {}}]", "{a: {}}", "{a: []}", "''"}) {
+      const std::string text = std::string(section) + ": " + std::string(value) + "\n";
+      CAPTURE(text);
+      for (const char* name : {"r.smurf", "s.smurfs", "a.yml"}) check_text(name, text);
+    }
+  }
+}
+
 TEST_CASE("hostile: sizes") {
   struct Case {
     std::string what;

@@ -219,6 +219,27 @@ def long_file(head, part, megabytes, tail):
     return Special(make)
 
 
+ROBOT = b'<robot name="r"><link name="a"/>'
+FIFTY_MEGABYTES = {
+    "lists": ("r.smurf", b"x: [", b"[],", b"1]\n"),
+    "mappings": ("r.smurf", b"x: [", b"{a: b},", b"1]\n"),
+    "ones": ("r.smurf", b"x: [", b"1,", b"1]\n"),
+    "entries": ("r.smurf", b"x:\n", b"- 1\n", b""),
+    "equal keys": ("r.smurf", b"", b"a: 1\n", b""),
+    "empty motors": ("r.smurf", b"motors:\n", b"- {}\n", b""),
+    "motors that are numbers": ("r.smurf", b"motors:\n", b"- 1\n", b""),
+    "listed files": ("r.smurf", b"files:\n", b"- a.yml\n", b""),
+    "empty entities": ("s.smurfs", b"entities:\n", b"- {}\n", b""),
+    "elements": ("r.urdf", ROBOT, b"<a/>", b"</robot>"),
+    "attributes": ("r.urdf", ROBOT, b'<a b="" c="" d="" e=""/>', b"</robot>"),
+    "links of one name": ("r.urdf", ROBOT, b'<link name="a"/>', b"</robot>"),
+    "empty links": ("r.urdf", ROBOT, b"<link/>", b"</robot>"),
+    "empty joints": ("r.urdf", ROBOT, b"<joint/>", b"</robot>"),
+    "empty transmissions": ("r.urdf", ROBOT, b"<transmission/>", b"</robot>"),
+    "empty visuals": ("r.urdf", b'<robot name="r"><link name="a">', b"<visual/>", b"</link></robot>"),
+}
+
+
 def large():
     yield as_model("a chain of 5,000 links", chain(5_000))
     yield as_model("a chain of 100,000 links", chain(100_000), scale=8)
@@ -230,10 +251,11 @@ def large():
         "r.urdf": URDF, "s.smurfs": b"entities:\n" + b"".join(
             b"- {name: e%d, type: urdf, file: r.urdf, parent: e%d, anchor: a}\n" % (i, i + 1) for i in range(5_000))},
         "s.smurfs")
-    yield Case("50 MB of ones", {"r.smurf": long_file(b"x: [", b"1,", 50, b"1]\n")}, "r.smurf", scale=8)
-    yield Case("50 MB of entries", {"r.smurf": long_file(b"x:\n", b"- 1\n", 50, b"")}, "r.smurf", scale=8)
-    yield Case("50 MB of elements", {"r.urdf": long_file(b"<robot name='r'>", b"<a/>", 50, b"</robot>")}, "r.urdf",
-               codes=(1, 2), scale=8)
+    for title, (name, head, part, tail) in FIFTY_MEGABYTES.items():
+        yield Case(f"50 MB of {title}", {name: long_file(head, part, 50, tail)}, name, codes=(1, 2))
+        if name.endswith("f") and title != "links of one name":
+            yield Case(f"50 MB of {title} next to the file", {
+                name: long_file(head, part, 50, tail), "a.yml": b"motors: []\n"}, "a.yml", tools=("smurf-lint",))
     yield Case("50 MB in a comment", {"r.urdf": long_file(
         b"<robot name='r'><!--", b"x", 50, b"--><link name='a'/></robot>")}, "r.urdf", scale=2)
     yield Case("a file with a hole of a terabyte", {"r.urdf": Special(

@@ -68,13 +68,21 @@ Demand of_xml_depth(std::uint64_t depth) {
 }
 
 Demand of_xml_elements(std::uint64_t elements) {
-  return {"r.urdf", "<robot name='r'>" + repeat("<a/>", elements - 1) + "</robot>"};
+  return {"r.urdf", "<robot>" + repeat("<a/>", elements - 1) + "</robot>"};
 }
 
 Demand of_xml_attributes(std::uint64_t attributes) {
   std::string text = "<robot";
   for (std::uint64_t i = 0; i < attributes; ++i) text += " a" + std::to_string(i) + "='1'";
   return {"r.urdf", text + "/>"};
+}
+
+Demand of_annotation_entries(std::uint64_t entries) {
+  return {"r.smurf", "motors:\n- {}\nx:\n" + repeat("- {}\n", entries - 1)};
+}
+
+Demand of_urdf_parts(std::uint64_t parts) {
+  return {"r.urdf", "<robot name='r'>" + repeat("<link name='a'/>", parts) + "</robot>"};
 }
 
 /// A scene in so many others.
@@ -95,6 +103,8 @@ Demand of_instances(std::uint64_t instances) {
   return demand;
 }
 
+Demand of_findings(std::uint64_t findings) { return {"r.smurf", repeat("x: y\n", findings + 1)}; }
+
 struct LimitCase {
   std::string_view name;
   std::uint64_t amount;  ///< a small limit to try
@@ -109,13 +119,16 @@ const LimitCase kCases[] = {{"file-bytes", 100, of_file},
                             {"xml-depth", 20, of_xml_depth},
                             {"xml-elements", 20, of_xml_elements},
                             {"xml-attributes", 20, of_xml_attributes},
+                            {"annotation-entries", 20, of_annotation_entries},
+                            {"urdf-parts", 20, of_urdf_parts},
                             {"include-depth", 20, of_include_depth},
-                            {"instances", 20, of_instances}};
+                            {"instances", 20, of_instances},
+                            {"findings", 20, of_findings}};
 
 /// The findings of a rule.
 std::vector<Diagnostic> found(const Demand& demand, const Limits& limits, std::string_view rule) {
   SourceMap sources;
-  DiagnosticSink sink;
+  DiagnosticSink sink(limits.findings);
   MeshLibrary meshes;
   LoadContext context{sources, demand.files, sink, limits, {}, {}, &meshes};
   if (demand.entry.ends_with(".smurfs")) {

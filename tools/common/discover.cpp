@@ -104,6 +104,11 @@ class Search {
   std::set<std::pair<dev_t, ino_t>> seen_;
 };
 
+/// What a file may demand that is only looked at to find out whether it uses another one: whoever
+/// names a file has not asked for the ones around it. A robot of 5,000 links is within.
+constexpr Limits kNeighbour{
+    .file_bytes = 8U << 20U, .yaml_nodes = 50'000, .xml_elements = 100'000, .findings = 0};
+
 /// Shows the loader one file and notes which others it asks for: they are what the file lists,
 /// resolved as the loader resolves them.
 class OnlyMainFile final : public FileReader {
@@ -133,8 +138,8 @@ class OnlyMainFile final : public FileReader {
 bool lists(const std::string& model, const std::string& wanted, const FileReader& files) {
   const OnlyMainFile only(files, model);
   SourceMap sources;
-  DiagnosticSink ignored;
-  LoadContext context{sources, only, ignored, {}, {}};
+  DiagnosticSink ignored(kNeighbour.findings);
+  LoadContext context{sources, only, ignored, kNeighbour, {}};
   load_model(model, context);
   return only.was_asked_for(wanted);
 }
@@ -143,8 +148,8 @@ bool lists(const std::string& model, const std::string& wanted, const FileReader
 std::optional<std::string> urdf_of_user(const std::string& model, const std::string& wanted,
                                         const FileReader& files) {
   SourceMap sources;
-  DiagnosticSink ignored;
-  LoadContext context{sources, files, ignored, {}, {}};
+  DiagnosticSink ignored(kNeighbour.findings);
+  LoadContext context{sources, files, ignored, kNeighbour, {}};
   const LinkedModel loaded = load_model(model, context);
   const bool is_user =
       std::any_of(loaded.meshes.begin(), loaded.meshes.end(), [&](const MeshReference& mesh) {

@@ -24,6 +24,8 @@ using LeftOut = std::function<bool(const std::string& path, bool is_folder)>;
 /// are left out; links are followed, but nothing is found twice.
 Found find_inputs(const std::string& folder, const LeftOut& is_left_out = nullptr);
 
+// Both know nothing of files that are too large to be looked at on the way (docs/limits.md).
+
 /// The .smurf files that list a file, sought in its folder, the folder above, and the `smurf`
 /// folders in both; sorted.
 std::vector<std::string> models_listing(const std::string& path, const FileReader& files);

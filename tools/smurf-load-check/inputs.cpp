@@ -22,7 +22,7 @@ constexpr std::string_view kTool = "smurf-load-check";
 /// The linter's rules whose faults leave no robot that could be built.
 RuleSelection building_rules() {
   RuleSelection selection;
-  selection.select = {"SML10", "SML1115", "SML12", "SML1301", "SML1302", "SML1401"};
+  selection.select = {"SML10", "SML1115", "SML12", "SML1301", "SML1302", "SML1401", "SML2003"};
   return selection;
 }
 
@@ -80,6 +80,10 @@ class Loader {
       files.insert(files.end(), found.files.begin(), found.files.end());
     } else if (const auto reason = why_unreadable(path, inputs_.files)) {
       fail("cannot read '" + path + "': " + *reason);
+    } else if (is_archive(path)) {
+      const ArchivedMain main = main_file_of_archive(path, inputs_.files);
+      if (main.path.empty()) return fail("cannot read '" + path + "': it " + main.reason);
+      files.push_back(main.path);
     } else if (kind_of(path) == InputKind::annotation || kind_of(path) == InputKind::other) {
       fail("cannot check '" + path + "': it is no .smurf, .smurfs, .smurfa, .svg or .urdf file");
     } else {
@@ -90,7 +94,7 @@ class Loader {
   /// A model alone counts as a scene of one entity.
   void load(const std::string& file) {
     if (!done_.insert(identity(file)).second) return;
-    DiagnosticSink sink;
+    DiagnosticSink sink(options_.limits.findings);
     LoadContext context{inputs_.sources, inputs_.files,     sink,
                         options_.limits, options_.packages, package_folders_};
     const LinkedScene& scene = inputs_.scenes.emplace_back(load_scene(file, context));
@@ -102,7 +106,9 @@ class Loader {
     std::vector<Diagnostic> found = sink.take();
     locate(scene, found);
     found = finish(std::move(found), inputs_.sources, {});
-    std::erase_if(found, [](const Diagnostic& diagnostic) { return !is_obstacle(diagnostic); });
+    std::erase_if(found, [&](const Diagnostic& diagnostic) {
+      return !is_obstacle(diagnostic) && !leaves_no_robot(scene, diagnostic);
+    });
     add_jobs(file, scene, std::move(found));
   }
 
@@ -125,6 +131,14 @@ class Loader {
     if (is_sound || !job.obstacles.empty()) inputs_.jobs.push_back(std::move(job));
   }
 
+  /// Any error in a model of which no URDF is known: there is nothing that could be built.
+  static bool leaves_no_robot(const LinkedScene& scene, const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::error &&
+           std::any_of(scene.models.begin(), scene.models.end(), [&](const LinkedModel& model) {
+             return !model.robot && concerns(model, diagnostic);
+           });
+  }
+
   static bool concerns(const LinkedModel& model, const Diagnostic& diagnostic) {
     return std::any_of(model.files.begin(), model.files.end(), [&](const ModelFile& file) {
       return file.source == diagnostic.span.source;
@@ -139,9 +153,6 @@ class Loader {
 
 }  // namespace
 
-void load_inputs(const InputOptions& options, Inputs& inputs) {
-  inputs.limits = options.limits;
-  Loader(options, inputs).run();
-}
+void load_inputs(const InputOptions& options, Inputs& inputs) { Loader(options, inputs).run(); }
 
 }  // namespace smurf::load_check

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "smurf/archive_files.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/linked.hpp"
 #include "smurf/load.hpp"
@@ -23,10 +24,13 @@ struct Job {
 };
 
 struct Inputs {
+  explicit Inputs(const Limits& of_user) : limits(of_user) {}
+
+  Limits limits;
   SourceMap sources;
   ConfinedFiles disk;
-  MemoryFiles files{&disk};
-  Limits limits;
+  ArchiveFiles archives{disk, limits};
+  MemoryFiles files{&archives};
   std::deque<LinkedScene> scenes;  ///< what the jobs point into
   std::vector<Job> jobs;
   bool has_failed = false;  ///< a path could not be read; that has been said

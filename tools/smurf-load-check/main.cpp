@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
     complain(kTool, reason);
     return kFailed;
   }
-  Inputs inputs;
+  Inputs inputs(options.input.limits);
   load_inputs(options.input, inputs);
   if (inputs.jobs.empty() && inputs.has_failed) return kFailed;
   if (!options.plot.empty() && inputs.jobs.size() != 1) {

@@ -138,7 +138,7 @@ tools::Command command_of(Options& options) {
       "stand, hang and drop.";
   command.operands = "[PATH]...";
   command.details =
-      "PATH is a .smurf, .urdf, .smurfs, .smurfa or .svg file, or a folder that is searched for "
+      "PATH is a .smurf, .urdf, .smurfs, .smurfa or .svg file, an archive (.zsmurf, .zsmurfs, .zsmurfa), or a folder that is searched for "
       "models and scenes; '.' unless given. Every model is checked on its own: BUILD makes bodies, joints and shapes; "
       "POSE0 looks for shapes inside each other; STILL, without gravity, sees whether anything "
       "moves; HANG holds the root link; DROP lets the model fall by a millimetre. In a scene, "

@@ -15,7 +15,9 @@
 
 namespace smurf {
 
-/// By the extension, any case.
+/// zsmurf, zsmurfs and zsmurfa, any case: what entities call a model or scene in an archive.
+bool is_archive_type(std::string_view type);
+/// By the extension.
 bool is_archive(std::string_view path);
 /// Whether a folder on the way to a file is an archive, by its name.
 bool is_in_archive(std::string_view path);

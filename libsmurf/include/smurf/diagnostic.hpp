@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "smurf/limits.hpp"
 #include "smurf/source.hpp"
 
 namespace smurf {
@@ -84,12 +86,17 @@ struct Diagnostic {
   std::vector<std::string> notes;  ///< facts without a place
   std::string help;                ///< what to do; may be empty
   std::vector<Fix> fixes;          ///< at most one today
+  const Rule* left_out = nullptr;  ///< more findings of this rule are left out from here on
 };
 
 /// Collects diagnostics. Passed by reference through all stages; never prints, never throws.
 class DiagnosticSink {
  public:
-  /// The reference is valid until the next report.
+  /// Of each rule, `most` findings are kept. The next one becomes an SML0002 that says so.
+  explicit DiagnosticSink(std::uint64_t most = Limits{}.findings) : most_(most) {}
+
+  /// The reference is valid until the next report; what is done to a finding that is left out has
+  /// no effect.
   Diagnostic& report(const Rule& rule, Span span, std::string message);
 
   std::span<const Diagnostic> diagnostics() const { return diagnostics_; }
@@ -97,7 +104,10 @@ class DiagnosticSink {
   bool has_errors() const;
 
  private:
+  std::uint64_t most_;
+  std::map<const Rule*, std::uint64_t> counts_;
   std::vector<Diagnostic> diagnostics_;
+  Diagnostic left_out_;
 };
 
 /// All rules, ascending by id.

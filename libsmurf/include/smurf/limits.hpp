@@ -16,13 +16,16 @@ struct Limits {
   std::uint64_t archive_bytes = 128ULL << 20U;
   std::uint64_t archive_files = 10'000;
   std::uint64_t yaml_depth = 100;
-  std::uint64_t yaml_nodes = 4'000'000;
+  std::uint64_t yaml_nodes = 3'000'000;
   std::uint64_t yaml_expanded_nodes = 20'000'000;
   std::uint64_t xml_depth = 90;
-  std::uint64_t xml_elements = 4'000'000;
-  std::uint64_t xml_attributes = 1'000;
+  std::uint64_t xml_elements = 5'500'000;
+  std::uint64_t xml_attributes = 100;
+  std::uint64_t annotation_entries = 500'000;
+  std::uint64_t urdf_parts = 500'000;
   std::uint64_t include_depth = 64;
   std::uint64_t instances = 250'000;
+  std::uint64_t findings = 5'000;
 };
 
 /// A limit as people know it: what `--limit` and docs/limits.md call it.
@@ -50,21 +53,32 @@ inline constexpr std::array kLimits{
               "no section of SMURF has more than ten; yaml-cpp gives up at 250"},
     LimitInfo{"yaml-nodes", &Limits::yaml_nodes, 1'000'000'000,
               "texts, lists and mappings of a file", "SML0002",
-              "100,000 entities have half of them; each takes 130 bytes of memory"},
+              "100,000 entities have two thirds of it; each takes 100 to 200 bytes of memory"},
     LimitInfo{"yaml-expanded-nodes", &Limits::yaml_expanded_nodes, 1'000'000'000,
               "the same, with what aliases repeat counted again", "SML0015",
               "nine aliases in nine levels stand for 400 million"},
     LimitInfo{"xml-depth", &Limits::xml_depth, 98, "elements in each other", "SML0014",
               "URDF has seven; tinyxml2 gives up at 99"},
-    LimitInfo{"xml-elements", &Limits::xml_elements, 1'000'000'000, "elements of a file", "SML0002",
-              "100,000 links have half of them; each takes 250 bytes of memory"},
+    LimitInfo{"xml-elements", &Limits::xml_elements, 1'000'000'000,
+              "elements and attributes of a file", "SML0002",
+              "100,000 links and joints have nearly as many; each takes about 50 bytes of memory"},
     LimitInfo{"xml-attributes", &Limits::xml_attributes, 10'000, "attributes of one element",
               "SML0002", "URDF has six; each is compared with those before it"},
+    LimitInfo{"annotation-entries", &Limits::annotation_entries, 100'000'000,
+              "motors, sensors and other entries of the annotations of a model", "SML0002",
+              "a model of 100,000 links has three fifths of it; each takes up to 2 kB of memory"},
+    LimitInfo{
+        "urdf-parts", &Limits::urdf_parts, 100'000'000,
+        "links, joints, visuals and collisions of a robot", "SML0002",
+        "a robot of 100,000 links has four fifths of it; each takes 300 to 700 bytes of memory"},
     LimitInfo{"include-depth", &Limits::include_depth, 1'000, "scenes in each other", "SML5021",
               "scenes that people write have three"},
     LimitInfo{"instances", &Limits::instances, 100'000'000,
               "entities of a scene, those of nested scenes included", "SML5022",
               "scenes that name the next one twice reach it in 18 levels"},
+    LimitInfo{"findings", &Limits::findings, 100'000'000,
+              "findings of one rule in a model or scene", "SML0002",
+              "nobody reads as many; each takes 500 bytes of memory and of the report"},
 };
 
 }  // namespace smurf

@@ -27,9 +27,14 @@ void collect(const std::string& folder, const FileReader& files, int depth,
 
 }  // namespace
 
+bool is_archive_type(std::string_view type) {
+  const std::string lower = path::to_lower(type);
+  return lower == "zsmurf" || lower == "zsmurfs" || lower == "zsmurfa";
+}
+
 bool is_archive(std::string_view path) {
-  const std::string extension = path::to_lower(path::extension(path));
-  return extension == ".zsmurf" || extension == ".zsmurfs" || extension == ".zsmurfa";
+  const std::string_view extension = path::extension(path);
+  return !extension.empty() && is_archive_type(extension.substr(1));
 }
 
 bool is_in_archive(std::string_view path) {

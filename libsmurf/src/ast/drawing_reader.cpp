@@ -8,17 +8,10 @@
 
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 /// The pieces between separators, without the blanks around them.
 std::vector<std::string_view> split(std::string_view text, std::string_view separators) {

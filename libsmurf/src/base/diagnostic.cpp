@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/limits.hpp"
 #include "base/rules.hpp"
 
 namespace smurf {
@@ -27,7 +28,20 @@ std::string_view to_string(Severity severity) {
 }
 
 Diagnostic& DiagnosticSink::report(const Rule& rule, Span span, std::string message) {
-  Diagnostic& diagnostic = diagnostics_.emplace_back();
+  const std::uint64_t count = ++counts_[&rule];
+  const bool is_kept = count <= most_ || &rule == &rules::sml0002_file_too_large;
+  if (count == most_ + 1 && !is_kept) {
+    Diagnostic& last = diagnostics_.emplace_back();
+    last.rule = &rules::sml0002_file_too_large;
+    last.severity = rule.severity;
+    last.span = span;
+    last.message = "there are more than " + std::to_string(most_) + " findings of " +
+                   std::string(rule.id) + "; from here on they are left out";
+    last.help = raise_limit("findings");
+    last.left_out = &rule;
+  }
+  Diagnostic& diagnostic =
+      is_kept ? diagnostics_.emplace_back() : (left_out_ = Diagnostic{}, left_out_);
   diagnostic.rule = &rule;
   diagnostic.severity = rule.severity;
   diagnostic.span = span;

@@ -6,7 +6,16 @@
 
 namespace smurf {
 
+/// What separates words.
+inline constexpr std::string_view kBlanks = " \t\r\n";
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// Without the blanks around it.
+constexpr std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
 
 /// The next word of `text` at or after `at`, which becomes its end; empty when there is none.
 constexpr std::string_view next_word(std::string_view text, std::size_t& at) {

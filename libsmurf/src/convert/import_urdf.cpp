@@ -5,6 +5,7 @@
 #include "base/edits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 #include "convert/import.hpp"
 #include "convert/rebase.hpp"
 
@@ -23,11 +24,7 @@ void Context::keep_as_text(Span span, const std::string& what, const std::string
 }
 
 std::string_view text_of(xml::View element) {
-  std::string_view text = element ? element.text() : std::string_view();
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+  return element ? trimmed(element.text()) : std::string_view();
 }
 
 std::string_view child_text(xml::View element, std::string_view child) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/words.hpp"
 #include "convert/passes.hpp"
 #include "convert/sensor_pose.hpp"
 
@@ -12,13 +13,6 @@ namespace {
 std::string_view attribute_of(xml::View element, std::string_view name) {
   const xml::Attribute* attribute = element ? element.attribute(name) : nullptr;
   return attribute != nullptr ? attribute->value : std::string_view();
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
 /// Equal texts mean equal elements, whatever their layout.

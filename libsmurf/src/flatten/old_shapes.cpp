@@ -6,18 +6,12 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/words.hpp"
 #include "flatten/shapes.hpp"
 #include "flatten/value.hpp"
 
 namespace smurf {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
 
 /// Elements by their names, attributes first; an element without elements is its text.
 Value to_value(xml::View element) {

@@ -7,6 +7,7 @@
 #include "ast/model_reader.hpp"
 #include "ast/sections.hpp"
 #include "ast/urdf_reader.hpp"
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
@@ -83,6 +84,46 @@ class ModelLoader {
     return document;
   }
 
+  /// False when the model has too many entries with those of this file; that is reported. An entry
+  /// takes far more memory once it is read than a value of the file.
+  bool has_room(const yaml::Document& document) {
+    if (!document.view() || !document.view().is_mapping()) return true;
+    for (const yaml::View section : document.view()) {
+      if (!section.is_sequence()) continue;
+      entries_ += section.size();
+      if (entries_ <= context_.limits.annotation_entries) continue;
+      context_.sink
+          .report(rules::sml0002_file_too_large, section.place(),
+                  "with this list, the model has more than " +
+                      std::to_string(context_.limits.annotation_entries) + " entries")
+          .help = raise_limit("annotation-entries");
+      model_.is_complete = false;
+      return false;
+    }
+    return true;
+  }
+
+  /// The same of the parts of a robot.
+  bool has_room(const xml::Document& document) {
+    constexpr std::string_view kParts[] = {"link", "joint", "visual", "collision"};
+    const std::uint64_t most = context_.limits.urdf_parts;
+    if (document.elements.size() <= most) return true;  // nearly always
+    std::uint64_t parts = 0;
+    for (const xml::Element& element : document.elements) {
+      if (std::find(std::begin(kParts), std::end(kParts), element.name) == std::end(kParts)) {
+        continue;
+      }
+      if (++parts <= most) continue;
+      context_.sink
+          .report(rules::sml0002_file_too_large, element.name_span(),
+                  "the robot has more than " + std::to_string(most) +
+                      " links, joints, visuals and collisions")
+          .help = raise_limit("urdf-parts");
+      return false;
+    }
+    return true;
+  }
+
   void main_file(const std::string& path) {
     const auto source = read_source(path, {}, rules::sml0001_unreadable_file, context_);
     if (!source) {
@@ -90,7 +131,7 @@ class ModelLoader {
       return;
     }
     auto document = parse(*source, ModelFile::Kind::main);
-    if (!document) return;
+    if (!document || !has_room(*document)) return;
     auto main = read_model(*document, context_.sink);
     model_.files.back().document = std::move(document);
     if (!main) {
@@ -159,7 +200,7 @@ class ModelLoader {
       return;
     }
     auto document = parse(*source, ModelFile::Kind::annotation);
-    if (!document) return;
+    if (!document || !has_room(*document)) return;
     if (!model_.has_main && holds_templates(*document)) return;
     auto annotations = read_annotations(*document, context_.sink);
     model_.files.back().document = std::move(document);
@@ -178,7 +219,8 @@ class ModelLoader {
     if (source) {
       model_.files.push_back({ModelFile::Kind::urdf, *source, std::nullopt});
       auto document = parse_xml(context_.sources, *source, context_.limits, context_.sink);
-      if (document) model_.robot = read_urdf(std::move(*document), context_.sink);
+      if (document && has_room(*document))
+        model_.robot = read_urdf(std::move(*document), context_.sink);
     }
     if (!model_.robot) model_.is_complete = false;
   }
@@ -230,6 +272,7 @@ class ModelLoader {
 
   LoadContext& context_;
   LinkedModel model_;
+  std::uint64_t entries_ = 0;  ///< of all lists of all annotation files
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "link/packages.hpp"
 
 #include "base/path.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 
@@ -48,11 +49,8 @@ const std::string& Packages::package_name(const std::string& folder) {
   const std::size_t begin = text.find(kTag);
   const std::size_t end = text.find("</name>");
   if (begin != std::string::npos && end != std::string::npos && begin < end) {
-    const std::string_view written =
-        std::string_view(text).substr(begin + kTag.size(), end - begin - kTag.size());
-    const std::size_t first = written.find_first_not_of(" \t\r\n");
-    const std::size_t last = written.find_last_not_of(" \t\r\n");
-    if (first != std::string_view::npos) place->second = written.substr(first, last - first + 1);
+    place->second =
+        trimmed(std::string_view(text).substr(begin + kTag.size(), end - begin - kTag.size()));
   }
   return place->second;
 }

@@ -375,11 +375,6 @@ EntityKind kind_of(std::string_view type) {
   return EntityKind::other;
 }
 
-bool is_archive_type(std::string_view type) {
-  const std::string lower = path::to_lower(type);
-  return lower == "zsmurf" || lower == "zsmurfs" || lower == "zsmurfa";
-}
-
 bool is_old_scene(std::string_view type) {
   return type == "scn" || type == "scene" || type == "yml";
 }

@@ -23,8 +23,6 @@ enum class EntityKind : std::uint8_t {
 /// Type as written, else the extension of the file without the dot.
 std::string entity_type(const Entity& entity);
 EntityKind kind_of(std::string_view type);
-/// zsmurf, zsmurfs and zsmurfa: a model or scene in an archive.
-bool is_archive_type(std::string_view type);
 /// scn, scene and yml: scenes of MARS before SMURF, which have loaders of their own.
 bool is_old_scene(std::string_view type);
 

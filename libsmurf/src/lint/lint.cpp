@@ -101,7 +101,9 @@ void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& source
 std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
                                const RuleSelection& selection) {
   std::erase_if(diagnostics, [&](const Diagnostic& one) {
-    return !selection.is_enabled(*one.rule, sources.path(one.span.source));
+    const std::string& path = sources.path(one.span.source);
+    const Rule& about = one.left_out == nullptr ? *one.rule : *one.left_out;
+    return !selection.is_enabled(*one.rule, path) || !selection.is_enabled(about, path);
   });
   if (!selection.targets.empty()) apply_targets(diagnostics, selection.targets);
   for (Diagnostic& diagnostic : diagnostics) {

@@ -67,6 +67,16 @@ class Scanner {
     sink_.report(rule, place, std::move(message)).help = raise_limit(limit);
   }
 
+  /// For an element or attribute more.
+  bool has_room(Span name) {
+    if (tree_.elements().size() + tree_.attributes().size() < limits_.xml_elements) return true;
+    too_much(rules::sml0002_file_too_large, name,
+             "the file holds more than " + std::to_string(limits_.xml_elements) +
+                 " elements and attributes",
+             "xml-elements");
+    return false;
+  }
+
   void markup() {
     if (looking_at("<!--")) return comment();
     if (looking_at("<![CDATA[")) return character_section();
@@ -246,12 +256,7 @@ class Scanner {
                "xml-depth");
       return;
     }
-    if (tree_.elements().size() >= limits_.xml_elements) {
-      too_much(rules::sml0002_file_too_large, element.name_span(),
-               "the file holds more than " + std::to_string(limits_.xml_elements) + " elements",
-               "xml-elements");
-      return;
-    }
+    if (!has_room(element.name_span())) return;
     element.first_attribute = static_cast<std::uint32_t>(tree_.attributes().size());
     prefixes_.enter();
     bool is_closed = false;
@@ -336,6 +341,7 @@ class Scanner {
 
   bool add_attribute(const Element& element, const Attribute& attribute) {
     const std::size_t count = tree_.attributes().size() - element.first_attribute;
+    if (!has_room(attribute.name_span())) return false;
     if (count >= limits_.xml_attributes) {
       too_much(rules::sml0002_file_too_large, element.name_span(),
                "the element " + quoted(element.name_span()) + " has more than " +

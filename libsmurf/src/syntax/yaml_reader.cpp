@@ -214,7 +214,7 @@ bool has_too_many_nodes(const DiagnosticSink& found) {
 /// True when the text is judged: it is plain, or so large that nobody reads it a second time.
 bool parse_plain(const SourceMap& sources, SourceId id, const Limits& limits, DiagnosticSink& sink,
                  std::optional<yaml::Document>& document) {
-  DiagnosticSink found;  // counts only when the text is judged
+  DiagnosticSink found(limits.findings);  // counts only when the text is judged
   YamlBuilder builder(sources, id, limits, found);
   try {
     if (!scan_plain_yaml(sources.text(id), builder)) return false;
@@ -257,7 +257,7 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
     return std::nullopt;
   }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
-  DiagnosticSink found;
+  DiagnosticSink found(limits.findings);
   YamlBuilder builder(sources, id, limits, found);
   YamlEvents events(text, builder, found);
   try {

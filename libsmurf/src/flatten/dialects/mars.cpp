@@ -8,6 +8,7 @@
 #include "ast/scene_reader.hpp"
 #include "base/path.hpp"
 #include "flatten/dialect_parts.hpp"
+#include "smurf/archive_files.hpp"
 
 namespace smurf::readings {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "base/path.hpp"
 #include "flatten/dialect_parts.hpp"
+#include "smurf/archive_files.hpp"
 
 namespace smurf::readings {
 namespace {

@@ -16,7 +16,7 @@ constexpr Need kGain{"p", "p", "does not move in MARS"};
 void check_need(const LinkedModel& model, const Motor& motor, const Need& need,
                 Findings& findings) {
   const yaml::View mapping = mapping_of(model, motor);
-  if (!mapping) return;
+  if (!mapping || mapping.size() == 0) return;  // without any key: reported where it is read
   yaml::View value = mapping.find(need.key);
   if (!value) value = mapping.find(need.old_key);
   if (value && !value.is_null()) {

@@ -5,6 +5,7 @@
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
+#include "smurf/archive_files.hpp"
 #include "smurf/user_schemas.hpp"
 
 namespace smurf::rules {

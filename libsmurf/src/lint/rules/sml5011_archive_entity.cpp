@@ -2,6 +2,7 @@
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
+#include "smurf/archive_files.hpp"
 
 namespace smurf::rules {
 namespace {
