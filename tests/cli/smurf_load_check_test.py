@@ -258,7 +258,7 @@ class Options(LoadCheckTest):
         self.expect_complaint("cannot read 'none.urdf': No such file or directory", "none.urdf")
 
     def test_a_model_without_a_urdf_gets_no_verdict(self):
-        for files, rule in {"files: []": "SML2003", "files: {}": "SML4001"}.items():
+        for files, rule in {"files: []": "SML2003", "files: {}": "SML4001", "flies: [a.urdf]": "SML4004"}.items():
             self.write("a.smurf", f"modelname: a\n{files}\n")
             report = self.report(1, "a.smurf")
             self.assertEqual(report["checks"][0]["stages"], [])

@@ -72,6 +72,20 @@ TEST_CASE("a misspelt required key is one finding, at the key") {
   CHECK(edit.text == "slider");
 }
 
+TEST_CASE("a main file needs `files`") {
+  const Reading misspelt(FileKind::model, "modelname: a\nflies: [a.urdf]\n");
+  REQUIRE(misspelt.shape_findings().size() == 1);
+  const Diagnostic& finding = *misspelt.shape_findings()[0];
+  CHECK(finding.message == "this main file has no `files`");
+  CHECK(misspelt.sources.text(finding.span) == "flies");
+  CHECK(finding.help == "did you mean `files` by `flies`?");
+
+  const Reading absent(FileKind::model, "modelname: a\n");
+  REQUIRE(absent.shape_findings().size() == 1);
+  CHECK(absent.sources.text(absent.shape_findings()[0]->span) == "modelname");
+  CHECK(Reading(FileKind::model, "files: []\n").shape_findings().empty());
+}
+
 TEST_CASE("every section is found by its names") {
   for (const std::string_view name : section_names()) {
     CAPTURE(name);

@@ -45,11 +45,13 @@ constinit const Rule sml4004_missing_key{
     .id = "SML4004",
     .name = "missing-key",
     .severity = Severity::error,
-    .summary = "An entry lacks a key without which it means nothing.",
-    .why = "MARS reads an absent key as 0 or the empty text: a motor without joint drives joint 0, "
-           "an entry without name matches nothing; Phobos stops with a KeyError.",
+    .summary = "An entry or a main file lacks a key without which it means nothing.",
+    .why =
+        "MARS reads an absent key as 0 or the empty text: a motor without joint drives joint 0, "
+        "an entry without name matches nothing, a main file without `files` has no URDF and MARS "
+        "dereferences the null model; Phobos stops with a KeyError.",
     .remedy = "Add the key.",
-    .sources = "configmaps (run); MARS smurf.cpp:264; Phobos representation.py:2399."};
+    .sources = "configmaps (run); MARS smurf.cpp:264, 988-998; Phobos representation.py:2399."};
 
 constinit const Rule sml4005_misspelt_key{
     .id = "SML4005",

@@ -18,7 +18,8 @@ constexpr Key<Model> kMainKeys[] = {
     {{.name = "files",
       .type = names,
       .doc = "The URDF and the annotation files (.yml), relative to this file. Order matters: MARS "
-             "merges them one after the other."},
+             "merges them one after the other.",
+      .required = true},
      &Model::files},
     {{.name = "version", .type = text, .doc = "Version of the model, written by Phobos 2."},
      &Model::version},

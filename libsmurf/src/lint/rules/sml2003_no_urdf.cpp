@@ -20,13 +20,8 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.has_main || !model.urdf_path.empty() || model.files.empty()) return;
   const ModelFile& main = model.files.front();
   if (!main.document || !main.document->view() || !main.document->view().is_mapping()) return;
-  if (model.main.files.written && !model.main.files) return;  // its shape is wrong, reported
+  if (!model.main.files) return;  // missing or of a wrong shape: reported where it is read
   const yaml::View root = main.document->view();
-  if (!model.main.files.written) {
-    if (has_misspelt(root, "files")) return;
-    findings.report({main.source, 0, 0}, "the main file has no `files`");
-    return;
-  }
   if (const Spanned<std::string>* other = other_source(*model.main.files)) {
     findings
         .report(other->span,
