@@ -252,7 +252,7 @@ def large():
             b"- {name: e%d, type: urdf, file: r.urdf, parent: e%d, anchor: a}\n" % (i, i + 1) for i in range(5_000))},
         "s.smurfs")
     for title, (name, head, part, tail) in FIFTY_MEGABYTES.items():
-        yield Case(f"50 MB of {title}", {name: long_file(head, part, 50, tail)}, name, codes=(1, 2))
+        yield Case(f"50 MB of {title}", {name: long_file(head, part, 50, tail)}, name, codes=(1, 2), scale=2)
         if name.endswith("f") and title != "links of one name":
             yield Case(f"50 MB of {title} next to the file", {
                 name: long_file(head, part, 50, tail), "a.yml": b"motors: []\n"}, "a.yml", tools=("smurf-lint",))

@@ -25,7 +25,7 @@ struct Limits {
   std::uint64_t urdf_parts = 500'000;
   std::uint64_t include_depth = 64;
   std::uint64_t instances = 250'000;
-  std::uint64_t findings = 5'000;
+  std::uint64_t findings = 100'000;
 };
 
 /// A limit as people know it: what `--limit` and docs/limits.md call it.
@@ -69,7 +69,7 @@ inline constexpr std::array kLimits{
               "a model of 100,000 links has three fifths of it; each takes up to 2 kB of memory"},
     LimitInfo{
         "urdf-parts", &Limits::urdf_parts, 100'000'000,
-        "links, joints, visuals and collisions of a robot", "SML0002",
+        "links, joints, extensions, visuals and collisions of a robot", "SML0002",
         "a robot of 100,000 links has four fifths of it; each takes 300 to 700 bytes of memory"},
     LimitInfo{"include-depth", &Limits::include_depth, 1'000, "scenes in each other", "SML5021",
               "scenes that people write have three"},

@@ -105,19 +105,17 @@ class ModelLoader {
 
   /// The same of the parts of a robot.
   bool has_room(const xml::Document& document) {
-    constexpr std::string_view kParts[] = {"link", "joint", "visual", "collision"};
     const std::uint64_t most = context_.limits.urdf_parts;
     if (document.elements.size() <= most) return true;  // nearly always
     std::uint64_t parts = 0;
     for (const xml::Element& element : document.elements) {
-      if (std::find(std::begin(kParts), std::end(kParts), element.name) == std::end(kParts)) {
-        continue;
-      }
-      if (++parts <= most) continue;
+      const bool is_part = element.parent == document.root || element.name == "visual" ||
+                           element.name == "collision";
+      if (!is_part || ++parts <= most) continue;
       context_.sink
           .report(rules::sml0002_file_too_large, element.name_span(),
                   "the robot has more than " + std::to_string(most) +
-                      " links, joints, visuals and collisions")
+                      " links, joints, extensions, visuals and collisions")
           .help = raise_limit("urdf-parts");
       return false;
     }
