@@ -107,7 +107,7 @@ TEST_CASE("the scanner takes what people write, and gives up at everything else"
   for (const char* text :
        {"a: 1\n", "a:\n- 1\n- b: 2\n  c: 3\nd: {e: [1, -2.5], f: 'it''s'}\n", "a:\nb: ~\n",
         "# comment\na: \"x: y\" # more\n\nb:\n  - - 1\n    - 2\n  -\n", "a: [1,\n  2, # two\n 3]\n",
-        "a: package://b/c#d\n", "- 1", "  a: b\n  c: d",
+        "a: package://b/c#d\n", "- 1", "  a: b\n  c: d", "a:\nnull hypothesis: 1\n",
         "{\n  \"a\": [\n    1,\n    b\n  ]\n}\n# end\n"}) {
     CAPTURE(text);
     CHECK(compare(text));

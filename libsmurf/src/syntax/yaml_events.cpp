@@ -54,17 +54,24 @@ std::uint32_t YamlEvents::absent_place(std::uint32_t mark) const {
   return is_sign ? sign + 1 : innermost.has_key ? before : mark;
 }
 
+bool YamlEvents::is_in_flow() const {
+  const auto& collections = builder_.collections();
+  return std::any_of(collections.begin(), collections.end(),
+                     [](const Collection& one) { return one.is_flow; });
+}
+
 std::uint32_t YamlEvents::written_null(std::uint32_t begin) const {
   for (const std::string_view word : {"~", "null", "Null", "NULL"}) {
     if (!text_.substr(begin).starts_with(word)) continue;
-    std::size_t after = begin + word.size();
-    if (after < text_.size() &&
-        std::string_view(" \t\r\n,]}:").find(text_[after]) == std::string_view::npos) {
-      continue;
-    }
-    after = std::min(text_.find_first_not_of(" \t", after), text_.size());
-    const bool is_key = after < text_.size() && text_[after] == ':';
-    return is_key && !builder_.expects_key() ? 0 : static_cast<std::uint32_t>(word.size());
+    const std::size_t end = begin + word.size();
+    const std::size_t next = std::min(text_.find_first_not_of(" \t", end), text_.size());
+    const char sign = next < text_.size() ? text_[next] : '\n';
+    const auto size = static_cast<std::uint32_t>(word.size());
+    if (sign == ':') return builder_.expects_key() ? size : 0;
+    // Anything else goes on with the text, as in `null hypothesis: 1` below an absent value.
+    const bool is_comment = sign == '#' && next > end;
+    const bool is_closed = std::string_view(",]}").find(sign) != std::string_view::npos;
+    if (sign == '\n' || sign == '\r' || is_comment || (is_closed && is_in_flow())) return size;
   }
   return 0;
 }
@@ -81,9 +88,7 @@ void YamlEvents::check_absent(std::uint32_t at_offset) {
 /// yaml-cpp takes a line that fits nowhere, at the end of a mapping, for a key without value.
 void YamlEvents::check_colon() {
   const auto& collections = builder_.collections();
-  const bool is_flow = std::any_of(collections.begin(), collections.end(),
-                                   [](const Collection& one) { return one.is_flow; });
-  if (collections.empty() || is_flow || !collections.back().has_key) return;
+  if (collections.empty() || is_in_flow() || !collections.back().has_key) return;
   const Span key = collections.back().key_span;
   const std::uint32_t sign = skip_blank(text_, key.end);
   if (key.empty() || (sign < text_.size() && text_[sign] == ':')) return;

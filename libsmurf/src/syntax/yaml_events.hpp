@@ -46,7 +46,9 @@ class YamlEvents final : public YAML::EventHandler {
 
   /// Where an absent value would stand: behind the dash or the colon before it.
   std::uint32_t absent_place(std::uint32_t mark) const;
+  /// Size of the null that is written there; 0 when none is.
   std::uint32_t written_null(std::uint32_t begin) const;
+  bool is_in_flow() const;
 
   /// yaml-cpp reads `[1,,2]` and `{,}` as holding nulls; YAML has no such entries.
   void check_absent(std::uint32_t at_offset);
