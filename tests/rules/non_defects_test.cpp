@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "support/loaded.hpp"
+#include "support/replaced.hpp"
 
 using namespace smurf;
 using namespace smurf::test;
@@ -43,12 +44,6 @@ std::vector<std::string> findings(const std::string& annotations, const std::str
   loaded.files.add("crane.yml", annotations);
   loaded.load("crane.smurf");
   return loaded.briefs();
-}
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
 }
 
 const std::vector<std::string> kNothing;

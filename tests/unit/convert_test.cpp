@@ -4,8 +4,10 @@
 
 #include "smurf/convert.hpp"
 #include "smurf/load.hpp"
+#include "support/replaced.hpp"
 
 using namespace smurf;
+using smurf::test::replaced;
 
 namespace {
 
@@ -40,12 +42,6 @@ struct Read {
     REQUIRE(model.robot);
   }
 };
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
 
 }  // namespace
 

@@ -25,7 +25,6 @@ TEST_CASE("a link on a fixed joint becomes part of the link that carries it") {
   CHECK(Exported(Read(kUrdf), options).text == kUrdf);
 }
 
-/// Two links on fixed joints above a base; the upper one stands at (0, 1, 2), turned about z.
 TEST_CASE("a link with two parents hangs on both of them still") {
   UrdfExport options;
   options.collapses_fixed = true;

@@ -8,6 +8,7 @@
 
 #include "smurf/convert.hpp"
 #include "smurf/load.hpp"
+#include "support/replaced.hpp"
 
 namespace smurf::test {
 
@@ -111,13 +112,7 @@ struct Exported {
   bool has(const std::string& part) const { return text.find(part) != std::string::npos; }
 };
 
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
-/// Three links, one on the other on fixed joints.
+/// Two links on fixed joints above a base; the upper one stands at (0, 1, 2), turned about z.
 inline std::string tower(const std::string& extensions, const std::string& shape = {}) {
   return R"(<robot name="tower">
   <link name="base"/>

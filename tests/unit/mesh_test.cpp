@@ -8,9 +8,11 @@
 
 #include "mesh/mesh_reader.hpp"
 #include "smurf/mesh_triangles.hpp"
+#include "support/replaced.hpp"
 #include "unit/random.hpp"
 
 using namespace smurf;
+using smurf::test::replaced;
 
 namespace {
 
@@ -151,12 +153,6 @@ std::string defect(const std::string& bytes, std::string_view extension = "") {
   const MeshFacts facts = read_mesh(bytes, extension);
   if (!facts.defect) return "none";
   return std::to_string(facts.defect->line) + ": " + facts.defect->what;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
 }
 
 }  // namespace

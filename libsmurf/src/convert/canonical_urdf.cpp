@@ -8,6 +8,7 @@
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
+#include "base/words.hpp"
 #include "convert/passes.hpp"
 
 namespace smurf {
@@ -102,7 +103,7 @@ class CanonicalWriter {
     std::stable_sort(children.begin(), children.end(), [](xml::View a, xml::View b) {
       return rank(kChildren, a.name()) < rank(kChildren, b.name());
     });
-    const bool has_text = element.text().find_first_not_of(" \t\r\n") != std::string_view::npos;
+    const bool has_text = !trimmed(element.text()).empty();
     if (has_text) {  // an extension: what its blanks mean is not known here
       indent(depth);
       out_ += std::string(

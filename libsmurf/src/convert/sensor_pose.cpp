@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert/sensor_pose.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "base/numbers.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
@@ -12,14 +12,8 @@ namespace {
 /// The numbers of "x y z r p y".
 std::array<double, 6> six_numbers(std::string_view text) {
   std::array<double, 6> numbers{};
-  std::size_t count = 0;
-  while (!text.empty() && count < numbers.size()) {
-    const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) break;
-    const std::size_t end = std::min(text.find_first_of(" \t\r\n", begin), text.size());
-    numbers[count++] = parse_number(text.substr(begin, end - begin)).value_or(0);
-    text.remove_prefix(end);
-  }
+  std::size_t at = 0;
+  for (double& number : numbers) number = parse_number(next_word(text, at)).value_or(0);
   return numbers;
 }
 

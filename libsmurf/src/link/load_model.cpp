@@ -217,8 +217,9 @@ class ModelLoader {
     if (source) {
       model_.files.push_back({ModelFile::Kind::urdf, *source, std::nullopt});
       auto document = parse_xml(context_.sources, *source, context_.limits, context_.sink);
-      if (document && has_room(*document))
+      if (document && has_room(*document)) {
         model_.robot = read_urdf(std::move(*document), context_.sink);
+      }
     }
     if (!model_.robot) model_.is_complete = false;
   }

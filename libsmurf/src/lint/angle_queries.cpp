@@ -9,6 +9,15 @@
 #include "base/words.hpp"
 
 namespace smurf {
+namespace {
+
+/// "0 0 0" and the like, as most are.
+bool is_plainly_zero(std::string_view numbers) {
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [](char c) { return c == '0' || c == '.' || c == ' '; });
+}
+
+}  // namespace
 
 std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
   const std::string_view value = attribute.value;
@@ -27,15 +36,10 @@ std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
   return numbers;
 }
 
-bool is_plainly_zero(const xml::Attribute& numbers) {
-  return std::all_of(numbers.value.begin(), numbers.value.end(),
-                     [](char c) { return c == '0' || c == '.' || c == ' '; });
-}
-
 void for_each_turn(const urdf::Robot& robot,
                    const std::function<void(const xml::Attribute&)>& visit) {
   for (const xml::Attribute& attribute : robot.document.attributes) {
-    if (is_same(attribute.name, "rpy") && !is_plainly_zero(attribute)) visit(attribute);
+    if (is_same(attribute.name, "rpy") && !is_plainly_zero(attribute.value)) visit(attribute);
   }
 }
 

@@ -20,8 +20,6 @@ struct WrittenNumber {
 /// The numbers of an attribute; none when one cannot be read or located.
 std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute);
 
-/// True for "0 0 0" and the like, as most are.
-bool is_plainly_zero(const xml::Attribute& numbers);
 /// Calls `visit` for every `rpy` of the robot that is not plainly zero.
 void for_each_turn(const urdf::Robot& robot,
                    const std::function<void(const xml::Attribute&)>& visit);

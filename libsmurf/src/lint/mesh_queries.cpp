@@ -7,15 +7,12 @@
 #include "ast/urdf_numbers.hpp"
 #include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
 
 constexpr std::string_view kPackage = "package://";
-
-bool is_blank(std::string_view text) {
-  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
-}
 
 bool has_drive(std::string_view filename) {
   const bool has_letter = !filename.empty() && ((filename[0] >= 'A' && filename[0] <= 'Z') ||
@@ -51,7 +48,7 @@ std::string_view package_of(std::string_view filename) {
 PathFault path_fault(const MeshReference& reference) {
   using enum PathFault;
   const std::string_view filename = reference.filename;
-  if (is_blank(filename)) return empty;
+  if (trimmed(filename).empty()) return empty;
   if (is_xacro(filename)) return none;  // SML1009
   if (is_malformed_package(filename)) return malformed_package;
   if (filename.find("://") != std::string_view::npos && !filename.starts_with(kPackage)) {

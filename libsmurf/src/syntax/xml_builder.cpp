@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/words.hpp"
+
 namespace smurf {
 
 using xml::Element;
@@ -58,15 +60,14 @@ void XmlBuilder::close(std::uint32_t end) {
 bool XmlBuilder::add_text(Span text) {
   Element& element = at(open_.back().element);
   if (element.text != xml::kNoText) return false;
-  constexpr std::string_view kBlanks = " \t\r\n";
   const std::string_view written = text_.substr(text.begin, text.end - text.begin);
-  const std::size_t first = written.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return false;
-  const std::size_t last = written.find_last_not_of(kBlanks);
+  const std::string_view visible = trimmed(written);
+  if (visible.empty()) return false;
+  const auto begin = static_cast<std::uint32_t>(visible.data() - text_.data());
   element.text = static_cast<std::uint32_t>(document_.texts.size());
-  document_.texts.push_back({open_.back().last_child == kNoElement ? written : std::string_view(),
-                             {text.source, text.begin + static_cast<std::uint32_t>(first),
-                              text.begin + static_cast<std::uint32_t>(last + 1)}});
+  document_.texts.push_back(
+      {open_.back().last_child == kNoElement ? written : std::string_view(),
+       {text.source, begin, begin + static_cast<std::uint32_t>(visible.size())}});
   return true;
 }
 

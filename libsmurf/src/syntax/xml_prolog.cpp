@@ -7,6 +7,7 @@
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/utf8.hpp"
+#include "base/words.hpp"
 #include "syntax/text_check.hpp"
 
 namespace smurf {
@@ -18,10 +19,7 @@ void check_position(std::string_view text, SourceId id, std::size_t begin, Diagn
   const std::size_t declaration = text.find(kDeclaration);
   if (declaration == std::string_view::npos || declaration == begin) return;
   const std::size_t next = declaration + kDeclaration.size();
-  constexpr std::string_view kBlanks = " \t\r\n";
-  if (next < text.size() && kBlanks.find(text[next]) == std::string_view::npos) {
-    return;  // <?xml-stylesheet
-  }
+  if (next < text.size() && !is_blank(text[next])) return;  // <?xml-stylesheet
   if (text.substr(0, declaration).find('<') != std::string_view::npos) return;
   const Span junk{id, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(declaration)};
   Diagnostic& diagnostic = sink.report(rules::sml1005_xml_junk_before_prolog, junk,
@@ -70,7 +68,6 @@ std::optional<std::size_t> find_unsound(std::string_view instruction) {
   if (path::to_lower(instruction.substr(0, kDeclaration.size())) != kDeclaration) {
     return std::nullopt;
   }
-  constexpr std::string_view kBlanks = " \t\r\n";
   const std::string_view text = instruction.substr(0, instruction.size() - 2);
   const auto skip_blanks = [&](std::size_t from) {
     return std::min(text.find_first_not_of(kBlanks, from), text.size());

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "base/rules.hpp"
+#include "base/words.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_scanner.hpp"
 
@@ -99,8 +100,7 @@ std::optional<xml::Document> parse_xml_by(XmlEngine engine, const SourceMap& sou
                                           const Limits& limits, DiagnosticSink& sink) {
   const std::string_view text = sources.text(id);
   constexpr std::string_view kLfsPointer = "version https://git-lfs";
-  if (text.starts_with(kLfsPointer) ||
-      text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+  if (text.starts_with(kLfsPointer) || trimmed(text).empty()) {
     Diagnostic& diagnostic =
         sink.report(rules::sml1010_lfs_pointer, {id, 0, 0},
                     text.starts_with(kLfsPointer) ? "the file is a Git LFS pointer, not XML"

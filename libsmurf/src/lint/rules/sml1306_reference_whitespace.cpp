@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/words.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules {
@@ -9,11 +10,9 @@ void check(const LinkedModel& model, Findings& findings) {
     if (name_fault(*name) != NameFault::blank) return;
     Diagnostic& diagnostic =
         findings.report(name.span, "a blank belongs to the name " + quoted(*name));
-    const std::size_t begin = name->find_first_not_of(" \t\r\n");
-    const std::size_t end = name->find_last_not_of(" \t\r\n");
-    if (begin == std::string::npos) return;
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{name.span, name->substr(begin, end - begin + 1)}}});
+    const std::string_view meant = trimmed(*name);
+    if (meant.empty()) return;
+    diagnostic.fixes.push_back({Applicability::unsafe, {{name.span, std::string(meant)}}});
   });
 }
 
