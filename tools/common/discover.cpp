@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -23,6 +25,16 @@ namespace {
 bool is_sought(std::string_view path) {
   const InputKind kind = kind_of(path);
   return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf;
+}
+
+enum class Entry : std::uint8_t { file, folder, link, other };
+
+/// As the folder says it: these do not ask the file system for each, as the status would.
+Entry kind_of_entry(const std::filesystem::directory_entry& entry) {
+  std::error_code vanished;
+  if (entry.is_symlink(vanished)) return Entry::link;
+  if (entry.is_directory(vanished)) return Entry::folder;
+  return entry.is_regular_file(vanished) ? Entry::file : Entry::other;
 }
 
 class Search {
@@ -58,26 +70,25 @@ class Search {
     if (::stat(folder.c_str(), &status) != 0) return fail(folder, errno);
     if (!is_new(status)) return;
     std::error_code error;
-    std::vector<std::string> names;
+    std::map<std::string, Entry> entries;
     std::filesystem::directory_iterator entry(folder, error);
     for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-      names.push_back(entry->path().filename().string());
+      entries.emplace(entry->path().filename().string(), kind_of_entry(*entry));
     }
     if (error) fail(folder, error.value());
-    std::sort(names.begin(), names.end());
-    for (const std::string& name : names) {
-      if (!name.starts_with('.')) visit(path::join(folder, name));
+    for (const auto& [name, kind] : entries) {
+      if (!name.starts_with('.')) visit(path::join(folder, name), kind);
     }
   }
 
-  void visit(const std::string& path) {
-    struct stat status {};
-    if (::lstat(path.c_str(), &status) != 0) return fail(path, errno);
-    if (S_ISLNK(status.st_mode)) {
+  void visit(const std::string& path, Entry kind) {
+    if (kind == Entry::link) {
       links_.push_back(path);
-    } else if (S_ISDIR(status.st_mode)) {
+    } else if (kind == Entry::folder) {
       if (!is_left_out(path, true)) walk(path);
-    } else if (S_ISREG(status.st_mode) && is_sought(path)) {
+    } else if (kind == Entry::file && is_sought(path)) {
+      struct stat status {};
+      if (::lstat(path.c_str(), &status) != 0) return fail(path, errno);
       add(path, status);
     }
   }

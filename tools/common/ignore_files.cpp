@@ -29,7 +29,8 @@ const IgnoreFiles::Level& IgnoreFiles::level_of(const std::string& folder) {
   level.is_in_repository =
       level.is_repository || (level.above != nullptr && level.above->is_in_repository);
   const auto read = [&](std::string_view name) {
-    return files_.read(path::join(folder, name), kMostBytes).text;
+    const std::string path = path::join(folder, name);
+    return files_.is_file(path) ? files_.read(path, kMostBytes).text : std::string();
   };
   if (level.is_repository) level.of_git.add_lines(read(".git/info/exclude"));
   if (level.is_in_repository) level.of_git.add_lines(read(".gitignore"));

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/canonical_paths.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/output.hpp"
@@ -105,10 +106,8 @@ std::vector<std::string> package_folders_of_environment() {
 }
 
 std::string identity(const std::string& path) {
-  std::error_code error;
-  const auto absolute = std::filesystem::absolute(path.empty() ? "." : path, error);
-  const auto canonical = std::filesystem::weakly_canonical(absolute, error);
-  return error ? path::normalize(path) : canonical.string();
+  static const CanonicalPaths canonical;
+  return canonical.of(path).value_or(path::normalize(path));
 }
 
 }  // namespace smurf::tools

@@ -25,12 +25,13 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path, ignored);
 }
 
-std::string nearest_config(const std::string& start, const FileReader& files) {
+/// In `folder` or the nearest above it; the text "..", not links, leads upwards.
+std::string nearest_config(std::string folder, const FileReader& files) {
+  if (folder.empty()) folder = ".";
   std::error_code ignored;
-  std::string folder = start.empty() ? "." : start;
   const auto absolute = std::filesystem::absolute(folder, ignored);
   for (auto level = std::distance(absolute.begin(), absolute.end()); level > 0; --level) {
-    const std::string config = path::join(folder, kConfigName);
+    std::string config = path::join(folder, kConfigName);
     if (files.is_file(config)) return config;
     folder = path::join(folder, "..");
   }
@@ -72,7 +73,10 @@ struct Exclusions {
 class Planner {
  public:
   Planner(const LintOptions& options, MemoryFiles& files)
-      : options_(options), files_(files), ignore_files_(files) {}
+      : options_(options),
+        files_(files),
+        current_folder_(identity(".")),
+        ignore_files_(files) {}
 
   Plan run() {
     std::vector<std::string> paths = options_.paths;
@@ -116,6 +120,20 @@ class Planner {
   std::size_t config_of_folder(const std::string& folder) {
     const auto [place, is_new] = by_folder_.try_emplace(folder);
     if (!is_new) return place->second;
+    return place->second = is_as_above(folder) ? config_of_folder(path::join(folder, ".."))
+                                               : config_found_from(folder);
+  }
+
+  /// Has the folder surely the configuration of the one above it?
+  bool is_as_above(const std::string& folder) const {
+    if (options_.isolated || !options_.config.empty()) return false;
+    const std::string normal = path::normalize(folder);
+    const std::string_view name = path::file_name(normal);
+    return !name.empty() && name != "." && name != ".." &&
+           !files_.is_file(path::join(normal, kConfigName));
+  }
+
+  std::size_t config_found_from(const std::string& folder) {
     std::string config = find_config(folder.empty() ? "." : folder, options_, files_);
     if (!config.empty() && why_unreadable(config, files_)) config.clear();
     const std::string key = config.empty() ? config : identity(config);
@@ -124,7 +142,7 @@ class Planner {
       exclusions_.emplace_back(config, options_, files_);
       plan_.configs.push_back(std::move(config));
     }
-    return place->second = known->second;
+    return known->second;
   }
 
   /// Whether a folder is searched, the configuration around it says, not the one in it.
@@ -149,9 +167,8 @@ class Planner {
     return ignore_files_.leaves_out_with_folders(absolute(path));
   }
 
-  static std::string absolute(const std::string& path) {
-    std::error_code ignored;
-    return path::normalize(std::filesystem::absolute(path, ignored).generic_string());
+  std::string absolute(const std::string& path) const {
+    return path::join(current_folder_, path);
   }
 
   void add(std::vector<PlannedFile>& to, const std::string& path) {
@@ -225,6 +242,7 @@ class Planner {
 
   const LintOptions& options_;
   MemoryFiles& files_;
+  const std::string current_folder_;
   Plan plan_;
   std::set<std::string> planned_;
   std::map<std::string, std::size_t> by_folder_, configs_;

@@ -4,10 +4,13 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace smurf {
+
+class CanonicalPaths;
 
 enum class ReadStatus : std::uint8_t { ok, not_found, not_a_file, too_large, denied };
 
@@ -38,9 +41,12 @@ class DiskFiles final : public FileReader {
 };
 
 /// Files of the machine that really lie in one of some folders, symbolic links followed: what a
-/// model from a stranger may name. Others are denied; whether they exist is still told.
+/// model from a stranger may name. Others are denied; whether they exist is still told. Where links
+/// lead is looked up once: make a new one after links have changed.
 class ConfinedFiles final : public FileReader {
  public:
+  ConfinedFiles();
+  ~ConfinedFiles() override;
   void allow(const std::string& folder);
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
@@ -51,6 +57,7 @@ class ConfinedFiles final : public FileReader {
   bool allows(const std::string& path) const;
 
   DiskFiles disk_;
+  std::unique_ptr<CanonicalPaths> canonical_;
   std::vector<std::string> folders_;  ///< canonical, with a '/' at the end
 };
 

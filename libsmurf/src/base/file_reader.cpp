@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/canonical_paths.hpp"
 #include "base/path.hpp"
 
 namespace smurf {
@@ -82,23 +83,24 @@ std::vector<std::string> DiskFiles::list(const std::string& folder) const {
   return names;
 }
 
+ConfinedFiles::ConfinedFiles() : canonical_(std::make_unique<CanonicalPaths>()) {}
+ConfinedFiles::~ConfinedFiles() = default;
+
 void ConfinedFiles::allow(const std::string& folder) {
-  std::error_code error;
-  const auto canonical = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
-  if (!error) folders_.push_back(path::normalize(canonical.string() + "/") + "/");
+  if (const auto canonical = canonical_->of(folder)) {
+    folders_.push_back(path::normalize(*canonical + "/") + "/");
+  }
 }
 
 bool ConfinedFiles::allows(const std::string& path) const {
-  std::error_code error;
-  const std::string canonical =
-      std::filesystem::weakly_canonical(path.empty() ? "." : path, error).string() + "/";
-  return !error && std::ranges::any_of(folders_, [&](const std::string& folder) {
-    return folder == "//" || canonical.starts_with(folder);
-  });
+  const auto canonical = canonical_->of(path);
+  return canonical && std::ranges::any_of(folders_, [&](const std::string& folder) {
+           return folder == "//" || (*canonical + "/").starts_with(folder);
+         });
 }
 
 FileContent ConfinedFiles::read(const std::string& path, std::uint64_t max_bytes) const {
-  if (disk_.is_file(path) && !allows(path)) {
+  if (!allows(path) && disk_.is_file(path)) {
     return {ReadStatus::denied, {}, "it lies outside of the project; --allow-outside reads it"};
   }
   return disk_.read(path, max_bytes);

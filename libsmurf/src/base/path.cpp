@@ -18,6 +18,21 @@ std::vector<std::string_view> split(std::string_view path) {
   return parts;
 }
 
+/// May the text go on with ".", ".." or nothing where a part begins?
+bool begins_oddly(std::string_view rest) {
+  if (rest.empty() || rest.front() == '/') return true;
+  return rest.front() == '.' && (rest.size() == 1 || rest[1] == '.' || rest[1] == '/');
+}
+
+/// Does a glance show that normalising changes nothing?
+bool is_plainly_normal(std::string_view path) {
+  if (!path.starts_with('/') && begins_oddly(path)) return false;
+  for (std::size_t at = path.find('/'); at != std::string_view::npos; at = path.find('/', at + 1)) {
+    if (begins_oddly(path.substr(at + 1))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string_view parent(std::string_view path) {
@@ -45,6 +60,7 @@ std::string_view stem(std::string_view path) {
 bool is_absolute(std::string_view path) { return path.starts_with('/'); }
 
 std::string normalize(std::string_view path) {
+  if (is_plainly_normal(path)) return std::string(path);
   std::vector<std::string_view> kept;
   for (const std::string_view part : split(path)) {
     if (part == ".") continue;
@@ -64,7 +80,11 @@ std::string normalize(std::string_view path) {
 
 std::string join(std::string_view folder, std::string_view path) {
   if (is_absolute(path) || folder.empty()) return normalize(path);
-  return normalize(std::string(folder) + "/" + std::string(path));
+  std::string whole;
+  whole.reserve(folder.size() + 1 + path.size());
+  whole.append(folder).append("/").append(path);
+  if (is_plainly_normal(whole)) return whole;
+  return normalize(whole);
 }
 
 std::string relative(std::string_view path, std::string_view folder) {

@@ -139,6 +139,7 @@ void PathPatterns::add_lines(std::string_view text) {
 }
 
 PathVerdict PathPatterns::judge(std::string_view path, bool is_folder) const {
+  if (patterns_.empty()) return PathVerdict::unmentioned;
   const std::vector<std::string_view> names = split(path);
   const auto last = std::find_if(patterns_.rbegin(), patterns_.rend(), [&](const Pattern& one) {
     return (is_folder || !one.folders_only) && match_path(one.names, names);
