@@ -81,9 +81,9 @@ bool have_other_limits(const urdf::Joint& a, const urdf::Joint& b) {
   if (!a.is_movable()) return false;
   const urdf::Limit x = a.limit.value_or(urdf::Limit{});
   const urdf::Limit y = b.limit.value_or(urdf::Limit{});
-  return a.limit.has_value() != b.limit.has_value() || x.lower.value != y.lower.value ||
-         x.upper.value != y.upper.value || x.effort.value != y.effort.value ||
-         x.velocity.value != y.velocity.value;
+  return a.limit.has_value() != b.limit.has_value() || x.lower.value() != y.lower.value() ||
+         x.upper.value() != y.upper.value() || x.effort.value() != y.effort.value() ||
+         x.velocity.value() != y.velocity.value();
 }
 
 /// What the fixes have changed that they must not; empty when nothing.

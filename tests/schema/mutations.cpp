@@ -186,8 +186,8 @@ std::string mutate(std::string text, std::mt19937& random) {
   const yaml::Node& node = pick(document->nodes, random);
   Span place = node.span;
   std::string replacement(kValues[random() % std::size(kValues)]);
-  if (!node.key_span.empty() && random() % 3 == 0) {
-    place = node.key_span;
+  if (!node.key_span().empty() && random() % 3 == 0) {
+    place = node.key_span();
     const bool is_unknown = random() % 2 == 0;
     replacement = "\"" + (is_unknown ? "qqq" : std::string(pick(kNames, random))) + "\"";
   }

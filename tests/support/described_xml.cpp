@@ -25,15 +25,15 @@ std::string described_xml(XmlEngine engine, const std::string& text) {
   for (std::size_t n = 0; n < document->elements.size(); ++n) {
     const xml::View view(*document, xml::ElementId{static_cast<std::uint32_t>(n)});
     const xml::Element& element = view.element();
-    out << element.name << ' ' << element.span << ' ' << element.tag_span() << ' '
+    out << element.name() << ' ' << element.span << ' ' << element.tag_span() << ' '
         << element.name_span() << " parent " << static_cast<std::uint32_t>(element.parent)
-        << " first " << static_cast<std::uint32_t>(element.first_child) << " next "
+        << " first " << static_cast<std::uint32_t>(document->first_child(view.id())) << " next "
         << static_cast<std::uint32_t>(element.next_sibling) << " text `" << view.text() << "` "
         << view.text_span();
     for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
       const xml::Attribute& attribute = document->attributes[element.first_attribute + i];
-      out << ' ' << attribute.name << "=`" << attribute.value << "` " << attribute.name_span()
-          << ' ' << attribute.value_span << ' ' << attribute.span();
+      out << ' ' << attribute.name() << "=`" << attribute.value() << "` " << attribute.name_span()
+          << ' ' << attribute.value_span() << ' ' << attribute.span();
     }
     out << '\n';
   }

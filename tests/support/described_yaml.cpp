@@ -17,13 +17,14 @@ std::string described_yaml(YamlEngine engine, const std::string& text) {
   }
   if (!document) return out.str() + "refused";
   for (const yaml::Node& node : document->nodes) {
-    out << static_cast<int>(node.kind) << ' ' << static_cast<int>(node.style) << ' '
-        << node.is_repeated << ' ' << node.position << ' ' << node.child_count << " parent "
+    out << static_cast<int>(node.kind()) << ' ' << static_cast<int>(node.style) << ' '
+        << node.is_repeated << ' ' << node.position() << ' ' << node.child_count() << " parent "
         << static_cast<std::uint32_t>(node.parent) << " first "
-        << static_cast<std::uint32_t>(node.first_child) << " next "
+        << static_cast<std::uint32_t>(node.first_child()) << " target "
+        << static_cast<std::uint32_t>(node.target()) << " next "
         << static_cast<std::uint32_t>(node.next_sibling) << ' ' << node.span.begin << '-'
-        << node.span.end << ' ' << node.key_span.begin << '-' << node.key_span.end << " `"
-        << node.key << "` `" << node.text << "`\n";
+        << node.span.end << ' ' << node.key_span().begin << '-' << node.key_span().end << " `"
+        << node.key() << "` `" << node.text() << "`\n";
   }
   return out.str();
 }

@@ -128,7 +128,7 @@ TEST_CASE("simple transmissions become motors, with the limits of their joints")
   CHECK(*motors[0].max_value == 2);
   CHECK(*motors[0].max_effort == 30);
   CHECK(*motors[0].max_speed == 4);
-  CHECK(motors[0].p.value);
+  CHECK(motors[0].p);
   CHECK(*motors[1].type == "DC");
   CHECK(*motors[1].max_value == doctest::Approx(3.14159265358979));
   CHECK_FALSE(motors[1].p.written);

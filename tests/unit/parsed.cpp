@@ -12,8 +12,7 @@ std::string slice(const SourceMap& sources, Span span) {
 }
 
 std::string_view word(const yaml::View& view) {
-  if (view.document().nodes[static_cast<std::size_t>(view.id())].target != yaml::kNoNode)
-    return "alias";
+  if (view.document().nodes[static_cast<std::size_t>(view.id())].is_alias()) return "alias";
   switch (view.kind()) {
   case yaml::Kind::null: return "null";
   case yaml::Kind::sequence: return "list";
@@ -34,13 +33,13 @@ void add_lines(const SourceMap& sources, const yaml::View& view, Lines& lines) {
   const yaml::Node& node = view.document().nodes[static_cast<std::size_t>(view.id())];
   const bool is_member =
       node.parent != yaml::kNoNode &&
-      view.document().nodes[static_cast<std::size_t>(node.parent)].kind == yaml::Kind::mapping;
+      view.document().nodes[static_cast<std::size_t>(node.parent)].kind() == yaml::Kind::mapping;
   if (is_member) line += " " + slice(sources, view.key_span()) + " ->";
   line.append(" ").append(word(view)).append(" ").append(slice(sources, view.span()));
   const bool shows_text = view.is_scalar() && view.text() != sources.text(view.span());
   if (shows_text) line.append(" = ").append(visible(view.text()));
   lines.push_back(std::move(line));
-  if (node.target != yaml::kNoNode) return;
+  if (node.is_alias()) return;
   for (const yaml::View child : view) add_lines(sources, child, lines);
 }
 
@@ -57,9 +56,9 @@ void add_lines(const SourceMap& sources, const xml::View& view, Lines& lines) {
   }
   lines.push_back(std::move(line));
   for (const auto* a = view.attributes_begin(); a != view.attributes_end(); ++a) {
-    line = "  @" + std::string(a->name) + " " + slice(sources, a->name_span()) + " " +
-           slice(sources, a->value_span) + " in " + slice(sources, a->span());
-    if (a->value != sources.text(a->value_span)) line.append(" = ").append(visible(a->value));
+    line = "  @" + std::string(a->name()) + " " + slice(sources, a->name_span()) + " " +
+           slice(sources, a->value_span()) + " in " + slice(sources, a->span());
+    if (a->value() != sources.text(a->value_span())) line.append(" = ").append(visible(a->value()));
     lines.push_back(std::move(line));
   }
   for (const xml::View child : view) add_lines(sources, child, lines);

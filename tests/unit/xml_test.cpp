@@ -137,7 +137,7 @@ TEST_CASE("xml: paths and places") {
   CHECK(!parsed.root().child("sensor"));
   CHECK(parsed.root().child("joint").child("limit"));
   CHECK(!parsed.root().child("x").child("y"));
-  CHECK(parsed.root().attribute("name")->value == "x");
+  CHECK(parsed.root().attribute("name")->value() == "x");
   CHECK(parsed.root().attribute("nam") == nullptr);
 }
 

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -104,15 +103,6 @@ bool wants_color(int descriptor) {
 }
 
 }  // namespace
-
-void prepare_streams() {
-  std::signal(SIGPIPE, SIG_IGN);
-  for (int descriptor = 0; descriptor <= 2; ++descriptor) {
-    if (::fcntl(descriptor, F_GETFD) != -1) continue;
-    // Opened the wrong way round, so that using it is still an error.
-    [[maybe_unused]] const int filler = ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
-  }
-}
 
 void complain(std::string_view tool, std::string_view message) {
   write_error(std::string(tool) + ": " + render::escape(message) + "\n");

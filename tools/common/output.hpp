@@ -11,10 +11,6 @@
 
 namespace smurf::tools {
 
-/// At the start of main: a closed pipe becomes a failed write instead of a killed process, and
-/// files cannot take the place of closed standard streams.
-void prepare_streams();
-
 /// "smurf-lint: message" on standard error. Control characters are escaped.
 void complain(std::string_view tool, std::string_view message);
 

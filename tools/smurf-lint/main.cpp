@@ -5,6 +5,7 @@
 
 #include "common/confine.hpp"
 #include "common/input.hpp"
+#include "common/process.hpp"
 #include "common/repository.hpp"
 #include "smurf-lint/check.hpp"
 #include "smurf-lint/fix.hpp"
@@ -183,7 +184,7 @@ ExitCode run(const LintOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  prepare_streams();
+  prepare_process();
   LintOptions options;
   if (const auto code = parse_command_line(lint_command(options), argc, argv)) return *code;
   if (const auto conflict = find_conflict(options)) {

@@ -2,6 +2,7 @@
 // smurf-load-check: whether models and scenes stand, hang and drop in ODE.
 #include <iterator>
 
+#include "common/process.hpp"
 #include "common/progress.hpp"
 #include "smurf-load-check/options.hpp"
 #include "smurf-load-check/report.hpp"
@@ -65,7 +66,7 @@ std::vector<Diagnostic> all_diagnostics(std::span<const Checked> checked,
 }  // namespace
 
 int main(int argc, char** argv) {
-  prepare_streams();
+  prepare_process();
   Options options;
   if (const auto code = parse_command_line(command_of(options), argc, argv)) return *code;
   if (const std::string reason = unusable_engine(); !reason.empty()) {

@@ -4,6 +4,7 @@
 
 #include "base/path.hpp"
 #include "common/converter.hpp"
+#include "common/process.hpp"
 #include "smurf/convert.hpp"
 #include "smurf2urdf/options.hpp"
 #include "smurf2urdf/verify.hpp"
@@ -68,7 +69,7 @@ bool write_result(const Options& options, const std::string& urdf, const LinkedM
 }  // namespace
 
 int main(int argc, char** argv) {
-  prepare_streams();
+  prepare_process();
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
   if (!options.shown_preset.empty()) {

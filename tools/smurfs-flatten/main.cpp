@@ -5,6 +5,7 @@
 
 #include "base/path.hpp"
 #include "common/converter.hpp"
+#include "common/process.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/write_scene.hpp"
 #include "smurfs-flatten/assets.hpp"
@@ -237,7 +238,7 @@ Result flatten_scene(Conversion& conversion, LinkedScene& scene, const Options& 
 }  // namespace
 
 int main(int argc, char** argv) {
-  prepare_streams();
+  prepare_process();
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
 

@@ -4,6 +4,7 @@
 
 #include "base/path.hpp"
 #include "common/converter.hpp"
+#include "common/process.hpp"
 #include "smurf/convert.hpp"
 #include "smurf/write.hpp"
 
@@ -140,7 +141,7 @@ std::string verify(const LinkedModel& source, const std::string& folder,
 }  // namespace
 
 int main(int argc, char** argv) {
-  prepare_streams();
+  prepare_process();
   Options options;
   if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
   if (const std::string problem = problem_of(options); !problem.empty()) {

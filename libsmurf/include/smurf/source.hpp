@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace smurf {
@@ -39,17 +40,38 @@ struct Spanned {
 };
 
 /// One key or attribute of a file. Absent, unreadable and readable are three different things:
-/// `written` says the author wrote it, `value` is set only when it could be understood.
+/// `written` says the author wrote it, there is a value only when it could be understood.
 template <class T>
-struct Field {
-  std::optional<T> value;
+class Field {
+ public:
+  Field() = default;
+  /// What is written at a place; no value when it cannot be understood.
+  Field(std::optional<T> read, Span place)
+      : value_(read ? *std::move(read) : T{}), span(place), written(true), has_value_(read) {}
+
+  bool has_value() const { return has_value_; }
+  explicit operator bool() const { return has_value_; }
+  /// Precondition of these two: there is a value.
+  const T& operator*() const { return value_; }
+  const T* operator->() const { return &value_; }
+  T& operator*() { return value_; }
+  T* operator->() { return &value_; }
+  T value_or(T fallback) const { return has_value_ ? value_ : fallback; }
+  std::optional<T> value() const { return has_value_ ? std::optional<T>(value_) : std::nullopt; }
+  void set(T value) {
+    value_ = std::move(value);
+    has_value_ = true;
+  }
+
+ private:
+  T value_{};  // no std::optional: with it, each of the many fields of a robot takes 8 bytes more
+
+ public:
   Span span;
   bool written = false;
 
-  explicit operator bool() const { return value.has_value(); }
-  const T& operator*() const { return *value; }
-  const T* operator->() const { return &*value; }
-  T value_or(T fallback) const { return value ? *value : fallback; }
+ private:
+  bool has_value_ = false;
 };
 
 /// What becomes of spans when the sources of one map are taken over by another.

@@ -19,17 +19,55 @@ inline constexpr ElementId kNoElement{0xffffffffU};
 inline constexpr std::uint32_t kNoText = 0xffffffffU;
 
 // Robots have hundreds of thousands of both, so what can be told from the rest is not kept.
-struct Attribute {
-  std::string_view name;   ///< as written
-  std::string_view value;  ///< entities decoded
-  Span value_span;         ///< between the quotes
-  std::uint32_t begin = 0;
 
-  Span name_span() const {
-    return {value_span.source, begin, begin + static_cast<std::uint32_t>(name.size())};
+/// The value of an attribute when it is not what is written there: entities were decoded.
+struct DecodedValue {
+  const char* name = nullptr;  ///< of the attribute, in the source
+  std::string value;
+};
+
+class Attribute {
+ public:
+  /// Both places are in the source whose text is `source`.
+  Attribute(std::string_view source, Span name, Span value)
+      : name_(source.data() + name.begin),
+        source_(name.source),
+        begin_(name.begin),
+        name_size_(name.end - name.begin),
+        value_begin_(value.begin),
+        value_end_(value.end) {}
+
+  /// As written.
+  std::string_view name() const { return {is_decoded_ ? decoded_->name : name_, name_size_}; }
+  /// Entities decoded.
+  std::string_view value() const {
+    return is_decoded_
+               ? std::string_view(decoded_->value)
+               : std::string_view(name_ + (value_begin_ - begin_), value_end_ - value_begin_);
   }
+  Span name_span() const { return {source_, begin_, begin_ + name_size_}; }
+  /// Between the quotes.
+  Span value_span() const { return {source_, value_begin_, value_end_}; }
   /// From the name to the closing quote.
-  Span span() const { return {value_span.source, begin, value_span.end + 1}; }
+  Span span() const { return {source_, begin_, value_end_ + 1}; }
+
+  /// `decoded` must outlive this, and its name be that of the attribute.
+  void set_value(const DecodedValue& decoded) {
+    decoded_ = &decoded;
+    is_decoded_ = true;
+  }
+
+ private:
+  union {
+    const char* name_;
+    const DecodedValue* decoded_;
+  };
+  SourceId source_;
+  std::uint32_t begin_;
+  std::uint32_t name_size_;
+  std::uint32_t value_begin_;
+  std::uint32_t value_end_;
+  bool is_decoded_ = false;
 };
 
 /// Character data directly inside an element, the first piece only.
@@ -39,22 +77,22 @@ struct Text {
 };
 
 struct Element {
-  std::string_view name;  ///< as written, right behind the '<'
-  Span span;              ///< from '<' to the end of the end tag
+  const char* name_begin = nullptr;  ///< in the source, right behind the '<'
+  std::uint32_t name_size = 0;
+  Span span;  ///< from '<' to the end of the end tag
   std::uint32_t tag_end = 0;
   std::uint32_t first_attribute = 0;
   std::uint32_t attribute_count = 0;
   ElementId parent = kNoElement;
-  ElementId first_child = kNoElement;
   ElementId next_sibling = kNoElement;
   std::uint32_t text = kNoText;  ///< in Document::texts
 
+  /// As written.
+  std::string_view name() const { return {name_begin, name_size}; }
   /// The start tag with its brackets.
   Span tag_span() const { return {span.source, span.begin, tag_end}; }
   /// The name in the start tag.
-  Span name_span() const {
-    return {span.source, span.begin + 1, span.begin + 1 + static_cast<std::uint32_t>(name.size())};
-  }
+  Span name_span() const { return {span.source, span.begin + 1, span.begin + 1 + name_size}; }
 };
 
 class View;
@@ -72,10 +110,18 @@ struct Document {
   std::vector<Attribute> attributes;
   std::vector<Text> texts;  ///< elements of URDF have none
   std::vector<Span> comments;
-  std::deque<std::string> decoded;
+  std::deque<std::string> decoded;  ///< texts that differ from their bytes
+  std::deque<DecodedValue> decoded_values;
   ElementId root = kNoElement;
 
   View view() const;
+  /// In document order a first child comes right behind its parent.
+  ElementId first_child(ElementId id) const {
+    const std::size_t next = static_cast<std::size_t>(id) + 1;
+    return next < elements.size() && elements[next].parent == id
+               ? ElementId{static_cast<std::uint32_t>(next)}
+               : kNoElement;
+  }
 };
 
 /// A cheap handle to an element; iterates over its child elements.
@@ -88,7 +134,7 @@ class View {
   ElementId id() const { return id_; }
   const Document& document() const { return *document_; }
   const Element& element() const { return document_->elements[static_cast<std::size_t>(id_)]; }
-  std::string_view name() const { return element().name; }
+  std::string_view name() const { return element().name(); }
   Span span() const { return element().span; }
   Span tag_span() const { return element().tag_span(); }
   Span name_span() const { return element().name_span(); }
@@ -133,7 +179,7 @@ class View {
     const Document* document_ = nullptr;
     ElementId id_ = kNoElement;
   };
-  Iterator begin() const { return {document_, element().first_child}; }
+  Iterator begin() const { return {document_, document_->first_child(id_)}; }
   Iterator end() const { return {document_, kNoElement}; }
 
  private:

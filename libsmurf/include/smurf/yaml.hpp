@@ -20,21 +20,88 @@ inline constexpr NodeId kNoNode{0xffffffffU};
 enum class Kind : std::uint8_t { null, scalar, sequence, mapping };
 enum class Style : std::uint8_t { plain, single_quoted, double_quoted, block };
 
-/// One node of the tree. An alias appears as a node whose `target` is the anchored node.
-struct Node {
-  Kind kind = Kind::null;
-  Style style = Style::plain;
-  bool is_repeated = false;    ///< its key stands before it in the same mapping
-  std::uint32_t position = 0;  ///< among the children of its parent
-  std::uint32_t child_count = 0;
+/// One node of the tree. An alias appears as a node of its own that refers to the anchored one.
+/// Models have hundreds of thousands of nodes, so what excludes each other shares its place: a
+/// scalar has a text, the others have children, and only members of a mapping have keys.
+class Node {
+ public:
+  Node(Kind kind, Span place) : span(place), kind_(kind) {
+    if (kind == Kind::scalar) set_text({});
+  }
+
   NodeId parent = kNoNode;
-  NodeId first_child = kNoNode;
   NodeId next_sibling = kNoNode;
-  NodeId target = kNoNode;  ///< of an alias
-  Span span;                ///< the value's bytes; empty where an absent value would stand
-  Span key_span;            ///< the key's bytes when the parent is a mapping
-  std::string_view text;    ///< decoded scalar text; a view into the source or into the document
-  std::string_view key;     ///< decoded key text
+  Span span;  ///< the value's bytes; empty where an absent value would stand
+  Style style = Style::plain;
+  bool is_repeated = false;  ///< its key stands before it in the same mapping
+
+  Kind kind() const { return kind_; }
+  /// The key's bytes when the parent is a mapping.
+  Span key_span() const { return {span.source, key_begin_, key_end_}; }
+  /// Decoded text of the key; a view into the source or into the document.
+  std::string_view key() const {
+    return key_ == nullptr ? std::string_view() : std::string_view(key_, key_size_or_position_);
+  }
+  /// Among the items of a sequence.
+  std::uint32_t position() const { return key_ == nullptr ? key_size_or_position_ : 0; }
+  /// Decoded text of a scalar that is no alias; a view into the source or into the document.
+  std::string_view text() const {
+    return has_text() ? std::string_view(text_, text_size_or_child_count_) : std::string_view();
+  }
+  NodeId first_child() const { return has_text() ? kNoNode : links_.first_child; }
+  std::uint32_t child_count() const { return has_text() ? 0 : text_size_or_child_count_; }
+  bool is_alias() const { return is_alias_; }
+  /// The anchored node of an alias.
+  NodeId target() const { return is_alias_ ? links_.target : kNoNode; }
+
+  /// `place` is in the source of the value.
+  void set_key(std::string_view key, Span place) {
+    key_ = key.data() == nullptr ? "" : key.data();
+    key_size_or_position_ = static_cast<std::uint32_t>(key.size());
+    key_begin_ = place.begin;
+    key_end_ = place.end;
+  }
+  /// Of an item of a sequence; a member of a mapping has none.
+  void set_position(std::uint32_t position) {
+    if (key_ == nullptr) key_size_or_position_ = position;
+  }
+  /// Makes it a scalar.
+  void set_text(std::string_view text) {
+    kind_ = Kind::scalar;
+    is_alias_ = false;
+    text_ = text.data();
+    text_size_or_child_count_ = static_cast<std::uint32_t>(text.size());
+  }
+  /// Precondition: a sequence or mapping, or null.
+  void set_children(NodeId first, std::uint32_t count) {
+    links_.first_child = first;
+    text_size_or_child_count_ = count;
+  }
+  /// Makes it an alias.
+  void set_target(NodeId target) {
+    is_alias_ = true;
+    text_size_or_child_count_ = 0;
+    links_ = {kNoNode, target};
+  }
+
+ private:
+  bool has_text() const { return kind_ == Kind::scalar && !is_alias_; }
+
+  Kind kind_;
+  bool is_alias_ = false;
+  std::uint32_t key_begin_ = 0;
+  std::uint32_t key_end_ = 0;
+  std::uint32_t key_size_or_position_ = 0;
+  std::uint32_t text_size_or_child_count_ = 0;
+  const char* key_ = nullptr;
+  struct Links {
+    NodeId first_child = kNoNode;
+    NodeId target = kNoNode;
+  };
+  union {
+    Links links_ = {};
+    const char* text_;
+  };
 };
 
 class View;
@@ -70,14 +137,14 @@ class View {
   NodeId id() const { return id_; }
   const Document& document() const { return *document_; }
 
-  Kind kind() const { return value().kind; }
+  Kind kind() const { return value().kind(); }
   bool is_mapping() const { return kind() == Kind::mapping; }
   bool is_sequence() const { return kind() == Kind::sequence; }
   bool is_scalar() const { return kind() == Kind::scalar; }
   bool is_null() const { return kind() == Kind::null; }
-  std::size_t size() const { return value().child_count; }
+  std::size_t size() const { return value().child_count(); }
 
-  std::string_view text() const { return value().text; }
+  std::string_view text() const { return value().text(); }
   Style style() const { return value().style; }
   ScalarType type() const;
   /// Number of a plain scalar that is one (YAML 1.2 core; infinities and NaN included).
@@ -87,13 +154,13 @@ class View {
 
   /// Where this node is used: of an alias the `*name`, not the anchored value.
   Span span() const { return node().span; }
-  Span key_span() const { return node().key_span; }
-  std::string_view key() const { return node().key; }
+  Span key_span() const { return node().key_span(); }
+  std::string_view key() const { return node().key(); }
   /// True for a duplicate key, which the YAML reader reports; readers take the first.
   bool is_repeated() const { return node().is_repeated; }
   /// The value's span, or the key's when the value is absent.
   Span place() const {
-    return node().span.empty() && !node().key_span.empty() ? node().key_span : node().span;
+    return node().span.empty() && !node().key_span().empty() ? node().key_span() : node().span;
   }
 
   /// First child with this key; the first wins in configmaps (MARS) and yaml-cpp.
@@ -114,14 +181,14 @@ class View {
     const Document* document_ = nullptr;
     NodeId id_ = kNoNode;
   };
-  Iterator begin() const { return {document_, value().first_child}; }
+  Iterator begin() const { return {document_, value().first_child()}; }
   Iterator end() const { return {document_, kNoNode}; }
 
  private:
   const Node& node() const { return document_->nodes[static_cast<std::size_t>(id_)]; }
   const Node& value() const {
     const Node& own = node();
-    return own.target == kNoNode ? own : document_->nodes[static_cast<std::size_t>(own.target)];
+    return own.is_alias() ? document_->nodes[static_cast<std::size_t>(own.target())] : own;
   }
 
   const Document* document_ = nullptr;

@@ -119,20 +119,20 @@ class DrawingReader {
                    "the drawing has no `width`, from which MARS counts y");
       return std::nullopt;
     }
-    const std::optional<double> value = parse_number(trimmed(width->value));
+    const std::optional<double> value = parse_number(trimmed(width->value()));
     if (value) return value;
     Diagnostic& diagnostic =
-        sink_.report(rules::sml5042_drawing_width, width->value_span,
+        sink_.report(rules::sml5042_drawing_width, width->value_span(),
                      "the `width` is no plain number, so that MARS takes it for 0");
-    const std::size_t end = width->value.find_first_not_of("0123456789.");
-    if (end != std::string_view::npos && parse_number(width->value.substr(0, end))) {
-      diagnostic.help = "write it without a unit: " + std::string(width->value.substr(0, end));
+    const std::size_t end = width->value().find_first_not_of("0123456789.");
+    if (end != std::string_view::npos && parse_number(width->value().substr(0, end))) {
+      diagnostic.help = "write it without a unit: " + std::string(width->value().substr(0, end));
     }
     return std::nullopt;
   }
 
   void refuse_transform(const xml::Attribute& transform, const std::string& why) {
-    sink_.report(rules::sml5041_drawing_transform, transform.value_span, why).help =
+    sink_.report(rules::sml5041_drawing_transform, transform.value_span(), why).help =
         "write `matrix(a,b,c,d,e,f)` or `translate(x,y)`";
   }
 
@@ -145,8 +145,8 @@ class DrawingReader {
 
   std::optional<Motion> own_motion(const Group& group) {
     const xml::Attribute* transform = group.element.attribute("transform");
-    if (transform == nullptr || trimmed(transform->value).empty()) return Motion{};
-    const std::string_view text = trimmed(transform->value);
+    if (transform == nullptr || trimmed(transform->value()).empty()) return Motion{};
+    const std::string_view text = trimmed(transform->value());
     const std::size_t open = text.find('(');
     const std::size_t close = text.find(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
@@ -196,7 +196,7 @@ class DrawingReader {
                           is_near(m[3], cosine);
     if (!is_rigid) {
       Diagnostic& diagnostic = sink_.report(
-          rules::sml5041_drawing_transform, transform.value_span,
+          rules::sml5041_drawing_transform, transform.value_span(),
           "the matrix stretches or mirrors, of which MARS takes the angle and the place only");
       diagnostic.severity = Severity::warning;
     }
@@ -239,8 +239,8 @@ class DrawingReader {
     entity.y = *width - placed.y;
     entity.yaw = -std::atan2(placed.sine, placed.cosine) * 180 / std::numbers::pi;
     const xml::Attribute* transform = group.element.attribute("transform");
-    const bool is_moved = transform != nullptr && !transform->value_span.empty();
-    entity.place = is_moved ? transform->value_span : group.path.attribute("d")->value_span;
+    const bool is_moved = transform != nullptr && !transform->value_span().empty();
+    entity.place = is_moved ? transform->value_span() : group.path.attribute("d")->value_span();
     return entity;
   }
 
@@ -293,11 +293,11 @@ class DrawingReader {
     }
     const xml::Attribute* data = group.path.attribute("d");
     const std::vector<std::string_view> parts =
-        data != nullptr ? words(data->value) : std::vector<std::string_view>();
+        data != nullptr ? words(data->value()) : std::vector<std::string_view>();
     const bool begins = parts.size() > 1 && (parts[0] == "m" || parts[0] == "M");
     auto point = begins ? numbers(split(parts[1], ",")) : std::nullopt;
     if (point && point->size() == 2) return point;
-    refuse_group(data != nullptr ? data->value_span : group.path.name_span(),
+    refuse_group(data != nullptr ? data->value_span() : group.path.name_span(),
                  "the path does not begin with `m X,Y`, which is where MARS looks for the origin "
                  "of the entity");
     return std::nullopt;

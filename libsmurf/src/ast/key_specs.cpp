@@ -54,8 +54,7 @@ Span within_quotes(yaml::View value) {
   const bool is_quoted =
       own.style == yaml::Style::single_quoted || own.style == yaml::Style::double_quoted;
   const Span span = own.span;
-  return is_quoted && own.target == yaml::kNoNode ? Span{span.source, span.begin + 1, span.end - 1}
-                                                  : span;
+  return is_quoted && !own.is_alias() ? Span{span.source, span.begin + 1, span.end - 1} : span;
 }
 
 /// Plain keys stand there as they are.

@@ -124,9 +124,7 @@ void check_choice(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
 template <class T>
 void store(Target target, yaml::View value, std::optional<T> read) {
   if (Field<T>* const* field = std::get_if<Field<T>*>(&target)) {
-    (*field)->value = std::move(read);
-    (*field)->span = value.place();
-    (*field)->written = true;
+    **field = Field<T>(std::move(read), value.place());
   }
 }
 
@@ -289,7 +287,7 @@ bool read_components(const KeySpec& spec, yaml::View value, std::span<Field<doub
     const yaml::View member = value.find(names[i]);
     if (!member || member.is_null()) continue;
     const std::optional<double> number = finite_number(spec, member, sink);
-    if (i < out.size()) out[i] = {number, member.place(), true};
+    if (i < out.size()) out[i] = {number, member.place()};
   }
   check_components(spec, value, sink);
   return true;

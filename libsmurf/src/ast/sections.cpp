@@ -65,7 +65,7 @@ const SectionSpec* find_section(std::string_view name) {
 std::size_t items_from(yaml::View item) {
   const yaml::Node& node = item.document().nodes[static_cast<std::size_t>(item.id())];
   const yaml::View parent(item.document(), node.parent);
-  return parent.is_sequence() ? parent.size() - node.position : 1;
+  return parent.is_sequence() ? parent.size() - node.position() : 1;
 }
 
 std::vector<std::string_view> section_names() {

@@ -50,7 +50,7 @@ bool read_plain(std::string_view text, std::span<double> out) {
 class NumberReader {
  public:
   NumberReader(const xml::Attribute& attribute, DiagnosticSink& sink)
-      : attribute_(attribute), text_(attribute.value), sink_(sink) {}
+      : attribute_(attribute), text_(attribute.value()), sink_(sink) {}
 
   bool read(std::span<double> out) {
     if (has_residue() || is_comma_separated()) return false;
@@ -68,7 +68,7 @@ class NumberReader {
  private:
   /// Spans into the value are exact as long as no entity was decoded.
   Span place(Token token) const {
-    const Span whole = attribute_.value_span;
+    const Span whole = attribute_.value_span();
     if (whole.end - whole.begin != text_.size()) return whole;
     return {whole.source, whole.begin + token.begin, whole.begin + token.end};
   }
@@ -100,10 +100,10 @@ class NumberReader {
     }
     Diagnostic& diagnostic =
         sink_.report(rules::sml1806_comma_separator, place(whole()),
-                     "commas separate the numbers of `" + std::string(attribute_.name) + "`");
+                     "commas separate the numbers of `" + std::string(attribute_.name()) + "`");
     diagnostic.help = "separate them by single spaces";
     // Not safe: Bullet reads the text as a zero vector.
-    diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span, fixed}}});
+    diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
     return true;
   }
 
@@ -201,14 +201,14 @@ class NumberReader {
   bool check_count(const std::vector<Token>& tokens, std::size_t count) {
     if (tokens.empty()) {
       sink_.report(rules::sml1801_not_a_number, attribute_.span(),
-                   "`" + std::string(attribute_.name) + "` is empty");
+                   "`" + std::string(attribute_.name()) + "` is empty");
       return false;
     }
     if (tokens.size() == count) return true;
     const auto plural = [](std::size_t n) {
       return std::to_string(n) + (n == 1 ? " number" : " numbers");
     };
-    const std::string_view name = attribute_.name;
+    const std::string_view name = attribute_.name();
     const bool is_scale = name == "scale";
     const bool is_color = name == "rgba";
     const Rule& rule = is_scale   ? rules::sml1626_scale_malformed
@@ -231,7 +231,7 @@ class NumberReader {
 
   void add_fix(Diagnostic& diagnostic, std::string text, Applicability applicability) const {
     diagnostic.help = "write `" + text + "`";
-    diagnostic.fixes.push_back({applicability, {{attribute_.value_span, std::move(text)}}});
+    diagnostic.fixes.push_back({applicability, {{attribute_.value_span(), std::move(text)}}});
   }
 
   void check_blanks(const std::vector<Token>& tokens, std::size_t count) {
@@ -246,13 +246,13 @@ class NumberReader {
       Diagnostic& diagnostic = sink_.report(rules::sml1802_trailing_space, place(whole()),
                                             "a blank follows the number `" + fixed + "`");
       diagnostic.help = "delete the blank";
-      diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span, fixed}}});
+      diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span(), fixed}}});
     } else if (std::any_of(text_.begin(), text_.end(), is_line_or_tab)) {
       Diagnostic& diagnostic = sink_.report(rules::sml1808_vector_tab_newline, place(whole()),
                                             "a tab or line break between the numbers of `" +
-                                                std::string(attribute_.name) + "`");
+                                                std::string(attribute_.name()) + "`");
       diagnostic.help = "separate them by single spaces";
-      diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span, fixed}}});
+      diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
     }
   }
 
@@ -277,7 +277,7 @@ void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
 }
 
 bool read_numbers(const xml::Attribute& attribute, std::span<double> out, DiagnosticSink& sink) {
-  return read_plain(attribute.value, out) || NumberReader(attribute, sink).read(out);
+  return read_plain(attribute.value(), out) || NumberReader(attribute, sink).read(out);
 }
 
 namespace rules {

@@ -65,28 +65,28 @@ class Reader {
   static void text(View element, std::string_view name, Field<std::string>& out) {
     const xml::Attribute* attribute = element.attribute(name);
     if (attribute == nullptr) return;
-    out.value.emplace(attribute->value);
-    out.span = attribute->value_span;
+    out.set(std::string(attribute->value()));
+    out.span = attribute->value_span();
     out.written = true;
   }
 
   void number(View element, std::string_view name, Field<double>& out) {
     const xml::Attribute* attribute = element.attribute(name);
     if (attribute == nullptr) return;
-    out.span = attribute->value_span;
+    out.span = attribute->value_span();
     out.written = true;
     double value = 0;
-    if (read_numbers(*attribute, {&value, 1}, sink_)) out.value = value;
+    if (read_numbers(*attribute, {&value, 1}, sink_)) out.set(value);
   }
 
   template <std::size_t N>
   void vector(View element, std::string_view name, Field<std::array<double, N>>& out) {
     const xml::Attribute* attribute = element.attribute(name);
     if (attribute == nullptr) return;
-    out.span = attribute->value_span;
+    out.span = attribute->value_span();
     out.written = true;
     std::array<double, N> values{};
-    if (read_numbers(*attribute, values, sink_)) out.value = values;
+    if (read_numbers(*attribute, values, sink_)) out.set(values);
   }
 
   void origin(View parent, urdf::Origin& out) {
@@ -105,7 +105,7 @@ class Reader {
     if (!xyzw) return;
     const auto& [x, y, z, w] = *xyzw;
     const Quaternion q{w, x, y, z};
-    if (norm(q) > 0) rpy = {to_rpy(normalized(q)), xyzw.span, true};
+    if (norm(q) > 0) rpy = {to_rpy(normalized(q)), xyzw.span};
   }
 
   void inertial(View element, urdf::Inertial& out) {
@@ -275,13 +275,13 @@ bool report_xacro(const xml::Document& document, DiagnosticSink& sink) {
     what = "`" + std::string(text) + "` is " + std::string(kind);
   };
   for (const xml::Element& element : document.elements) {
-    if (!element.name.starts_with("xacro:")) continue;
+    if (!element.name().starts_with("xacro:")) continue;
     has_elements = true;
-    add(element.name_span(), element.name, "a xacro element");
+    add(element.name_span(), element.name(), "a xacro element");
   }
   for (const xml::Attribute& attribute : document.attributes) {
-    if (!is_xacro(attribute.value)) continue;
-    add(attribute.value_span, attribute.value, "a xacro expression");
+    if (!is_xacro(attribute.value())) continue;
+    add(attribute.value_span(), attribute.value(), "a xacro expression");
   }
   if (count == 0) return false;
   Diagnostic& diagnostic =

@@ -75,7 +75,7 @@ class ShapeChecker {
     std::ptrdiff_t required = 0;  // of those that are there; none is twice
     std::size_t next = 0;
     for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
-      const std::size_t i = index_of(spec.attributes, at->name, next);
+      const std::size_t i = index_of(spec.attributes, at->name(), next);
       if (i == spec.attributes.size()) return false;
       required += spec.attributes[i].required ? 1 : 0;
       next = i + 1;
@@ -93,7 +93,7 @@ class ShapeChecker {
     std::vector<const xml::Attribute*> foreign;
     for (const auto* attribute = element.attributes_begin(); attribute != element.attributes_end();
          ++attribute) {
-      const std::string_view name = attribute->name;
+      const std::string_view name = attribute->name();
       const bool is_known = std::any_of(spec.attributes.begin(), spec.attributes.end(),
                                         [&](const AttributeSpec& a) { return a.name == name; });
       // A prefix marks another vocabulary (drake:..., xmlns:...).
@@ -114,14 +114,14 @@ class ShapeChecker {
     if (element.name() == "geometry" && element.begin() == element.end()) return;
     for (const xml::Attribute* attribute : foreign) {
       add_foreign(rules::sml1107_unknown_attribute, attribute->name_span(),
-                  quoted(attribute->name) + " is no attribute of " + quoted(element.name()));
+                  quoted(attribute->name()) + " is no attribute of " + quoted(element.name()));
     }
   }
 
   void misspelt_attribute(View element, const xml::Attribute& attribute, std::string_view meant) {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1107_unknown_attribute, attribute.name_span(),
-                     quoted(attribute.name) + " is no attribute of " + quoted(element.name()));
+                     quoted(attribute.name()) + " is no attribute of " + quoted(element.name()));
     diagnostic.notes.push_back("URDF readers ignore it without a word");
     diagnostic.severity = Severity::error;
     diagnostic.help = "did you mean " + quoted(meant) + "?";

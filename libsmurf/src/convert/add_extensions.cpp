@@ -167,7 +167,7 @@ std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::st
   std::set<std::string_view> names;
   const auto visit = [&](const auto& self, xml::View view) -> void {
     const xml::Attribute* name = view.attribute("name");
-    if (view.name() == element && name != nullptr) names.insert(name->value);
+    if (view.name() == element && name != nullptr) names.insert(name->value());
     for (const xml::View child : view) self(self, child);
   };
   for (const xml::ElementId id : model.robot->extensions) {

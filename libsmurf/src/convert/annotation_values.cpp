@@ -40,7 +40,7 @@ bool AnnotationValues::says_color(const MaterialAnnotation& entry) const {
 bool AnnotationValues::says_texture(const MaterialAnnotation& entry) const {
   const urdf::Material* material = entry.name ? definition(*entry.name) : nullptr;
   if (!entry.diffuse_texture) return true;
-  return material != nullptr && material->texture.value.has_value();
+  return material != nullptr && material->texture.has_value();
 }
 
 const urdf::Joint* AnnotationValues::joint_of(const Motor& motor) const {
@@ -126,15 +126,15 @@ const Field<double>& limit_field(const urdf::Limit& limit, LimitValue value) {
 
 std::optional<double> limit_of(const Motor& motor, LimitValue value) {
   const auto first = [](const Field<double>& newer, const Field<double>& older) {
-    return newer ? newer.value : older.value;
+    return newer ? newer.value() : older.value();
   };
   switch (value) {
   case LimitValue::lower: return first(motor.min_position, motor.min_value);
   case LimitValue::upper: return first(motor.max_position, motor.max_value);
-  case LimitValue::effort: return motor.max_effort.value;
+  case LimitValue::effort: return motor.max_effort.value();
   case LimitValue::velocity: break;
   }
-  return motor.max_speed.value;
+  return motor.max_speed.value();
 }
 
 std::optional<DynamicsValue> dynamics_value(std::string_view key) {

@@ -69,7 +69,7 @@ class Application {
 
   void define(const MaterialAnnotation& entry, const urdf::Material& material) {
     const xml::View element = view(material.element);
-    if (entry.diffuse_color && material.rgba.value != rgba_of(*entry.diffuse_color)) {
+    if (entry.diffuse_color && material.rgba.value() != rgba_of(*entry.diffuse_color)) {
       std::string rgba;
       for (const double part : rgba_of(*entry.diffuse_color)) {
         rgba += (rgba.empty() ? "" : " ") + format_number(part);

@@ -79,17 +79,18 @@ class CanonicalWriter {
     }
     std::sort(attributes.begin(), attributes.end(),
               [](const xml::Attribute* a, const xml::Attribute* b) {
-                const std::size_t i = rank(kAttributes, a->name);
-                const std::size_t j = rank(kAttributes, b->name);
-                return i != j ? i < j : a->name < b->name;
+                const std::size_t i = rank(kAttributes, a->name());
+                const std::size_t j = rank(kAttributes, b->name());
+                return i != j ? i < j : a->name() < b->name();
               });
     indent(depth);
     out_ += "<" + std::string(element.name());
     for (const xml::Attribute* one : attributes) {
-      const bool is_text = one->name == "name" || one->name == "filename" || one->name == "link" ||
-                           one->name == "joint" || one->name == "version";
-      const std::string value = is_text ? std::string(one->value) : canonical_value(one->value);
-      out_ += " " + std::string(one->name) + "=\"" + escape_xml(value) + "\"";
+      const bool is_text = one->name() == "name" || one->name() == "filename" ||
+                           one->name() == "link" || one->name() == "joint" ||
+                           one->name() == "version";
+      const std::string value = is_text ? std::string(one->value()) : canonical_value(one->value());
+      out_ += " " + std::string(one->name()) + "=\"" + escape_xml(value) + "\"";
     }
     out_ += end;
   }

@@ -98,7 +98,7 @@ class Comparison {
       const urdf::Limit b = is_limited ? other.limit.value_or(urdf::Limit{}) : urdf::Limit{};
       differs = differs || (is_limited && joint.limit.has_value() != other.limit.has_value());
       const auto compare = [&](const Field<double>& x, const Field<double>& y) {
-        if (x.value.has_value() != y.value.has_value()) differs = true;
+        if (x.has_value() != y.has_value()) differs = true;
         const double difference = relative_difference(x.value_or(0), y.value_or(0));
         proof_.limits = std::max(proof_.limits, difference);
         if (difference > kTolerance) differs = true;

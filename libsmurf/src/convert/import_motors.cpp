@@ -169,8 +169,8 @@ class MotorMaker {
   /// ros2_control may narrow the range of the joint, never widen it.
   static void add_range(const urdf::Joint& joint, const urdf::Limit& limit, const Drive& drive,
                         std::vector<NewValue>& keys) {
-    std::optional<double> low = limit.lower.value;
-    std::optional<double> high = limit.upper.value;
+    std::optional<double> low = limit.lower.value();
+    std::optional<double> high = limit.upper.value();
     if (joint.type == urdf::JointType::continuous) {
       low = -std::numbers::pi;
       high = std::numbers::pi;
@@ -184,7 +184,7 @@ class MotorMaker {
 
   static void add_bound(const char* key, const Field<double>& of_joint,
                         const std::optional<double>& of_drive, std::vector<NewValue>& keys) {
-    std::optional<double> bound = of_joint.value;
+    std::optional<double> bound = of_joint.value();
     if (of_drive && *of_drive > 0 && (!bound || *of_drive < *bound)) bound = of_drive;
     if (bound && *bound >= 0) keys.push_back(number_value(key, *bound));
   }

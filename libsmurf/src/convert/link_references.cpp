@@ -12,7 +12,7 @@ namespace {
 
 std::string_view attribute_of(xml::View element, std::string_view name) {
   const xml::Attribute* attribute = element ? element.attribute(name) : nullptr;
-  return attribute != nullptr ? attribute->value : std::string_view();
+  return attribute != nullptr ? attribute->value() : std::string_view();
 }
 
 /// Equal texts mean equal elements, whatever their layout.
@@ -20,7 +20,7 @@ std::string signature(xml::View element) {
   std::vector<std::string> attributes;
   for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
        ++one) {
-    attributes.push_back(std::string(one->name) + "=" + std::string(one->value) + "\n");
+    attributes.push_back(std::string(one->name()) + "=" + std::string(one->value()) + "\n");
   }
   std::sort(attributes.begin(), attributes.end());
   std::string text = "<" + std::string(element.name()) + "\n";
@@ -108,7 +108,7 @@ void LinkReferences::read_names(xml::View element) {
   };
   for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
        ++one) {
-    add(one->value);
+    add(one->value());
   }
   add(trimmed(element.text()));
   for (const xml::View child : element) read_names(child);

@@ -56,7 +56,8 @@ class LossReport {
     for (const CustomSection& section : all.custom) of_custom(section);
     for (const CustomSection& key : model_.main.extra) of_custom(key);
     for (const xml::Attribute* limit : passes::newer_limits(model_, options_.version)) {
-      lose(rules::sml8001_not_expressible, limit->name_span(), "`" + std::string(limit->name) + "`",
+      lose(rules::sml8001_not_expressible, limit->name_span(),
+           "`" + std::string(limit->name()) + "`",
            "has no place in a URDF of version " + options_.version);
     }
     if (options_.strips_extensions) {
@@ -185,7 +186,7 @@ class LossReport {
 
   bool says_type(const Motor& motor, const urdf::Joint& joint) const {
     if (!options_.strips_extensions && driven_joints_.contains(*joint.name)) return true;
-    const bool follows = motor.mimic_motor.value.has_value();
+    const bool follows = motor.mimic_motor.has_value();
     return options_.actuation == Actuation::transmission ||
            (options_.actuation == Actuation::ros2_control && !follows);
   }

@@ -48,10 +48,10 @@ class Prefixer {
  private:
   void rename(xml::View element, std::string_view attribute) {
     const xml::Attribute* name = element.attribute(attribute);
-    if (name == nullptr || name->value.empty()) return;
+    if (name == nullptr || name->value().empty()) return;
     const bool is_joint = element.name() == "joint" || attribute == "joint";
-    if (is_world(name->value) && !is_joint && element.name() != "material") return;
-    edits_.set_attribute(element, attribute, prefix_ + std::string(name->value));
+    if (is_world(name->value()) && !is_joint && element.name() != "material") return;
+    edits_.set_attribute(element, attribute, prefix_ + std::string(name->value()));
   }
 
   void urdf(xml::View element) {
@@ -72,9 +72,10 @@ class Prefixer {
   void extension(xml::View element) {
     for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
          ++one) {
-      const bool refers = is_one_of(one->name, {"reference", "link", "joint", "link1", "link2"}) ||
-                          (one->name == "name" && element.name() == "joint");
-      if (refers && is_name(one->value)) rename(element, one->name);
+      const bool refers =
+          is_one_of(one->name(), {"reference", "link", "joint", "link1", "link2"}) ||
+          (one->name() == "name" && element.name() == "joint");
+      if (refers && is_name(one->value())) rename(element, one->name());
     }
     const bool is_leaf = element.begin() == element.end();
     if (is_leaf && is_name(element.text()) && !is_world(element.text())) {

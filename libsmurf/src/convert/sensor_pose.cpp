@@ -19,7 +19,7 @@ std::array<double, 6> six_numbers(std::string_view text) {
 
 std::array<double, 6> numbers_of(xml::View element, std::string_view attribute) {
   const xml::Attribute* found = element.attribute(attribute);
-  return six_numbers(found != nullptr ? found->value : std::string_view());
+  return six_numbers(found != nullptr ? found->value() : std::string_view());
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ class Downgrade {
       std::vector<Edit> changes = {edits_.origin_edit(element, origin, X_LE),
                                    {shape, new_element("sphere", {{"radius", radius}})}};
       if (const xml::Attribute* name = element.attribute("name")) {
-        changes.push_back({name->value_span, escape_xml(std::string(name->value) + end)});
+        changes.push_back({name->value_span(), escape_xml(std::string(name->value()) + end)});
       }
       edits_.add_child(edits_.view(link.element), edits_.copy(element, changes));
     }

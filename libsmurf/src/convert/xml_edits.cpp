@@ -50,7 +50,7 @@ XmlEdits::XmlEdits(const xml::Document& document, std::string_view text)
 
 void XmlEdits::set_attribute(xml::View element, std::string_view name, std::string_view value) {
   if (const xml::Attribute* attribute = element.attribute(name)) {
-    if (attribute->value != value) replace(attribute->value_span, escape_xml(value));
+    if (attribute->value() != value) replace(attribute->value_span(), escape_xml(value));
     return;
   }
   Span place = element.name_span();
@@ -63,7 +63,7 @@ void XmlEdits::set_attribute(xml::View element, std::string_view name, std::stri
 
 void XmlEdits::set_number(xml::View element, std::string_view name, double value) {
   const xml::Attribute* attribute = element.attribute(name);
-  if (attribute != nullptr && parse_number(attribute->value) == value) return;
+  if (attribute != nullptr && parse_number(attribute->value()) == value) return;
   set_attribute(element, name, format_number(value));
 }
 

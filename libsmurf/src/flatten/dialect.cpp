@@ -63,7 +63,7 @@ JointOfEntry joint_of_motor(const LinkedModel& model) {
   return [&model](const std::string& entry) -> std::optional<std::string> {
     const auto motor = model.motor_names.find(entry);
     if (!motor) return std::nullopt;
-    return model.annotations.motors[*motor].joint.value;
+    return model.annotations.motors[*motor].joint.value();
   };
 }
 

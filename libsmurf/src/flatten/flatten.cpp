@@ -94,7 +94,7 @@ class Flattener {
     set(flat_.physics.cfm, physics.cfm, is_last_word);
     set(flat_.physics.erp, physics.erp, is_last_word);
     Field<double> seconds = physics.step_size;
-    if (seconds) *seconds.value /= 1000;
+    if (seconds) *seconds /= 1000;
     set(flat_.physics.step_size, seconds, is_last_word);
   }
 

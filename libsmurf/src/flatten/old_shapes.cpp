@@ -18,7 +18,7 @@ Value to_value(xml::View element) {
   Value::Object object;
   for (const xml::Attribute* attribute = element.attributes_begin();
        attribute != element.attributes_end(); ++attribute) {
-    object.push_back({std::string(attribute->name), {std::string(attribute->value)}});
+    object.push_back({std::string(attribute->name()), {std::string(attribute->value())}});
   }
   for (const xml::View child : element) {
     object.push_back({std::string(child.name()), to_value(child)});
@@ -176,7 +176,7 @@ class NodeReader {
 template <class T>
 void set(Field<T>& field, std::optional<T> value) {
   field.written = value.has_value();
-  field.value = std::move(value);
+  if (value) field.set(*std::move(value));
 }
 
 std::optional<Color> color_of(const Value::Object& light, std::string_view key) {

@@ -25,25 +25,19 @@ class Tree {
  public:
   yaml::NodeId add(yaml::NodeId parent, yaml::Kind kind, Span span) {
     const yaml::NodeId id{static_cast<std::uint32_t>(document.nodes.size())};
-    yaml::Node node;
-    node.kind = kind;
-    node.span = span;
-    node.parent = parent;
-    document.nodes.push_back(node);
+    document.nodes.emplace_back(kind, span).parent = parent;
     if (parent != yaml::kNoNode) append(parent, id, 1);
     return id;
   }
 
   yaml::NodeId add_member(yaml::NodeId parent, std::string_view key, yaml::Kind kind, Span span) {
     const yaml::NodeId id = add(parent, kind, span);
-    at(id).key = key;
-    at(id).key_span = span;
+    at(id).set_key(key, span);
     return id;
   }
 
   void set_text(yaml::NodeId id, std::string text) {
-    at(id).kind = yaml::Kind::scalar;
-    at(id).text = document.decoded.emplace_back(std::move(text));
+    at(id).set_text(document.decoded.emplace_back(std::move(text)));
   }
 
   void add_number(yaml::NodeId parent, std::string_view key, double value, Span span) {
@@ -58,9 +52,12 @@ class Tree {
     };
     for (yaml::Node node : other.nodes) {
       node.parent = moved(node.parent);
-      node.first_child = moved(node.first_child);
       node.next_sibling = moved(node.next_sibling);
-      node.target = moved(node.target);
+      if (node.is_alias()) {
+        node.set_target(moved(node.target()));
+      } else if (node.first_child() != yaml::kNoNode) {
+        node.set_children(moved(node.first_child()), node.child_count());
+      }
       document.nodes.push_back(node);
     }
     return moved(other.root);
@@ -68,8 +65,8 @@ class Tree {
 
   /// Lets the members of `mapping` follow those of `parent`, however many parents share them.
   void share_members(yaml::NodeId parent, yaml::NodeId mapping) {
-    if (at(mapping).first_child != yaml::kNoNode) {
-      append(parent, at(mapping).first_child, at(mapping).child_count);
+    if (at(mapping).first_child() != yaml::kNoNode) {
+      append(parent, at(mapping).first_child(), at(mapping).child_count());
     }
   }
 
@@ -80,13 +77,10 @@ class Tree {
  private:
   void append(yaml::NodeId parent, yaml::NodeId child, std::uint32_t count) {
     yaml::Node& node = at(parent);
-    at(child).position = node.child_count;
-    if (node.first_child == yaml::kNoNode) {
-      node.first_child = child;
-    } else {
-      at(last_[static_cast<std::size_t>(parent)]).next_sibling = child;
-    }
-    node.child_count += count;
+    at(child).set_position(node.child_count());
+    const bool is_first = node.first_child() == yaml::kNoNode;
+    if (!is_first) at(last_[static_cast<std::size_t>(parent)]).next_sibling = child;
+    node.set_children(is_first ? child : node.first_child(), node.child_count() + count);
     last_[static_cast<std::size_t>(parent)] = child;
   }
 
@@ -201,11 +195,12 @@ class DrawnSceneReader {
 
   /// Paths of the YAML file start at its folder, those of the scene at the drawing's.
   void rebase_file(yaml::NodeId mapping, const std::string& path) {
-    for (yaml::NodeId id = tree_.at(mapping).first_child; id != yaml::kNoNode;
+    for (yaml::NodeId id = tree_.at(mapping).first_child(); id != yaml::kNoNode;
          id = tree_.at(id).next_sibling) {
       yaml::Node& node = tree_.at(id);
-      if (node.key != "file" || node.kind != yaml::Kind::scalar || node.text.empty()) continue;
-      const std::string target = path::join(path::parent(path), node.text);
+      if (node.key() != "file" || node.kind() != yaml::Kind::scalar || node.text().empty())
+        continue;
+      const std::string target = path::join(path::parent(path), node.text());
       tree_.set_text(id, path::relative(target, path::parent(file_.path)));
     }
   }

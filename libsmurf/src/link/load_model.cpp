@@ -109,8 +109,8 @@ class ModelLoader {
     if (document.elements.size() <= most) return true;  // nearly always
     std::uint64_t parts = 0;
     for (const xml::Element& element : document.elements) {
-      const bool is_part = element.parent == document.root || element.name == "visual" ||
-                           element.name == "collision";
+      const bool is_part = element.parent == document.root || element.name() == "visual" ||
+                           element.name() == "collision";
       if (!is_part || ++parts <= most) continue;
       context_.sink
           .report(rules::sml0002_file_too_large, element.name_span(),

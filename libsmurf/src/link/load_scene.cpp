@@ -23,7 +23,7 @@ void load_single_model(const std::string& path, LoadContext& context, LinkedScen
   } else if (model.robot && model.robot->name) {
     name = *model.robot->name;
   }
-  entity.name.value = name;
+  entity.name.set(name);
   SceneFile& file = scene.scenes.emplace_back();
   file.path = model.path;
   if (!model.files.empty()) file.source = model.files.front().source;

@@ -20,8 +20,8 @@ bool is_plainly_zero(std::string_view numbers) {
 }  // namespace
 
 std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
-  const std::string_view value = attribute.value;
-  const Span whole = attribute.value_span;
+  const std::string_view value = attribute.value();
+  const Span whole = attribute.value_span();
   if (whole.end - whole.begin != value.size()) return {};  // entities were decoded
   std::vector<WrittenNumber> numbers;
   numbers.reserve(3);
@@ -39,7 +39,7 @@ std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
 void for_each_turn(const urdf::Robot& robot,
                    const std::function<void(const xml::Attribute&)>& visit) {
   for (const xml::Attribute& attribute : robot.document.attributes) {
-    if (is_same(attribute.name, "rpy") && !is_plainly_zero(attribute.value)) visit(attribute);
+    if (is_same(attribute.name(), "rpy") && !is_plainly_zero(attribute.value())) visit(attribute);
   }
 }
 

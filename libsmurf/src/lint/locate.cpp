@@ -17,7 +17,7 @@ std::string pointer_in(const xml::Document& document, xml::XPaths& paths, Span s
       element.attributes_begin(), element.attributes_end(), [&](const xml::Attribute& a) {
         return a.span().begin <= span.begin && span.end <= a.span().end;
       });
-  if (attribute != element.attributes_end()) path += "/@" + std::string(attribute->name);
+  if (attribute != element.attributes_end()) path += "/@" + std::string(attribute->name());
   return path;
 }
 

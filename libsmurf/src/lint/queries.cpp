@@ -237,7 +237,7 @@ bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view
   const std::string_view known[] = {name};
   const bool in_attributes =
       std::any_of(view.attributes_begin(), view.attributes_end(), [&](const xml::Attribute& a) {
-        return urdf::meant_name(a.name, known).has_value();
+        return urdf::meant_name(a.name(), known).has_value();
       });
   return in_attributes || std::any_of(view.begin(), view.end(), [&](const xml::View child) {
            return urdf::meant_name(child.name(), known).has_value();

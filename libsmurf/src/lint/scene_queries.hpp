@@ -23,7 +23,7 @@ struct Use {
   /// word `world` exactly and takes any other parent for one of its own.
   bool inherits_in_mars() const { return is_nested() && !has_parent_in_mars(); }
   bool has_parent_in_mars() const {
-    return entity.parent.written && entity.parent.value != "world";
+    return entity.parent.written && entity.parent.value() != "world";
   }
   bool is_member() const {
     return entity.list == EntityList::smurfa && !entity.root.value_or(false);

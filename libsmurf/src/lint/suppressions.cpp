@@ -141,8 +141,8 @@ class Suppressions::Reader {
     const yaml::NodeId id = yaml::node_at(document, at);
     if (id == yaml::kNoNode) return false;
     const yaml::Node& node = document.nodes[static_cast<std::size_t>(id)];
-    if (node.key_span.contains(at)) return true;
-    return node.kind == yaml::Kind::scalar && node.span.contains(at);
+    if (node.key_span().contains(at)) return true;
+    return node.kind() == yaml::Kind::scalar && node.span.contains(at);
   }
 
   /// The outermost entry, which is not the whole file, that begins behind the comment.
@@ -150,8 +150,8 @@ class Suppressions::Reader {
     for (std::size_t i = 0; i < document.nodes.size(); ++i) {
       if (yaml::NodeId{offset(i)} == document.root) continue;
       const yaml::Node& node = document.nodes[i];
-      const std::uint32_t begin = node.key_span.empty() ? node.span.begin : node.key_span.begin;
-      if (begin >= end) return {begin, std::max(node.key_span.end, node.span.end)};
+      const std::uint32_t begin = node.key_span().empty() ? node.span.begin : node.key_span().begin;
+      if (begin >= end) return {begin, std::max(node.key_span().end, node.span.end)};
     }
     return {end, end};
   }

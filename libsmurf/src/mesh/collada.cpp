@@ -21,7 +21,7 @@ using xml::View;
 
 std::string_view value(View element, std::string_view attribute) {
   const xml::Attribute* found = element.attribute(attribute);
-  return found == nullptr ? std::string_view() : found->value;
+  return found == nullptr ? std::string_view() : found->value();
 }
 
 std::string_view trimmed_text(View element) { return Words(element.text()).rest_of_line(); }

@@ -39,11 +39,7 @@ void XmlBuilder::open(Element element) {
   } else {
     OpenElement& parent = open_.back();
     element.parent = parent.element;
-    if (parent.last_child == kNoElement) {
-      at(parent.element).first_child = id;
-    } else {
-      at(parent.last_child).next_sibling = id;
-    }
+    if (parent.last_child != kNoElement) at(parent.last_child).next_sibling = id;
     parent.last_child = id;
   }
   element.attribute_count =
@@ -76,7 +72,7 @@ const Element* XmlBuilder::suspect() const {
   for (std::size_t i = static_cast<std::size_t>(open_.back().element) + 1; i < elements.size();
        ++i) {
     const Element& inner = elements[i];
-    if (inner.name == innermost().name) return &inner;
+    if (inner.name() == innermost().name()) return &inner;
     while (i + 1 < elements.size() && elements[i + 1].span.begin < inner.span.end) {
       ++i;  // what is in a closed child
     }

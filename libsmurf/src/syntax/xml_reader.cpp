@@ -29,15 +29,11 @@ class Decoder {
 
  private:
   /// A view into the source when the decoded text equals its bytes, into the document otherwise.
-  void set(std::string_view& text, const char* decoded) {
-    if (text != decoded) text = document_.decoded.emplace_back(decoded);
-  }
-
   void text(const char* decoded, std::string_view& written) {
-    if (decoded != nullptr && !written.empty()) {
-      set(written, decoded);
-    } else {
+    if (decoded == nullptr || written.empty()) {
       written = {};
+    } else if (written != decoded) {
+      written = document_.decoded.emplace_back(decoded);
     }
   }
 
@@ -45,7 +41,7 @@ class Decoder {
   bool element(const tinyxml2::XMLElement& from) {
     if (next_ >= document_.elements.size()) return false;
     Element& element = document_.elements[next_++];
-    if (element.name != from.Name() || !attributes(from, element)) return false;
+    if (element.name() != from.Name() || !attributes(from, element)) return false;
     if (element.text != xml::kNoText) text(from.GetText(), document_.texts[element.text].value);
     for (const tinyxml2::XMLElement* child = from.FirstChildElement(); child != nullptr;
          child = child->NextSiblingElement()) {
@@ -58,8 +54,11 @@ class Decoder {
     const tinyxml2::XMLAttribute* attribute = from.FirstAttribute();
     for (std::uint32_t i = 0; i < element.attribute_count; ++i) {
       xml::Attribute& written = document_.attributes[element.first_attribute + i];
-      if (attribute == nullptr || written.name != attribute->Name()) return false;
-      set(written.value, attribute->Value());
+      if (attribute == nullptr || written.name() != attribute->Name()) return false;
+      if (written.value() != attribute->Value()) {
+        written.set_value(document_.decoded_values.emplace_back(
+            xml::DecodedValue{written.name().data(), attribute->Value()}));
+      }
       attribute = attribute->Next();
     }
     return attribute == nullptr;

@@ -200,7 +200,7 @@ class Scanner {
       return;
     }
     const Element& element = tree_.innermost();
-    if (slice(name) != element.name) {
+    if (slice(name) != element.name()) {
       Diagnostic& diagnostic =
           malformed(name, "the end tag " + quoted(name) + " does not close the open element " +
                               quoted(element.name_span()));
@@ -240,8 +240,10 @@ class Scanner {
     has_prefix_ = false;
     Element element;
     element.span = span(begin, begin);
-    element.name = slice(scan_name());
-    if (element.name.empty()) {
+    const Span name = scan_name();
+    element.name_begin = text_.data() + name.begin;
+    element.name_size = name.end - name.begin;
+    if (name.empty()) {
       malformed(span(begin, begin + 1), "`<` begins no element here").help =
           "write `&lt;` for the character itself";
       return;
@@ -303,26 +305,21 @@ class Scanner {
   }
 
   bool attribute(const Element& element) {
-    Attribute attribute;
-    attribute.value_span = span(at_, at_);
-    attribute.begin = at_;
-    attribute.name = slice(scan_name());
-    if (attribute.name.empty()) {
+    const Span name = scan_name();
+    if (name.empty()) {
       malformed(span(at_, at_ + 1),
                 "this character cannot stand in the start tag of " + quoted(element.name_span()));
       return false;
     }
     skip_space();
     if (at_ >= size() || text_[at_] != '=') {
-      malformed(attribute.name_span(),
-                "the attribute " + quoted(attribute.name_span()) + " has no value");
+      malformed(name, "the attribute " + quoted(name) + " has no value");
       return false;
     }
     ++at_;
     skip_space();
     if (at_ >= size() || (text_[at_] != '"' && text_[at_] != '\'')) {
-      malformed(attribute.name_span(),
-                "the value of the attribute " + quoted(attribute.name_span()) + " has no quotes");
+      malformed(name, "the value of the attribute " + quoted(name) + " has no quotes");
       return false;
     }
     const char quote = text_[at_++];
@@ -330,13 +327,12 @@ class Scanner {
     skip_to(quote, '<');
     if (at_ >= size() || text_[at_] == '<') {
       malformed(span(begin - 1, begin),
-                "the value of the attribute " + quoted(attribute.name_span()) + " is never closed");
+                "the value of the attribute " + quoted(name) + " is never closed");
       return false;
     }
-    attribute.value_span = span(begin, at_);
-    attribute.value = slice(attribute.value_span);
+    const Span value = span(begin, at_);
     ++at_;
-    return add_attribute(element, attribute);
+    return add_attribute(element, Attribute(text_, name, value));
   }
 
   bool add_attribute(const Element& element, const Attribute& attribute) {
@@ -350,7 +346,7 @@ class Scanner {
       return false;
     }
     for (std::size_t i = element.first_attribute; i < tree_.attributes().size(); ++i) {
-      if (tree_.attributes()[i].name != attribute.name) continue;
+      if (tree_.attributes()[i].name() != attribute.name()) continue;
       well_formed_ = false;
       Diagnostic& diagnostic =
           sink_.report(rules::sml1007_xml_duplicate_attribute, attribute.name_span(),
@@ -358,7 +354,7 @@ class Scanner {
       diagnostic.labels.push_back({tree_.attributes()[i].name_span(), "first written here"});
       return false;
     }
-    if (attribute.name.starts_with("xmlns:")) prefixes_.declare(attribute.name.substr(6));
+    if (attribute.name().starts_with("xmlns:")) prefixes_.declare(attribute.name().substr(6));
     tree_.add_attribute(attribute);
     return true;
   }
@@ -381,7 +377,7 @@ class Scanner {
     for (std::size_t i = element.first_attribute; i < tree_.attributes().size(); ++i) {
       prefixes_.check(tree_.attributes()[i].name_span());
     }
-    if (element.name != "xi:include") return;
+    if (element.name() != "xi:include") return;
     sink_.report(rules::sml1013_dtd_or_xinclude, element.name_span(),
                  "URDF readers do not follow `xi:include`");
   }

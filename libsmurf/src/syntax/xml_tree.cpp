@@ -13,7 +13,7 @@ const Attribute* View::attribute(std::string_view name) const {
   const Attribute* first = document_->attributes.data() + element.first_attribute;
   const Attribute* end = first + element.attribute_count;
   const Attribute* found = std::find_if(
-      first, end, [&](const Attribute& attribute) { return is_same(attribute.name, name); });
+      first, end, [&](const Attribute& attribute) { return is_same(attribute.name(), name); });
   return found == end ? nullptr : found;
 }
 
@@ -28,9 +28,9 @@ View View::child(std::string_view name) const {
 void XPaths::name_children(View parent) {
   const auto key_of = [](View element) {
     const Attribute* name = element.attribute("name");
-    const bool is_usable = name != nullptr && name->value.find('\'') == std::string_view::npos;
+    const bool is_usable = name != nullptr && name->value().find('\'') == std::string_view::npos;
     return "/" + std::string(element.name()) +
-           (is_usable ? "[@name='" + std::string(name->value) + "']" : "");
+           (is_usable ? "[@name='" + std::string(name->value()) + "']" : "");
   };
   struct Siblings {
     std::size_t count = 0;

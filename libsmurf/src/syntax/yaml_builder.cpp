@@ -6,6 +6,7 @@
 
 #include "base/limits.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 
@@ -14,12 +15,46 @@ using yaml::kNoNode;
 using yaml::Node;
 using yaml::NodeId;
 
+namespace {
+
+/// Of the signs at which `counts` holds.
+template <class Test>
+std::size_t count(std::string_view text, char sign, const Test& counts) {
+  std::size_t number = 0;
+  for (std::size_t at = text.find(sign); at != std::string_view::npos;
+       at = text.find(sign, at + 1)) {
+    number += counts(at) ? 1U : 0U;
+  }
+  return number;
+}
+
+/// About as many values as the text has: one for each key, each item and the root.
+std::size_t count_of_nodes(std::string_view text) {
+  const auto is_before_blank = [&](std::size_t at) {
+    return at + 1 == text.size() || is_blank(text[at + 1]);
+  };
+  const std::size_t lists = count(text, '[', [](std::size_t) { return true; });
+  const std::size_t commas = lists == 0 ? 0 : count(text, ',', is_before_blank);
+  return 2 + count(text, ':', is_before_blank) + count(text, '-', is_before_blank) + 2 * lists +
+         commas;
+}
+
+/// Keys have a few letters, for which this is quicker than std::hash.
+std::size_t hash_of(std::string_view key) {
+  std::size_t hash = 0;
+  for (const char c : key) hash = 31 * hash + static_cast<unsigned char>(c);
+  return hash;
+}
+
+}  // namespace
+
 YamlBuilder::YamlBuilder(const SourceMap& sources, SourceId id, const Limits& limits,
                          DiagnosticSink& sink)
     : text_(sources.text(id)), limits_(limits), sink_(sink) {
   document_.source = id;
-  // A node takes 12 to 20 bytes of text; memory that no node comes to is never touched.
-  document_.nodes.reserve(std::min<std::size_t>(text_.size() / 12 + 1, 1U << 20U));
+  // What grows needs up to three times its size for a while. Only a hostile file has more than one
+  // node in 8 bytes.
+  document_.nodes.reserve(std::min(count_of_nodes(text_), text_.size() / 8 + 1));
 }
 
 Span YamlBuilder::open_bracket() const {
@@ -41,7 +76,7 @@ void YamlBuilder::add_scalar(Span span, yaml::Style style, std::string_view text
   if (is_key && anchor == 0) return;
   Node& node = is_key ? add_unlinked(Kind::scalar, span) : add(Kind::scalar, span, 1);
   node.style = style;
-  node.text = text;
+  node.set_text(text);
   if (anchor != 0) anchors_[anchor] = {last(), 1};
 }
 
@@ -53,15 +88,13 @@ void YamlBuilder::add_alias(Span span, Anchor anchor) {
                      "` stands inside the value it repeats");
     return add_null(span);
   }
-  const Kind kind = at(target->second.node).kind;
-  const std::string_view text = at(target->second.node).text;
+  const Kind kind = at(target->second.node).kind();
+  const std::string_view text = at(target->second.node).text();
   if (expects_key()) {
     if (kind == Kind::sequence || kind == Kind::mapping) report_complex_key(span);
     return take_key(span, text);
   }
-  Node& node = add(kind, span, target->second.size);
-  node.target = target->second.node;
-  node.text = text;
+  add(kind, span, target->second.size).set_target(target->second.node);
 }
 
 void YamlBuilder::report_complex_key(Span place) {
@@ -88,15 +121,12 @@ Node& YamlBuilder::add(Kind kind, Span span, std::uint64_t size) {
   }
   Collection& collection = open_.back();
   node.parent = collection.node;
-  node.key = collection.key;
-  node.key_span = collection.key_span;
+  if (collection.is_mapping) node.set_key(collection.key, collection.key_span);
   Node& parent = at(collection.node);
-  node.position = parent.child_count++;
-  if (collection.last_child == kNoNode) {
-    parent.first_child = last();
-  } else {
-    at(collection.last_child).next_sibling = last();
-  }
+  node.set_position(parent.child_count());
+  const bool is_first = collection.last_child == kNoNode;
+  parent.set_children(is_first ? last() : parent.first_child(), parent.child_count() + 1);
+  if (!is_first) at(collection.last_child).next_sibling = last();
   collection.last_child = last();
   collection.has_key = false;
   collection.end = std::max(collection.end, span.end);
@@ -165,23 +195,12 @@ void YamlBuilder::close(std::uint32_t end) {
   }
 }
 
-namespace {
-
-/// Keys have a few letters, for which this is quicker than std::hash.
-std::size_t hash_of(std::string_view key) {
-  std::size_t hash = 0;
-  for (const char c : key) hash = 31 * hash + static_cast<unsigned char>(c);
-  return hash;
-}
-
-}  // namespace
-
 bool YamlBuilder::may_have_duplicates(const Node& mapping) const {
-  if (mapping.child_count < 2) return false;
+  if (mapping.child_count() < 2) return false;
   std::bitset<2048> seen;  // by hash; in mappings of ordinary size, hardly two share a bit
-  for (NodeId child = mapping.first_child; child != kNoNode;) {
+  for (NodeId child = mapping.first_child(); child != kNoNode;) {
     const Node& node = document_.nodes[index(child)];
-    const std::size_t bit = hash_of(node.key) % seen.size();
+    const std::size_t bit = hash_of(node.key()) % seen.size();
     if (seen[bit]) return true;
     seen[bit] = true;
     child = node.next_sibling;
@@ -192,14 +211,14 @@ bool YamlBuilder::may_have_duplicates(const Node& mapping) const {
 void YamlBuilder::report_duplicates(const Node& mapping) {
   if (!may_have_duplicates(mapping)) return;
   entries_.clear();
-  for (NodeId child = mapping.first_child; child != kNoNode; child = at(child).next_sibling) {
+  for (NodeId child = mapping.first_child(); child != kNoNode; child = at(child).next_sibling) {
     // A list or mapping as a key has no text; it is reported as such.
-    const Span key = at(child).key_span;
-    if (at(child).key.empty() && !key.empty() && text_[key.begin] != '"' &&
+    const Span key = at(child).key_span();
+    if (at(child).key().empty() && !key.empty() && text_[key.begin] != '"' &&
         text_[key.begin] != '\'') {
       continue;
     }
-    entries_.push_back({at(child).key, child});
+    entries_.push_back({at(child).key(), child});
   }
   std::sort(entries_.begin(), entries_.end());
   for (std::size_t i = 1, first = 0; i < entries_.size(); ++i) {
@@ -209,10 +228,10 @@ void YamlBuilder::report_duplicates(const Node& mapping) {
     }
     at(entries_[i].id).is_repeated = true;
     Diagnostic& diagnostic =
-        sink_.report(rules::sml0011_duplicate_key, at(entries_[i].id).key_span,
+        sink_.report(rules::sml0011_duplicate_key, at(entries_[i].id).key_span(),
                      "duplicate key `" + std::string(entries_[i].key) + "` in one mapping");
     diagnostic.caret = "repeated here";
-    diagnostic.labels.push_back({at(entries_[first].id).key_span, "first set here"});
+    diagnostic.labels.push_back({at(entries_[first].id).key_span(), "first set here"});
     diagnostic.notes.push_back("MARS takes the first value, Phobos (PyYAML) the last");
     diagnostic.help = "delete one of the two";
   }

@@ -100,10 +100,7 @@ class YamlBuilder {
   void take_key(Span span, std::string_view key);
   /// A key that something refers to: it has a node, but no place in the tree.
   yaml::Node& add_unlinked(yaml::Kind kind, Span span) {
-    yaml::Node& node = document_.nodes.emplace_back();
-    node.kind = kind;
-    node.span = span;
-    return node;
+    return document_.nodes.emplace_back(kind, span);
   }
   yaml::Node& add(yaml::Kind kind, Span span, std::uint64_t size);
   void grow(Collection& collection, std::uint64_t size) {

@@ -51,49 +51,49 @@ ScalarType classify(std::string_view text, Style style) {
 
 ScalarType View::type() const {
   const Node& own = value();
-  return own.kind == Kind::scalar ? classify(own.text, own.style) : ScalarType::null;
+  return own.kind() == Kind::scalar ? classify(own.text(), own.style) : ScalarType::null;
 }
 
 std::optional<double> View::number() const {
   const Node& own = value();
-  if (own.kind != Kind::scalar || own.style != Style::plain || own.text.empty())
+  if (own.kind() != Kind::scalar || own.style != Style::plain || own.text().empty())
     return std::nullopt;
-  if (!looks_numeric(own.text.front())) return std::nullopt;
-  if (const auto number = parse_number(own.text)) return number;
-  switch (classify(own.text, own.style)) {
+  if (!looks_numeric(own.text().front())) return std::nullopt;
+  if (const auto number = parse_number(own.text())) return number;
+  switch (classify(own.text(), own.style)) {
   case ScalarType::integer:
-    if (const auto radix = parse_radix(own.text)) return static_cast<double>(*radix);
+    if (const auto radix = parse_radix(own.text())) return static_cast<double>(*radix);
     return std::nullopt;
   case ScalarType::number:
-    if (own.text.back() == 'n' || own.text.back() == 'N') {
+    if (own.text().back() == 'n' || own.text().back() == 'N') {
       return std::numeric_limits<double>::quiet_NaN();
     }
-    return own.text.front() == '-' ? -std::numeric_limits<double>::infinity()
-                                   : std::numeric_limits<double>::infinity();
+    return own.text().front() == '-' ? -std::numeric_limits<double>::infinity()
+                                     : std::numeric_limits<double>::infinity();
   default: return std::nullopt;
   }
 }
 
 std::optional<std::int64_t> View::integer() const {
   const Node& own = value();
-  if (own.kind != Kind::scalar || own.style != Style::plain) return std::nullopt;
-  if (const auto radix = parse_radix(own.text)) return radix;
-  return parse_integer(own.text);
+  if (own.kind() != Kind::scalar || own.style != Style::plain) return std::nullopt;
+  if (const auto radix = parse_radix(own.text())) return radix;
+  return parse_integer(own.text());
 }
 
 std::optional<bool> View::boolean() const {
   const Node& own = value();
-  if (own.kind != Kind::scalar || classify(own.text, own.style) != ScalarType::boolean) {
+  if (own.kind() != Kind::scalar || classify(own.text(), own.style) != ScalarType::boolean) {
     return std::nullopt;
   }
-  return own.text.front() == 't' || own.text.front() == 'T';
+  return own.text().front() == 't' || own.text().front() == 'T';
 }
 
 View View::find(std::string_view key) const {
   if (!*this || !is_mapping()) return {};
-  for (NodeId id = value().first_child; id != kNoNode;) {
+  for (NodeId id = value().first_child(); id != kNoNode;) {
     const Node& child = document_->nodes[static_cast<std::size_t>(id)];
-    if (child.key == key) return {*document_, id};
+    if (child.key() == key) return {*document_, id};
     id = child.next_sibling;
   }
   return {};
@@ -140,11 +140,11 @@ std::string path_to(const Document& document, NodeId id, bool by_name) {
     const Node& node = document.nodes[static_cast<std::size_t>(id)];
     if (node.parent == kNoNode) break;
     const Node& parent = document.nodes[static_cast<std::size_t>(node.parent)];
-    if (parent.kind == Kind::mapping) {
-      steps.push_back(escape_step(node.key));
+    if (parent.kind() == Kind::mapping) {
+      steps.push_back(escape_step(node.key()));
     } else {
       const auto name = by_name ? name_step(document, id) : std::nullopt;
-      steps.push_back(name ? *name : std::to_string(node.position));
+      steps.push_back(name ? *name : std::to_string(node.position()));
     }
     id = node.parent;
   }
@@ -166,7 +166,8 @@ NodeId node_at(const Document& document, std::uint32_t offset) {
     return document.nodes[static_cast<std::size_t>(id)];
   };
   const auto begin_of = [](const Node& node) {
-    return node.key_span.empty() ? node.span.begin : std::min(node.key_span.begin, node.span.begin);
+    return node.key_span().empty() ? node.span.begin
+                                   : std::min(node.key_span().begin, node.span.begin);
   };
   // Nodes are in document order: the last one that begins before the byte, or one around it.
   const auto after =
@@ -175,7 +176,7 @@ NodeId node_at(const Document& document, std::uint32_t offset) {
   for (auto last = after; last != document.nodes.begin();) {
     NodeId id{static_cast<std::uint32_t>(--last - document.nodes.begin())};
     while (id != document.root && at(id).parent != kNoNode) {
-      if (at(id).span.contains(offset) || at(id).key_span.contains(offset)) return id;
+      if (at(id).span.contains(offset) || at(id).key_span().contains(offset)) return id;
       id = at(id).parent;
     }
     if (id == document.root) return id;

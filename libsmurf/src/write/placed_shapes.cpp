@@ -48,7 +48,7 @@ std::optional<Rgba> color_of(const urdf::Visual& visual, const urdf::Robot& robo
   if (visual.material->rgba) return *visual.material->rgba;
   for (const urdf::Material& material : robot.materials) {
     if (material.name && visual.material->name && *material.name == *visual.material->name) {
-      return material.rgba.value;
+      return material.rgba.value();
     }
   }
   return std::nullopt;

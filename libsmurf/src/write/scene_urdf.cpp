@@ -100,15 +100,16 @@ class UrdfMerger {
     for (std::uint32_t k = 0; k < element.attribute_count; ++k) {
       const xml::Attribute& attribute = document.attributes[element.first_attribute + k];
       const auto is_this = [&](const NameAttribute& name) {
-        return name.element == element.name && name.attribute == attribute.name;
+        return name.element == element.name() && name.attribute == attribute.name();
       };
-      if (!attribute.value.empty() && std::any_of(std::begin(kNames), std::end(kNames), is_this)) {
-        const Span begin{attribute.value_span.source, attribute.value_span.begin,
-                         attribute.value_span.begin};
+      if (!attribute.value().empty() &&
+          std::any_of(std::begin(kNames), std::end(kNames), is_this)) {
+        const Span begin{attribute.value_span().source, attribute.value_span().begin,
+                         attribute.value_span().begin};
         edits.push_back({begin, prefix(i)});
       }
-      const bool is_file =
-          attribute.name == "filename" && (element.name == "mesh" || element.name == "texture");
+      const bool is_file = attribute.name() == "filename" &&
+                           (element.name() == "mesh" || element.name() == "texture");
       if (is_file) add_file_edit(attribute, i, edits);
     }
   }
@@ -117,20 +118,20 @@ class UrdfMerger {
   static bool is_inside_gazebo(const xml::Document& document, const xml::Element& element) {
     for (xml::ElementId at = element.parent; at != xml::kNoElement;
          at = document.elements[static_cast<std::size_t>(at)].parent) {
-      if (document.elements[static_cast<std::size_t>(at)].name == "gazebo") return true;
+      if (document.elements[static_cast<std::size_t>(at)].name() == "gazebo") return true;
     }
     return false;
   }
 
   void add_file_edit(const xml::Attribute& attribute, std::size_t i,
                      std::vector<Edit>& edits) const {
-    if (attribute.value.find("://") != std::string_view::npos ||
-        path::is_absolute(attribute.value)) {
+    if (attribute.value().find("://") != std::string_view::npos ||
+        path::is_absolute(attribute.value())) {
       return;
     }
     for (const auto& [written, file] : scene_.flat.models[*flat(i).model].resources) {
-      if (written != attribute.value) continue;
-      if (written != file) edits.push_back({attribute.value_span, escape_xml(file)});
+      if (written != attribute.value()) continue;
+      if (written != file) edits.push_back({attribute.value_span(), escape_xml(file)});
       return;
     }
   }
@@ -138,7 +139,7 @@ class UrdfMerger {
   /// Extensions may use prefixes that their <robot> declares.
   void keep_namespaces(xml::View root) {
     for (const auto* at = root.attributes_begin(); at != root.attributes_end(); ++at) {
-      if (at->name.starts_with("xmlns")) namespaces_.emplace(at->name, at->value);
+      if (at->name().starts_with("xmlns")) namespaces_.emplace(at->name(), at->value());
     }
   }
 

@@ -31,7 +31,7 @@ void read_joints(yaml::View joints, JointPoseSet& pose) {
     const std::optional<double> number = joint.number();
     const bool is_finite = number && std::isfinite(*number);
     pose.joints.push_back({{std::string(joint.key()), joint.key_span()},
-                           {is_finite ? number : std::nullopt, joint.place(), true}});
+                           {is_finite ? number : std::nullopt, joint.place()}});
   }
 }
 

@@ -18,7 +18,7 @@ std::vector<const KeySpec*> keys() { return specs_of<Submodel>(kKeys, {}); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Submodel>(kKeys, {}, "submodel", entry, section, out.submodels, sink);
-  out.submodels.back().name = {std::string(entry.key()), entry.key_span(), true};
+  out.submodels.back().name = {std::string(entry.key()), entry.key_span()};
 }
 
 }  // namespace

@@ -17,12 +17,11 @@ void check(const LinkedModel& model, Findings& findings) {
       const auto parent = static_cast<std::size_t>(node.parent);
       // What stands in the sections of the format is checked where it is read.
       is_known[i] =
-          is_known[parent] || (node.parent == file.document->root && is_section_name(node.key));
-      const bool is_item = file.document->nodes[parent].kind == yaml::Kind::sequence;
-      if (is_known[i] || !is_item || node.kind != yaml::Kind::null) continue;
-      const bool is_alias = node.target != yaml::kNoNode;
-      if (is_alias || file.document->nodes[parent].key == "files") continue;
-      const Span place = node.span.empty() ? file.document->nodes[parent].key_span : node.span;
+          is_known[parent] || (node.parent == file.document->root && is_section_name(node.key()));
+      const bool is_item = file.document->nodes[parent].kind() == yaml::Kind::sequence;
+      if (is_known[i] || !is_item || node.kind() != yaml::Kind::null) continue;
+      if (node.is_alias() || file.document->nodes[parent].key() == "files") continue;
+      const Span place = node.span.empty() ? file.document->nodes[parent].key_span() : node.span;
       findings.report(place, "a list must not hold an empty item: MARS ends with an exception");
     }
   }

@@ -11,7 +11,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (const xml::Attribute& attribute : model.robot->document.attributes) {
     for (const std::string_view name : kNewer) {
-      if (!is_same(attribute.name, name)) continue;
+      if (!is_same(attribute.name(), name)) continue;
       findings.report(attribute.name_span(), quoted(name) + " is ignored by readers of URDF 1.0");
     }
   }

@@ -13,12 +13,12 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   constexpr double kTurn = 2 * std::numbers::pi + 1e-3;
   for_each_turn(*model.robot, [&](const xml::Attribute& rpy) {
-    for (const double angle : numbers_in(rpy.value)) {
+    for (const double angle : numbers_in(rpy.value())) {
       if (std::fabs(angle) <= kTurn) continue;
       findings
-          .report(rpy.value_span, "the angle " + format_number(angle) + " is " +
-                                      format_rounded(angle / (2 * std::numbers::pi), 3) +
-                                      " turns; is it in degrees?")
+          .report(rpy.value_span(), "the angle " + format_number(angle) + " is " +
+                                        format_rounded(angle / (2 * std::numbers::pi), 3) +
+                                        " turns; is it in degrees?")
           .help = format_number(angle) + " degrees are " +
                   format_rounded(angle * std::numbers::pi / 180, 6) + " rad";
       break;

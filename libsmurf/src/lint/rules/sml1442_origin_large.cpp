@@ -29,14 +29,14 @@ void check(const LinkedModel& model, Findings& findings) {
   double first = 0;
   const xml::Document& document = model.robot->document;
   for (std::size_t i = 0; i < document.elements.size(); ++i) {
-    if (!is_same(document.elements[i].name, "origin")) continue;
+    if (!is_same(document.elements[i].name(), "origin")) continue;
     const xml::Attribute* xyz =
         xml::View(document, xml::ElementId{static_cast<std::uint32_t>(i)}).attribute("xyz");
-    const double farthest = xyz == nullptr ? 0 : farthest_in(xyz->value);
+    const double farthest = xyz == nullptr ? 0 : farthest_in(xyz->value());
     if (std::fabs(farthest) <= far) continue;
     if (habit.is_first()) first = farthest;
-    habit.add(xyz->value_span, "this origin lies " + format_rounded(std::fabs(farthest)) +
-                                   " m away; are millimetres meant?");
+    habit.add(xyz->value_span(), "this origin lies " + format_rounded(std::fabs(farthest)) +
+                                     " m away; are millimetres meant?");
   }
   if (Diagnostic* diagnostic = habit.report("such origins", findings)) {
     diagnostic->help = format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m";

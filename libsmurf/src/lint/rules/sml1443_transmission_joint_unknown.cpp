@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
     for (const xml::View child : transmission) {
       const xml::Attribute* name = child.name() == "joint" ? child.attribute("name") : nullptr;
       if (name == nullptr) continue;
-      check_reference(model, NameKind::joint, name->value, name->value_span, "a transmission",
+      check_reference(model, NameKind::joint, name->value(), name->value_span(), "a transmission",
                       findings);
     }
   }

@@ -10,9 +10,9 @@ namespace {
 void check_slip(xml::View gazebo, Findings& findings) {
   constexpr std::string_view kKnown[] = {"reference"};
   for (const auto* one = gazebo.attributes_begin(); one != gazebo.attributes_end(); ++one) {
-    if (!nearest(one->name, kKnown)) continue;
+    if (!nearest(one->name(), kKnown)) continue;
     Diagnostic& diagnostic =
-        findings.report(one->name_span(), quoted(one->name) + " is no attribute of `gazebo`");
+        findings.report(one->name_span(), quoted(one->name()) + " is no attribute of `gazebo`");
     diagnostic.notes.push_back("Gazebo applies this element to the whole model");
     diagnostic.help = "did you mean `reference`?";
     diagnostic.fixes.push_back({Applicability::unsafe, {{one->name_span(), "reference"}}});
@@ -26,18 +26,18 @@ void check(const LinkedModel& model, Findings& findings) {
     if (gazebo.name() != "gazebo") continue;
     const xml::Attribute* reference = gazebo.attribute("reference");
     if (reference == nullptr) check_slip(gazebo, findings);
-    if (reference == nullptr || reference->value.empty()) continue;
-    const std::string_view name = reference->value;
+    if (reference == nullptr || reference->value().empty()) continue;
+    const std::string_view name = reference->value();
     if (model.link_names.contains(name) || model.joint_names.contains(name)) continue;
     Diagnostic& diagnostic =
-        findings.report(reference->value_span, "no link and no joint is called " + quoted(name));
+        findings.report(reference->value_span(), "no link and no joint is called " + quoted(name));
     diagnostic.notes.push_back("Gazebo ignores this element and all it holds");
     auto near = nearest(name, model.link_names.names());
     if (!near) near = nearest(name, model.joint_names.names());
     if (!near) continue;
     diagnostic.help = "did you mean " + quoted(*near) + "?";
     diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{reference->value_span, escape_xml(*near)}}});
+        {Applicability::unsafe, {{reference->value_span(), escape_xml(*near)}}});
   }
 }
 

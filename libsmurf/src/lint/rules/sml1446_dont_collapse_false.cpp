@@ -8,7 +8,8 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     const xml::Attribute* attribute =
         xml::View(model.robot->document, joint.element).attribute("dont_collapse");
-    if (attribute == nullptr || (attribute->value != "false" && attribute->value != "0")) return;
+    if (attribute == nullptr || (attribute->value() != "false" && attribute->value() != "0"))
+      return;
     Diagnostic& diagnostic =
         findings.report(attribute->span(), "Isaac reads any value of `dont_collapse` as true");
     diagnostic.help = "delete the attribute";

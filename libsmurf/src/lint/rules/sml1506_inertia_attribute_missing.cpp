@@ -12,11 +12,11 @@ namespace {
 bool is_misspelt(const xml::View element, std::string_view name) {
   return std::any_of(element.attributes_begin(), element.attributes_end(),
                      [&](const xml::Attribute& attribute) {
-                       if (attribute.name.size() == 3 && attribute.name.starts_with('i')) {
+                       if (attribute.name().size() == 3 && attribute.name().starts_with('i')) {
                          return false;  // another entry
                        }
                        const std::string_view known[] = {name};
-                       return nearest(attribute.name, known).has_value();
+                       return nearest(attribute.name(), known).has_value();
                      });
 }
 

@@ -24,11 +24,11 @@ void check(const LinkedModel& model, Findings& findings) {
       Diagnostic& diagnostic =
           findings.report(below->name_span(),
                           "readers ignore " + quoted(lower) + " in the inertia of " + title(link));
-      if (parse_number(below->value) == parse_number(above->value)) {
+      if (parse_number(below->value()) == parse_number(above->value())) {
         diagnostic.help = "delete it; " + quoted(upper) + " says the same";
         diagnostic.fixes.push_back({Applicability::safe, {{below->span(), ""}}});
       } else {
-        diagnostic.labels.push_back({above->value_span, "and read another value here"});
+        diagnostic.labels.push_back({above->value_span(), "and read another value here"});
       }
     }
   });

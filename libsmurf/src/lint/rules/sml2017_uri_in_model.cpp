@@ -8,11 +8,11 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const ModelFile& file : model.files) {
     if (!file.document) continue;
     for (const yaml::Node& node : file.document->nodes) {
-      if (node.key != "URI" && node.key != "URIs") continue;
+      if (node.key() != "URI" && node.key() != "URIs") continue;
       Diagnostic& diagnostic = findings.report(
-          node.key_span, "MARS puts the keys of another file over those written here");
+          node.key_span(), "MARS puts the keys of another file over those written here");
       const bool is_main = file.kind == ModelFile::Kind::main;
-      if (is_main && node.text.starts_with('/')) {
+      if (is_main && node.text().starts_with('/')) {
         diagnostic.notes.push_back("the absolute path is not found in the main file");
       }
       diagnostic.help = "write the keys of that file here";

@@ -10,7 +10,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!root || !root.is_mapping() || root.size() == 0) return;
   if (has_misspelt(root, "modelname")) return;
   const Field<std::string>& name = model.main.modelname;
-  if (name.written && (!name.value || !name->empty())) return;
+  if (name.written && (!name || !name->empty())) return;
   const yaml::View written = root.find("modelname");
   const Span place = written ? written.key_span() : (*root.begin()).key_span();
   findings.report(place, "the main file has no `modelname`").help =

@@ -11,7 +11,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const Sensor& sensor : model.annotations.sensors) {
     if (!sensor.type || !sensor_target(*sensor.type)) continue;
     const auto is_given = [](const Field<NameList>* list) {
-      return list->written && (!list->value || !list->value->empty());
+      return list->written && (!*list || !(*list)->empty());
     };
     const Field<NameList>* lists[] = {&sensor.id, &sensor.links, &sensor.joints, &sensor.collisions,
                                       &sensor.motors};

@@ -34,7 +34,7 @@ void check_angles(std::initializer_list<const Field<double>*> angles, std::strin
   Diagnostic* found = nullptr;
   for (const Field<double>* angle : angles) {
     if (found == nullptr) {
-      found = check_angle(angle->value, angle->span, what, whose, findings);
+      found = check_angle(angle->value(), angle->span, what, whose, findings);
     } else if (*angle && looks_like_degrees(**angle)) {
       found->labels.push_back({angle->span, "this too"});
     }
@@ -61,7 +61,7 @@ void check_pose(const LinkedModel& model, const JointPoseSet& pose, Findings& fi
     if (joint == nullptr && motor) joint = joint_of(model, model.annotations.motors[*motor]);
     const bool is_angle = joint != nullptr && joint->type == urdf::JointType::revolute;
     if (is_angle) {
-      check_angle(entry.position.value, entry.position.span, "the position",
+      check_angle(entry.position.value(), entry.position.span, "the position",
                   quoted(entry.name.value).c_str(), findings);
     }
   }

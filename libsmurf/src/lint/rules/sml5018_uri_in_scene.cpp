@@ -15,10 +15,10 @@ void check(const LinkedScene& scene, Findings& findings) {
       if (!entity.file || entity.file->empty()) without_file.insert(entity.node);
     }
     for (const yaml::Node& node : file.document->nodes) {
-      if (node.key != "URI" || without_file.contains(node.parent)) continue;
+      if (node.key() != "URI" || without_file.contains(node.parent)) continue;
       Diagnostic& diagnostic = findings.report(
-          node.key_span, "MARS puts the keys of this file in the place of `URI`, over those "
-                         "written here");
+          node.key_span(), "MARS puts the keys of this file in the place of `URI`, over those "
+                           "written here");
       diagnostic.help = "write the keys of that file here";
     }
   }

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace smurf::tools {
+
+/// At the start of main: a closed pipe becomes a failed write instead of a killed process, files
+/// cannot take the place of closed standard streams, and memory comes in large pages where it can.
+void prepare_process();
+
+}  // namespace smurf::tools
