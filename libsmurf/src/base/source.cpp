@@ -7,6 +7,7 @@
 #include <cassert>
 #include <iterator>
 
+#include "base/count.hpp"
 #include "base/utf8.hpp"
 
 namespace smurf {
@@ -23,13 +24,13 @@ SourceId SourceMap::add(std::string path, std::string text) {
   source.is_ascii = utf8::ascii_prefix(source.text) == source.text.size();
   std::vector<std::uint32_t>& counts = source.line_ends_before;
   counts.reserve(source.text.size() / kBlock + 1);
-  counts.push_back(0);
-  for (std::size_t at = source.text.find('\n'); at != std::string::npos;
-       at = source.text.find('\n', at + 1)) {
-    if (counts.size() <= at / kBlock) counts.resize(at / kBlock + 1, source.line_count - 1);
-    ++source.line_count;
+  const std::string_view whole = source.text;
+  std::uint32_t line_ends = 0;
+  for (std::size_t at = 0; at <= whole.size(); at += kBlock) {
+    counts.push_back(line_ends);
+    line_ends += static_cast<std::uint32_t>(count_of(whole.substr(at, kBlock), '\n'));
   }
-  counts.resize(source.text.size() / kBlock + 1, source.line_count - 1);
+  source.line_count = line_ends + 1;
   sources_.push_back(std::move(source));
   return SourceId{static_cast<std::uint32_t>(sources_.size() - 1)};
 }

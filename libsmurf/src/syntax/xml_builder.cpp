@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/count.hpp"
 #include "base/words.hpp"
 
 namespace smurf {
@@ -15,17 +16,9 @@ XmlBuilder::XmlBuilder(std::string_view text, SourceId id) : text_(text) {
   document_.source = id;
   // What grows needs up to three times its size for a while. Only a hostile file has more than one
   // element in 16 bytes.
-  document_.elements.reserve(std::min(count('<', '/'), text_.size() / 16 + 1));
-  document_.attributes.reserve(std::min(count('=', '='), text_.size() / 16 + 1));
-}
-
-std::size_t XmlBuilder::count(char sign, char not_before) const {
-  std::size_t number = 0;
-  for (std::size_t at = text_.find(sign); at != std::string_view::npos;
-       at = text_.find(sign, at + 1)) {
-    number += text_.substr(at + 1).starts_with(not_before) ? 0U : 1U;
-  }
-  return number;
+  document_.elements.reserve(
+      std::min(count_of(text_, '<') - count_of(text_, '<', '/'), text_.size() / 16 + 1));
+  document_.attributes.reserve(std::min(count_of(text_, '='), text_.size() / 16 + 1));
 }
 
 const Element& XmlBuilder::innermost() const {

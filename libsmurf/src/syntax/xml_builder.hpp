@@ -42,7 +42,6 @@ class XmlBuilder {
     xml::ElementId last_child = xml::kNoElement;
   };
 
-  std::size_t count(char sign, char not_before) const;
   xml::Element& at(xml::ElementId id) { return document_.elements[static_cast<std::size_t>(id)]; }
 
   std::string_view text_;

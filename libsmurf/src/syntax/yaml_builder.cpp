@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <bitset>
 
+#include "base/count.hpp"
 #include "base/limits.hpp"
 #include "base/rules.hpp"
-#include "base/words.hpp"
 
 namespace smurf {
 
@@ -17,26 +17,14 @@ using yaml::NodeId;
 
 namespace {
 
-/// Of the signs at which `counts` holds.
-template <class Test>
-std::size_t count(std::string_view text, char sign, const Test& counts) {
-  std::size_t number = 0;
-  for (std::size_t at = text.find(sign); at != std::string_view::npos;
-       at = text.find(sign, at + 1)) {
-    number += counts(at) ? 1U : 0U;
-  }
-  return number;
-}
-
 /// About as many values as the text has: one for each key, each item and the root.
 std::size_t count_of_nodes(std::string_view text) {
-  const auto is_before_blank = [&](std::size_t at) {
-    return at + 1 == text.size() || is_blank(text[at + 1]);
-  };
-  const std::size_t lists = count(text, '[', [](std::size_t) { return true; });
-  const std::size_t commas = lists == 0 ? 0 : count(text, ',', is_before_blank);
-  return 2 + count(text, ':', is_before_blank) + count(text, '-', is_before_blank) + 2 * lists +
-         commas;
+  std::size_t count = 2;
+  for (const char sign : {':', '-'}) {
+    for (const char blank : {' ', '\n', '\r'}) count += count_of(text, sign, blank);
+  }
+  const std::size_t lists = count_of(text, '[');
+  return count + (lists == 0 ? 0 : 2 * lists + count_of(text, ','));
 }
 
 /// Keys have a few letters, for which this is quicker than std::hash.
