@@ -33,8 +33,9 @@ struct Option {
   std::string_view metavar{};  ///< "FILE"; "": a flag
   bool may_omit_value = false;
   std::string_view help{};
-  std::vector<std::string_view> values{};       ///< the only ones allowed; empty: any
-  std::vector<std::string_view> suggestions{};  ///< for completions, when any is allowed
+  std::vector<std::string_view> values{};  ///< the only ones allowed; empty: any
+  std::vector<std::string_view> (*suggestions)() =
+      nullptr;  ///< for completions, when any is allowed
   Setter set{};
 };
 

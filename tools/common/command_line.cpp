@@ -17,18 +17,18 @@ constexpr std::string_view kNoValue = "true";
 
 class CommandLine {
  public:
-  explicit CommandLine(const Command& command) : command_(command), options_(command.options) {
-    for (const Option& option : standard_options()) options_.push_back(option);
+  CommandLine(const Command& command, std::vector<std::string> arguments)
+      : command_(command), arguments_(std::move(arguments)) {
     app_.set_help_flag();
     app_.allow_extras();
-    for (const Option& option : options_) cli_options_.push_back(add(option));
+    for (const Option& option : command.options) add_if_written(option);
+    for (const Option& option : standard_options()) add_if_written(option);
   }
 
   /// What is wrong, if anything.
-  std::optional<std::string> parse(std::vector<std::string> arguments) {
-    std::reverse(arguments.begin(), arguments.end());
+  std::optional<std::string> parse() {
     try {
-      app_.parse(std::move(arguments));
+      app_.parse(std::vector<std::string>(arguments_.rbegin(), arguments_.rend()));
     } catch (const CLI::ParseError& error) {
       return explain(error);
     }
@@ -42,7 +42,10 @@ class CommandLine {
     return set_operands();
   }
 
-  bool has(std::string_view name) const { return cli_options_[index_of(name)]->count() > 0; }
+  bool has(std::string_view name) const {
+    const std::size_t index = index_of(name);
+    return index < options_.size() && cli_options_[index]->count() > 0;
+  }
 
   /// Precondition: has(name).
   std::string value_of(std::string_view name) const {
@@ -54,6 +57,20 @@ class CommandLine {
     const auto found = std::find_if(options_.begin(), options_.end(),
                                     [&](const Option& option) { return option.name == name; });
     return static_cast<std::size_t>(found - options_.begin());
+  }
+
+  /// CLI11 takes as long for all options of a tool as the tool takes for a small model, so it is
+  /// told of those only that some argument may mean.
+  void add_if_written(const Option& option) {
+    const std::string name = "--" + std::string(option.name);
+    const bool is_written =
+        std::any_of(arguments_.begin(), arguments_.end(), [&](const std::string& argument) {
+          return argument.starts_with(name) || (option.letter != 0 && argument.starts_with('-') &&
+                                                argument.find(option.letter) != std::string::npos);
+        });
+    if (!is_written) return;
+    options_.push_back(option);
+    cli_options_.push_back(add(option));
   }
 
   CLI::Option* add(const Option& option) {
@@ -123,8 +140,9 @@ class CommandLine {
   }
 
   const Command& command_;
-  std::vector<Option> options_;
+  const std::vector<std::string> arguments_;
   CLI::App app_;
+  std::vector<Option> options_;  ///< those that may be written
   std::vector<CLI::Option*> cli_options_;
 };
 
@@ -132,8 +150,8 @@ class CommandLine {
 
 std::optional<ExitCode> parse_command_line(const Command& command, int argc,
                                            const char* const* argv) {
-  CommandLine line(command);
-  if (auto wrong = line.parse(std::vector<std::string>(argv + std::min(argc, 1), argv + argc))) {
+  CommandLine line(command, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+  if (auto wrong = line.parse()) {
     complain(command.name, *wrong);
     return kFailed;
   }

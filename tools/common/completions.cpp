@@ -13,8 +13,9 @@ std::string joined(const std::vector<std::string_view>& words) {
 }
 
 /// What the option's value may be, as far as that is known.
-const std::vector<std::string_view>& words_of(const Option& option) {
-  return option.values.empty() ? option.suggestions : option.values;
+std::vector<std::string_view> words_of(const Option& option) {
+  return option.values.empty() && option.suggestions != nullptr ? option.suggestions()
+                                                                : option.values;
 }
 
 bool takes_file(const Option& option) {

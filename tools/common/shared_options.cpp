@@ -83,7 +83,7 @@ Option report_option(std::string_view name, std::vector<ReportRequest>& reports)
           .name = name,
           .metavar = "FORMAT[=FILE]",
           .help = report_option_help(),
-          .suggestions = report_format_names(),
+          .suggestions = report_format_names,
           .set = append_report(reports)};
 }
 
