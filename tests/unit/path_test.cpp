@@ -49,7 +49,12 @@ TEST_CASE("path: normalize") {
                       {"a/b/../../..", ".."},
                       {"../a/../b", "../b"},
                       {"...", "..."},
-                      {"a/...", "a/..."}};
+                      {"a/...", "a/..."},
+                      {".a", ".a"},
+                      {"a/.b/c", "a/.b/c"},
+                      {"a/..b", "a/..b"},
+                      {"/a/./b", "/a/b"},
+                      {"/.", "/"}};
   for (const Row& row : rows) {
     CAPTURE(row.path);
     CHECK(path::normalize(row.path) == row.normal);
