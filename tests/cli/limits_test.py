@@ -5,6 +5,7 @@ Usage: limits_test.py FOLDER_OF_TOOLS
 """
 import io
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -36,9 +37,22 @@ class LimitsTest(unittest.TestCase):
     def write(self, path, text):
         (self.folder / path).write_bytes(text if isinstance(text, bytes) else text.encode())
 
-    def run_tool(self, tool, *words, stdin=""):
+    def run_tool(self, tool, *words, stdin="", **settings):
         return subprocess.run([TOOLS / tool, *words], cwd=self.folder, input=stdin, capture_output=True,
-                              encoding="utf-8", timeout=60, check=False)
+                              encoding="utf-8", timeout=60, check=False, **settings)
+
+    def test_without_memory(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_DATA, (3 << 20, 3 << 20))
+
+        links = "".join(f'<link name="l{i}"/>' for i in range(100_000))
+        self.write("robot.urdf", f'<robot name="robot">{links}</robot>')
+        for tool, words in COMMANDS.items():
+            with self.subTest(tool):
+                if self.run_tool(tool, "--version", preexec_fn=limit).returncode != 0:
+                    self.skipTest("needs more memory to start: is it built with sanitizers?")
+                told = self.run_tool(tool, *words, preexec_fn=limit)
+                self.assertEqual((told.returncode, told.stdout, told.stderr), (2, "", "out of memory\n"))
 
     def test_every_tool(self):
         for tool, words in COMMANDS.items():

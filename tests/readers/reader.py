@@ -41,12 +41,12 @@ class ReaderTest(cli.CliTest):
     def write_scene(self, scene, form, *arguments):
         """The file that was written. Losses are allowed here; what they are, other tests say."""
         output = self.folder / f"out.{form.rstrip('0123456789.')}"
-        done = self.run_tool(scene, "--format", form, "-o", output, "--quiet", *arguments)
+        done = self.run_tool(scene, "--format", form, "-o", output, "--quiet", "--allow-outside", *arguments)
         self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
         return output
 
     def flat(self, scene):
-        done = self.run_tool(scene, "--links", "--quiet")
+        done = self.run_tool(scene, "--links", "--quiet", "--allow-outside")
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 

@@ -2,8 +2,6 @@
 #include "common/process.hpp"
 
 #include <fcntl.h>
-#include <malloc.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <climits>
@@ -11,6 +9,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <new>
+#include <string_view>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#include <sys/mman.h>
+#endif
+
+#include "common/command.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -48,11 +55,18 @@ void prepare_memory() {
 #endif
 }
 
+[[noreturn]] void end_without_memory() {
+  constexpr std::string_view kMessage = "out of memory\n";
+  [[maybe_unused]] const auto ignored = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  ::_exit(kFailed);
+}
+
 }  // namespace
 
 void prepare_process() {
   prepare_streams();
   prepare_memory();
+  std::set_new_handler(end_without_memory);
 }
 
 }  // namespace smurf::tools

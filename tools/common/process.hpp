@@ -4,7 +4,8 @@
 namespace smurf::tools {
 
 /// At the start of main: a closed pipe becomes a failed write instead of a killed process, files
-/// cannot take the place of closed standard streams, and memory comes in large pages where it can.
+/// cannot take the place of closed standard streams, memory comes in large pages where it can, and
+/// without memory the run ends as failed.
 void prepare_process();
 
 }  // namespace smurf::tools
