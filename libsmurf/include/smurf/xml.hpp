@@ -30,7 +30,7 @@ class Attribute {
  public:
   /// Both places are in the source whose text is `source`.
   Attribute(std::string_view source, Span name, Span value)
-      : name_(source.data() + name.begin),
+      : source_name(source.data() + name.begin),
         source_(name.source),
         begin_(name.begin),
         name_size_(name.end - name.begin),
@@ -38,12 +38,14 @@ class Attribute {
         value_end_(value.end) {}
 
   /// As written.
-  std::string_view name() const { return {is_decoded_ ? decoded_->name : name_, name_size_}; }
+  std::string_view name() const {
+    return {is_decoded_ ? decoded_value->name : source_name, name_size_};
+  }
   /// Entities decoded.
   std::string_view value() const {
     return is_decoded_
-               ? std::string_view(decoded_->value)
-               : std::string_view(name_ + (value_begin_ - begin_), value_end_ - value_begin_);
+               ? std::string_view(decoded_value->value)
+               : std::string_view(source_name + (value_begin_ - begin_), value_end_ - value_begin_);
   }
   Span name_span() const { return {source_, begin_, begin_ + name_size_}; }
   /// Between the quotes.
@@ -53,14 +55,14 @@ class Attribute {
 
   /// `decoded` must outlive this, and its name be that of the attribute.
   void set_value(const DecodedValue& decoded) {
-    decoded_ = &decoded;
+    decoded_value = &decoded;
     is_decoded_ = true;
   }
 
  private:
   union {
-    const char* name_;
-    const DecodedValue* decoded_;
+    const char* source_name;
+    const DecodedValue* decoded_value;
   };
   SourceId source_;
   std::uint32_t begin_;

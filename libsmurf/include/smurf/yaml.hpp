@@ -46,13 +46,14 @@ class Node {
   std::uint32_t position() const { return key_ == nullptr ? key_size_or_position_ : 0; }
   /// Decoded text of a scalar that is no alias; a view into the source or into the document.
   std::string_view text() const {
-    return has_text() ? std::string_view(text_, text_size_or_child_count_) : std::string_view();
+    return has_text() ? std::string_view(scalar_text, text_size_or_child_count_)
+                      : std::string_view();
   }
-  NodeId first_child() const { return has_text() ? kNoNode : links_.first_child; }
+  NodeId first_child() const { return has_text() ? kNoNode : links.first_child; }
   std::uint32_t child_count() const { return has_text() ? 0 : text_size_or_child_count_; }
   bool is_alias() const { return is_alias_; }
   /// The anchored node of an alias.
-  NodeId target() const { return is_alias_ ? links_.target : kNoNode; }
+  NodeId target() const { return is_alias_ ? links.target : kNoNode; }
 
   /// `place` is in the source of the value.
   void set_key(std::string_view key, Span place) {
@@ -69,19 +70,19 @@ class Node {
   void set_text(std::string_view text) {
     kind_ = Kind::scalar;
     is_alias_ = false;
-    text_ = text.data();
+    scalar_text = text.data();
     text_size_or_child_count_ = static_cast<std::uint32_t>(text.size());
   }
   /// Precondition: a sequence or mapping, or null.
   void set_children(NodeId first, std::uint32_t count) {
-    links_.first_child = first;
+    links.first_child = first;
     text_size_or_child_count_ = count;
   }
   /// Makes it an alias.
   void set_target(NodeId target) {
     is_alias_ = true;
     text_size_or_child_count_ = 0;
-    links_ = {kNoNode, target};
+    links = {kNoNode, target};
   }
 
  private:
@@ -99,8 +100,8 @@ class Node {
     NodeId target = kNoNode;
   };
   union {
-    Links links_ = {};
-    const char* text_;
+    Links links = {};
+    const char* scalar_text;
   };
 };
 
