@@ -31,8 +31,9 @@ inline std::size_t count_of(std::string_view text, char sign, char next) {
   for (; text.size() > kBlock; text.remove_prefix(kBlock)) {
     std::uint8_t in_block = 0;
     for (std::size_t i = 0; i < kBlock; ++i) {
-      const bool is_one = (text.data()[i] == sign) & (text.data()[i + 1] == next);
-      in_block = static_cast<std::uint8_t>(in_block + (is_one ? 1 : 0));
+      const unsigned is_sign = text.data()[i] == sign ? 1 : 0;
+      const unsigned is_next = text.data()[i + 1] == next ? 1 : 0;
+      in_block = static_cast<std::uint8_t>(in_block + (is_sign & is_next));
     }
     count += in_block;
   }
