@@ -73,10 +73,7 @@ struct Exclusions {
 class Planner {
  public:
   Planner(const LintOptions& options, MemoryFiles& files)
-      : options_(options),
-        files_(files),
-        current_folder_(identity(".")),
-        ignore_files_(files) {}
+      : options_(options), files_(files), current_folder_(identity(".")), ignore_files_(files) {}
 
   Plan run() {
     std::vector<std::string> paths = options_.paths;
@@ -167,9 +164,7 @@ class Planner {
     return ignore_files_.leaves_out_with_folders(absolute(path));
   }
 
-  std::string absolute(const std::string& path) const {
-    return path::join(current_folder_, path);
-  }
+  std::string absolute(const std::string& path) const { return path::join(current_folder_, path); }
 
   void add(std::vector<PlannedFile>& to, const std::string& path) {
     if (planned_.insert(identity(path)).second) to.push_back({path, config_of_entry(path)});
