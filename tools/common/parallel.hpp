@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -27,9 +29,25 @@ inline void for_each_parallel(std::size_t count, std::size_t jobs,
   const auto run = [&](std::size_t worker) {
     for (std::size_t index = next++; index < count; index = next++) work(worker, index);
   };
+  // The kernel may put a new thread behind its maker though another processor is idle, for 10 ms.
+  // So the maker sleeps until all run, and is woken where there is room.
+  std::mutex mutex;
+  std::condition_variable started;
+  std::size_t running = 0;
   std::vector<std::jthread> threads;
   for (std::size_t worker = 1; worker < std::min(jobs, count); ++worker) {
-    threads.emplace_back(run, worker);
+    threads.emplace_back([&, worker] {
+      {
+        const std::lock_guard lock(mutex);
+        ++running;
+        started.notify_one();
+      }
+      run(worker);
+    });
+  }
+  {
+    std::unique_lock lock(mutex);
+    started.wait(lock, [&] { return running == threads.size(); });
   }
   run(0);
 }
