@@ -2,6 +2,7 @@
 #include "lint/inertia.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace smurf {
@@ -19,7 +20,12 @@ std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& ine
     if (!*entry) return std::nullopt;
     scale = std::fmax(scale, std::fabs(**entry));
   }
-  if (scale == 0) return std::array<double, 3>{0, 0, 0};
+  const bool is_diagonal = *inertial.ixy == 0 && *inertial.ixz == 0 && *inertial.iyz == 0;
+  if (is_diagonal) {  // most are, and the solver takes a hundred times as long
+    std::array<double, 3> moments = {*inertial.ixx, *inertial.iyy, *inertial.izz};
+    std::sort(moments.begin(), moments.end());
+    return moments;
+  }
   Eigen::Matrix3d tensor;
   tensor << *inertial.ixx, *inertial.ixy, *inertial.ixz,  //
       *inertial.ixy, *inertial.iyy, *inertial.iyz,        //
