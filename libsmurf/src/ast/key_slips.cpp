@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "ast/keys.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 
@@ -57,7 +58,7 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
                           yaml::View mapping, std::string_view what, DiagnosticSink& sink) {
   std::vector<std::string_view> names;
   for (const yaml::View key : unknown) names.push_back(key.key());
-  const std::string name = "`" + std::string(spec.name) + "`";
+  const std::string name = quoted(spec.name);
   const auto near = nearest(spec.name, names);
   const yaml::View key = mapping.find(near.value_or(spec.name));
   const Span place = key                  ? key.key_span()

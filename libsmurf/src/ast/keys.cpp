@@ -8,13 +8,14 @@
 
 #include "ast/notation.hpp"
 #include "base/numbers.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 
 namespace smurf {
 namespace {
 
-std::string name_of(const KeySpec& spec) { return "`" + std::string(spec.name) + "`"; }
+std::string name_of(const KeySpec& spec) { return quoted(spec.name); }
 
 /// A help with an edit that replaces the value; not safe, because some reader understood the value
 /// as it is.
@@ -110,7 +111,7 @@ void check_choice(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   if (spec.choices.empty() || is_choice(spec, value)) return;
   Diagnostic& diagnostic =
       sink.report(rules::sml4002_unknown_value, value.span(),
-                  "`" + std::string(value.text()) + "` is not a value of " + name_of(spec));
+                  quoted(value.text()) + " is not a value of " + name_of(spec));
   if (const auto near = nearest(value.text(), spec.choices)) {
     return offer(diagnostic, "did you mean `" + std::string(*near) + "`?", within_quotes(value),
                  *near);
@@ -347,7 +348,7 @@ void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
     if (member.is_repeated()) continue;
     if (member.is_null()) {
       sink.report(rules::sml4008_incomplete_value, member.place(),
-                  "`" + std::string(member.key()) + "` has no value and is left out");
+                  quoted(member.key()) + " has no value and is left out");
       continue;
     }
     const KeySpec inner{.name = member.key(), .type = ValueType::number};

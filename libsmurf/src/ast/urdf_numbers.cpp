@@ -9,6 +9,7 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/words.hpp"
 
@@ -114,7 +115,7 @@ class NumberReader {
     const std::string_view bare = lower.starts_with('-') || lower.starts_with('+')
                                       ? std::string_view(lower).substr(1)
                                       : std::string_view(lower);
-    const std::string shown = "`" + std::string(text) + "`";
+    const std::string shown = quoted(text);
     if (bare == "nan") {
       sink_.report(rules::sml1803_nan, place(token),
                    shown + " is not a number that a reader can use");
@@ -176,7 +177,7 @@ class NumberReader {
     std::string point(text);
     std::replace(point.begin(), point.end(), ',', '.');
     Diagnostic& diagnostic = sink_.report(rules::sml1805_decimal_comma, place(token),
-                                          "`" + std::string(text) + "` has a decimal comma");
+                                          quoted(text) + " has a decimal comma");
     diagnostic.help = "write `" + point + "`";
     // Not safe: Drake and Bullet read the digits before the comma.
     diagnostic.fixes.push_back({Applicability::unsafe, {{place(token), point}}});
@@ -201,7 +202,7 @@ class NumberReader {
   bool check_count(const std::vector<Token>& tokens, std::size_t count) {
     if (tokens.empty()) {
       sink_.report(rules::sml1801_not_a_number, attribute_.span(),
-                   "`" + std::string(attribute_.name()) + "` is empty");
+                   quoted(attribute_.name()) + " is empty");
       return false;
     }
     if (tokens.size() == count) return true;
@@ -215,8 +216,8 @@ class NumberReader {
                        : is_color ? rules::sml1706_rgba_count
                                   : rules::sml1807_vector_count;
     Diagnostic& diagnostic = sink_.report(rule, place(whole()),
-                                          "`" + std::string(name) + "` takes " + plural(count) +
-                                              ", not " + std::to_string(tokens.size()));
+                                          quoted(name) + " takes " + plural(count) + ", not " +
+                                              std::to_string(tokens.size()));
     if (is_scale && tokens.size() == 1) {
       // Bullet, Drake and yourdfpy take one number for all three axes.
       const std::string factor(text_.substr(tokens[0].begin, tokens[0].end - tokens[0].begin));
@@ -272,7 +273,7 @@ bool is_xacro(std::string_view value) {
 }
 
 void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
-  sink.report(rules::sml1012_percent_in_value, place, "`" + std::string(value) + "` holds a `%`")
+  sink.report(rules::sml1012_percent_in_value, place, quoted(value) + " holds a `%`")
       .notes.push_back("urdfdom up to 5.0 passes this text to printf, which may crash");
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ast/urdf_numbers.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 
 namespace smurf {
@@ -272,7 +273,7 @@ bool report_xacro(const xml::Document& document, DiagnosticSink& sink) {
   const auto add = [&](Span place, std::string_view text, std::string_view kind) {
     if (count++ > 0 && place.begin >= first.begin) return;
     first = place;
-    what = "`" + std::string(text) + "` is " + std::string(kind);
+    what = quoted(text) + " is " + std::string(kind);
   };
   for (const xml::Element& element : document.elements) {
     if (!element.name().starts_with("xacro:")) continue;

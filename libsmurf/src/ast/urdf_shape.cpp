@@ -8,6 +8,7 @@
 #include "ast/urdf_reader.hpp"
 #include "ast/urdf_schema.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/words.hpp"
 
@@ -18,8 +19,6 @@ using urdf::AttributeSpec;
 using urdf::ChildSpec;
 using urdf::ElementSpec;
 using xml::View;
-
-std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 bool holds(std::span<const std::string_view> names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();

@@ -5,10 +5,13 @@
 #include <algorithm>
 
 #include "base/limits.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 
 namespace smurf {
 namespace {
+
+constexpr std::size_t kMostMessage = 4000;  // bytes; several names that are shortened are below
 
 constexpr const Rule* kRules[] = {
 #define SMURF_RULE(name) &rules::name,
@@ -45,7 +48,8 @@ Diagnostic& DiagnosticSink::report(const Rule& rule, Span span, std::string mess
   diagnostic.rule = &rule;
   diagnostic.severity = rule.severity;
   diagnostic.span = span;
-  diagnostic.message = std::move(message);
+  const bool is_short = message.size() <= kMostMessage;
+  diagnostic.message = is_short ? std::move(message) : shortened(message, kMostMessage);
   return diagnostic;
 }
 

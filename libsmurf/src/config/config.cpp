@@ -9,6 +9,7 @@
 
 #include "ast/keys.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "smurf/limits.hpp"
@@ -23,8 +24,6 @@ using Levels = std::map<std::string, Spanned<Severity>>;
 using Files = std::map<std::string, Spanned<std::string>>;
 
 constexpr std::size_t kLongestChain = 16;  // of configurations that extend each other
-
-std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 std::string listed(std::span<const std::string_view> names) {
   std::string list;

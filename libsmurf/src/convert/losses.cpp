@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
@@ -56,14 +57,13 @@ class LossReport {
     for (const CustomSection& section : all.custom) of_custom(section);
     for (const CustomSection& key : model_.main.extra) of_custom(key);
     for (const xml::Attribute* limit : passes::newer_limits(model_, options_.version)) {
-      lose(rules::sml8001_not_expressible, limit->name_span(),
-           "`" + std::string(limit->name()) + "`",
+      lose(rules::sml8001_not_expressible, limit->name_span(), quoted(limit->name()),
            "has no place in a URDF of version " + options_.version);
     }
     if (options_.strips_extensions) {
       for (const xml::View element : passes::extension_elements(*model_.robot)) {
-        lose(rules::sml8004_vendor_extension, element.name_span(),
-             "`" + std::string(element.name()) + "`", "is left out");
+        lose(rules::sml8004_vendor_extension, element.name_span(), quoted(element.name()),
+             "is left out");
       }
     }
   }
@@ -117,7 +117,7 @@ class LossReport {
 
   void lose_key(const Annotation& entry, std::string_view kind, yaml::View key) {
     lose(rules::sml8001_not_expressible, key.key_span(),
-         "`" + std::string(key.key()) + "` of " + title(entry, kind), "has no place in a URDF");
+         quoted(key.key()) + " of " + title(entry, kind), "has no place in a URDF");
   }
 
   /// True when the key is an old name, which has been said then.
@@ -125,7 +125,7 @@ class LossReport {
     for (const auto& [old_name, name] : kOldNames) {
       if (key.key() != old_name) continue;
       lose(rules::sml8002_not_requested, key.key_span(),
-           "`" + std::string(key.key()) + "` of " + title(entry, kind),
+           quoted(key.key()) + " of " + title(entry, kind),
            "is an old name, which is not applied; rename it to `" + std::string(name) + "`");
       return true;
     }
@@ -135,7 +135,7 @@ class LossReport {
   void not_requested(const Annotation& entry, std::string_view kind, yaml::View key,
                      std::string_view option) {
     lose(rules::sml8002_not_requested, key.key_span(),
-         "`" + std::string(key.key()) + "` of " + title(entry, kind),
+         quoted(key.key()) + " of " + title(entry, kind),
          "differs from the URDF, which is kept; see --apply " + std::string(option));
   }
 
@@ -177,7 +177,7 @@ class LossReport {
     const bool is_bound = value == LimitValue::lower || value == LimitValue::upper;
     if (is_bound && joint.type == urdf::JointType::continuous) {
       lose(rules::sml8001_not_expressible, key.key_span(),
-           "`" + std::string(key.key()) + "` of " + title(motor, "motor"),
+           quoted(key.key()) + " of " + title(motor, "motor"),
            "has no place in a URDF: a continuous joint has no bounds");
     } else if (!options_.apply.limits) {
       not_requested(motor, "motor", key, "limits");
@@ -207,7 +207,7 @@ class LossReport {
       for (const yaml::View key : view(sensor)) {
         if (key.is_null() || passes::gazebo_says(sensor, key.key())) continue;
         lose(rules::sml8001_not_expressible, key.key_span(),
-             "`" + std::string(key.key()) + "` of " + title(sensor, "sensor"),
+             quoted(key.key()) + " of " + title(sensor, "sensor"),
              "has no place in a sensor of Gazebo");
       }
     }
@@ -236,7 +236,7 @@ class LossReport {
     const auto [first, is_new] = dynamics_.emplace(place, key);
     if (is_new || first->second.number() == key.number()) return;
     lose(rules::sml8003_ambiguous, key.key_span(),
-         "`" + std::string(key.key()) + "` of " + title(entry, "joint"),
+         quoted(key.key()) + " of " + title(entry, "joint"),
          "differs from `" + std::string(first->second.key()) + "`, which is applied")
         .labels.push_back({first->second.key_span(), "this one"});
   }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "flatten/dialect_parts.hpp"
 
@@ -40,7 +41,7 @@ void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& s
     EntityReading& reading = readings[i];
     if (instance.X_WE && !reading.X_WE) {
       sink.report(rules::sml8208_not_in_dialect, place_of(scene.entity(instance)),
-                  quote_name(instance.path) + " is not in the scene of the dialect " +
+                  quoted(instance.path) + " is not in the scene of the dialect " +
                       std::string(dialect.name) + ", which " + reading.note);
     }
     instance.X_WE = reading.X_WE;
@@ -106,8 +107,6 @@ bool has_no_parent_link(const Entity& entity) {
 void add_note(std::string& note, std::string_view text) {
   note += (note.empty() ? "" : ", ") + std::string(text);
 }
-
-std::string quote_name(std::string_view name) { return "`" + std::string(name) + "`"; }
 
 namespace rules {
 

@@ -33,6 +33,4 @@ bool has_no_parent_link(const Entity& entity);
 /// Adds to a note: "one thing, another".
 void add_note(std::string& note, std::string_view text);
 
-std::string quote_name(std::string_view name);
-
 }  // namespace smurf

@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "base/quoted.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"
 
 namespace smurf {
 namespace {
-
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
 
 class Explainer {
  public:

@@ -4,14 +4,13 @@
 
 #include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "link/scene_link.hpp"
 
 namespace smurf {
 namespace {
-
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
 
 /// What the name is instead of a link, and the index of the link that it belongs to.
 std::optional<std::pair<std::string_view, std::uint32_t>> other_kind(const LinkedModel& model,

@@ -37,8 +37,6 @@ bool are_all_named(const Entries& entries, const NameTable& names) {
 
 }  // namespace
 
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
-
 std::string_view to_string(NameKind kind) {
   switch (kind) {
   case NameKind::link: return "link";

@@ -6,12 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "base/quoted.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf {
-
-/// "`name`".
-std::string quoted(std::string_view name);
 
 /// Kinds of things that YAML refers to by name.
 enum class NameKind : std::uint8_t { link, joint, visual, collision, material, motor, sensor };

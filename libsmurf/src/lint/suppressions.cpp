@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "smurf/suppress.hpp"
@@ -193,7 +194,7 @@ class Suppressions::Reader {
     const std::size_t open = std::min(words.find_first_of("[ \t\r\n"), words.size());
     const std::string_view verb = words.substr(0, open);
     if (verb != "ignore" && verb != "ignore-file") {
-      comment.problem = "`" + std::string(verb) + "` is neither `ignore` nor `ignore-file`";
+      comment.problem = quoted(verb) + " is neither `ignore` nor `ignore-file`";
       return;
     }
     const std::size_t close = words.find(']');

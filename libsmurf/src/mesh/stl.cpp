@@ -5,6 +5,7 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "mesh/bytes.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/surface.hpp"
@@ -78,14 +79,14 @@ class AsciiStlReader {
 
   bool expect(std::string_view keyword) {
     const std::string_view word = words_.next();
-    return is(word, keyword) || unexpected(word, "`" + std::string(keyword) + "`");
+    return is(word, keyword) || unexpected(word, quoted(keyword));
   }
 
   /// Always false.
   bool unexpected(std::string_view word, const std::string& expected) {
     constexpr std::size_t kShown = 20;
     const std::string found =
-        word.empty() ? "the file ends" : "`" + std::string(word.substr(0, kShown)) + "` stands";
+        word.empty() ? "the file ends" : quoted(word.substr(0, kShown)) + " stands";
     facts_.defect = {found + " where " + expected + " is expected", words_.offset(), words_.line()};
     return false;
   }

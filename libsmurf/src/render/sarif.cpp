@@ -148,8 +148,10 @@ class Log {
 
   Json place(Span span) const {
     Json location = {{"artifactLocation", artifact(span)}, {"region", region(span)}};
+    constexpr std::uint32_t kMostSnippet = 4000;  // bytes; it may be left out
     const bool is_known = static_cast<std::size_t>(span.source) < sources_.size();
-    if (is_known && !span.empty() && span.end <= sources_.text(span.source).size()) {
+    const bool is_short = span.end - span.begin <= kMostSnippet;
+    if (is_known && is_short && !span.empty() && span.end <= sources_.text(span.source).size()) {
       location["region"]["snippet"] = {{"text", text(sources_.text(span))}};
     }
     return {{"physicalLocation", std::move(location)}};

@@ -8,6 +8,7 @@
 
 #include "ast/keys.hpp"
 #include "base/numbers.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 
@@ -106,8 +107,6 @@ const Keyword* find_keyword(std::string_view name) {
   }
   return nullptr;
 }
-
-std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 /// Property names are matched by the backtracking matcher of the library: no repeated groups, which
 /// can take exponential time, and few repetitions at all.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ast/keys.hpp"
+#include "base/quoted.hpp"
 #include "base/suggest.hpp"
 #include "schema/checked_schema.hpp"
 
@@ -69,8 +70,6 @@ bool is_at_or_under(const SchemaFault& inner, const SchemaFault& outer) {
          std::equal(outer.steps.begin(), outer.steps.end(), inner.steps.begin());
 }
 
-std::string in_ticks(std::string_view text) { return "`" + std::string(text) + "`"; }
-
 /// What valijson puts between quotes: the name of a property.
 std::string name_in(std::string_view description) {
   const std::size_t begin = description.find('\'');
@@ -93,7 +92,7 @@ std::string_view describe_type(std::string_view type) {
 std::string alternatives(yaml::View list, bool are_types) {
   const auto one = [&](yaml::View item) {
     if (are_types) return std::string(describe_type(item.text()));
-    return item.is_scalar() ? in_ticks(item.text()) : describe(item);
+    return item.is_scalar() ? quoted(item.text()) : describe(item);
   };
   if (!list.is_sequence()) return one(list);
   std::string all;
@@ -240,7 +239,7 @@ class Explainer {
     }
     std::string subject() const {
       if (name.empty()) return "this value";
-      return (is_inside ? "an item of " : "") + in_ticks(name);
+      return (is_inside ? "an item of " : "") + quoted(name);
     }
     yaml::View value;
     Candidates candidates;
@@ -251,7 +250,7 @@ class Explainer {
   static std::string message(const SchemaFault& fault, const Phrase& phrase, const Located& at) {
     std::string text = at.subject() + " " + std::string(phrase.before);
     if (phrase.keyword == "required" || phrase.keyword == "dependencies") {
-      return text + in_ticks(name_in(fault.description));
+      return text + smurf::quoted(name_in(fault.description));
     }
     const yaml::View wanted = at.candidates.find(phrase.keyword);
     if (phrase.before.ends_with(' ')) {
@@ -344,7 +343,7 @@ class Explainer {
   }
 
   static void suggest(Violation& violation, std::string_view text, Span place) {
-    violation.help = "did you mean " + in_ticks(text) + "?";
+    violation.help = "did you mean " + quoted(text) + "?";
     violation.fixes.push_back({Applicability::unsafe, {{place, std::string(text)}}});
   }
 
@@ -365,7 +364,7 @@ class Explainer {
       if (is_slip && is_required(at, *near)) continue;  // reported as missing
       Violation& violation =
           add(at, "additionalProperties", key.key_span(),
-              at.subject() + " has no key " + in_ticks(key.key()) + " in its schema");
+              at.subject() + " has no key " + quoted(key.key()) + " in its schema");
       violation.help.clear();
       if (is_slip) suggest(violation, *near, without_quotes(key.key_span(), key.key()));
     }

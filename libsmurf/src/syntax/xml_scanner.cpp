@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/limits.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_builder.hpp"
@@ -51,7 +52,7 @@ class Scanner {
   std::uint32_t size() const { return static_cast<std::uint32_t>(text_.size()); }
   Span span(std::uint32_t begin, std::uint32_t end) const { return {id_, begin, end}; }
   std::string_view slice(Span s) const { return text_.substr(s.begin, s.end - s.begin); }
-  std::string quoted(Span s) const { return "`" + std::string(slice(s)) + "`"; }
+  std::string quoted(Span s) const { return smurf::quoted(slice(s)); }
   bool looking_at(std::string_view word) const { return text_.substr(at_).starts_with(word); }
   void skip_space() {
     while (at_ < size() && is(text_[at_], blank)) ++at_;

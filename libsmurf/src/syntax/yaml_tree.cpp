@@ -115,6 +115,7 @@ namespace {
 /// As JSON pointers escape the text of a step.
 std::string escape_step(std::string_view text) {
   std::string step;
+  step.reserve(text.size());
   for (const char c : text) {
     switch (c) {
     case '~': step += "~0"; break;
@@ -130,7 +131,8 @@ std::optional<std::string> name_step(const Document& document, NodeId id) {
   const View item(document, id);
   if (!item.is_mapping()) return std::nullopt;
   const View name = item.find("name");
-  if (!name || !name.is_scalar()) return std::nullopt;
+  constexpr std::size_t kMost = 200;  // bytes; what is longer is no name, and many pointers hold it
+  if (!name || !name.is_scalar() || name.text().size() > kMost) return std::nullopt;
   return "name=" + escape_step(name.text());
 }
 

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "smurf/archive_files.hpp"
 
 namespace smurf {
 namespace {
-
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
 
 std::string count(std::size_t number, std::string_view one) {
   return std::to_string(number) + " " + std::string(one) + (number == 1 ? "" : "s");

@@ -7,6 +7,7 @@
 
 #include "ast/scene_reader.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "flatten/dialect_parts.hpp"
 #include "smurf/archive_files.hpp"
 
@@ -208,11 +209,11 @@ class Reader {
     }
     constexpr std::string_view kPhobosTypes[] = {"light", "heightmap", "mesh", "generic"};
     for (const std::string_view type : kPhobosTypes) {
-      if (instance.type == type) keys.refusal = "has no entities of type " + quote_name(type);
+      if (instance.type == type) keys.refusal = "has no entities of type " + quoted(type);
     }
     const std::string lower = path::to_lower(instance.type);
     if (instance.model && instance.type != lower) {
-      keys.refusal = "has no entities of type " + quote_name(instance.type);
+      keys.refusal = "has no entities of type " + quoted(instance.type);
     }
     return keys;
   }
@@ -283,7 +284,7 @@ class Reader {
         reading.parent = frame->attachment;
         X_WP = frame->X_WF;
       } else {
-        add_note(reading.note, "does not find the parent " + quote_name(keys.parent) +
+        add_note(reading.note, "does not find the parent " + quoted(keys.parent) +
                                    " when it creates the entity, and takes the world");
       }
     }
@@ -314,7 +315,7 @@ class Reader {
       if (!joint || model.robot->joints[*joint].type != urdf::JointType::prismatic) continue;
       position = -position;
       if (position != 0)
-        add_note(reading.note, "moves the slider " + quote_name(name) + " the other way");
+        add_note(reading.note, "moves the slider " + quoted(name) + " the other way");
     }
   }
 
