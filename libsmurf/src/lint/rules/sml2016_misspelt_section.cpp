@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "ast/sections.hpp"
 #include "base/suggest.hpp"
@@ -25,7 +27,27 @@ bool looks_like(const SectionSpec& section, yaml::View value) {
          std::any_of(value.begin(), value.end(), has_key);
 }
 
+/// A file must not get the same section twice: by what it has already, or by two slips.
+class Renames {
+ public:
+  void offer(Diagnostic& diagnostic, yaml::View section, std::string_view name) {
+    const bool is_free = !section.document().view().find(name);
+    if (!is_free || !offered_.insert({section.span().source, name}).second) {
+      diagnostic.help = "is it a part of " + quoted(name) + "? A file has one section of a name";
+      return;
+    }
+    diagnostic.help = "did you mean " + quoted(name) + "?";
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe,
+         {{without_quotes(section.key_span(), section.key()), std::string(name)}}});
+  }
+
+ private:
+  std::set<std::pair<SourceId, std::string_view>> offered_;
+};
+
 void check(const LinkedModel& model, Findings& findings) {
+  Renames renames;
   const std::vector<std::string_view> known = section_names();
   for (const TopLevelKey& key : top_level_keys(model)) {
     const auto near = nearest(key.value.key(), known);
@@ -34,16 +56,14 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!looks_like(section, key.value)) continue;
     Diagnostic& diagnostic = findings.report(key.value.key_span(), "no reader knows a section " +
                                                                        quoted(key.value.key()));
-    diagnostic.help = "did you mean " + quoted(section.name) + "?";
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe,
-         {{without_quotes(key.value.key_span(), key.value.key()), std::string(section.name)}}});
+    renames.offer(diagnostic, key.value, section.name);
   }
 }
 
 /// Data files of entities hold sections of the user's own.
 void check_data(const LinkedScene& scene, Findings& findings) {
   if (scene.schemas == nullptr) return;
+  Renames renames;
   const std::vector<std::string_view> known = scene.schemas->sections();
   for (const DataFile& file : scene.data_files) {
     const yaml::View root = file.document.view();
@@ -53,10 +73,7 @@ void check_data(const LinkedScene& scene, Findings& findings) {
       if (!near || root.find(*near) || value.is_scalar()) continue;
       Diagnostic& diagnostic = findings.report(
           value.key_span(), "there is no schema for a section " + quoted(value.key()));
-      diagnostic.help = "did you mean " + quoted(*near) + "?";
-      diagnostic.fixes.push_back(
-          {Applicability::unsafe,
-           {{without_quotes(value.key_span(), value.key()), std::string(*near)}}});
+      renames.offer(diagnostic, value, *near);
     }
   }
 }
