@@ -28,7 +28,10 @@ void NameTable::rehash(std::size_t slots) {
 void NameTable::reserve(std::size_t count) {
   names_.reserve(count);
   indices_.reserve(count);
-  if (kSlotsForName * count >= slots_.size()) rehash(std::bit_ceil(kSlotsForName * count + 1));
+  // Never full: a search ends at an empty slot.
+  if (kSlotsForName * count >= slots_.size()) {
+    rehash(std::max<std::size_t>(8, std::bit_ceil(kSlotsForName * count + 1)));
+  }
 }
 
 std::optional<std::uint32_t> NameTable::add(std::string_view name, std::uint32_t index) {
