@@ -48,6 +48,8 @@ std::optional<std::string_view> meant_key(std::string_view key,
 }
 
 void suggest(Diagnostic& diagnostic, yaml::View key, std::string_view meant) {
+  // Without dashes in front, a directive above would have no document to belong to.
+  if (key.key().starts_with("---")) return;
   diagnostic.fixes.push_back(
       {Applicability::unsafe, {{without_quotes(key.key_span(), key.key()), std::string(meant)}}});
 }
