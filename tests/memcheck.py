@@ -60,8 +60,9 @@ def main():
     with tempfile.TemporaryDirectory() as out:
         def check(run):
             title, command = run
-            return title, subprocess.run([*VALGRIND, *SILENT_CHILDREN.get(title, []), *command], capture_output=True, text=True, errors="replace",
-                                         env={**os.environ, **FEWER}, check=False)
+            # In a folder that goes away: some programs leave files where they run.
+            return title, subprocess.run([*VALGRIND, *SILENT_CHILDREN.get(title, []), *command], capture_output=True,
+                                         text=True, errors="replace", cwd=out, env={**os.environ, **FEWER}, check=False)
 
         chosen = [run for run in runs(binaries, pathlib.Path(out))
                   if not wanted or any(name in run[0] for name in wanted)]

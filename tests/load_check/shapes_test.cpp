@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shapes that are read from files: meshes and heightfields, as what falls on them feels them.
-#include <unistd.h>
-
-#include <filesystem>
 #include <fstream>
 
 #include "load_check/built.hpp"
 #include "smurf-load-check/heightfield.hpp"
+#include "support/temporary_folder.hpp"
 
-namespace fs = std::filesystem;
 using namespace smurf;
 using namespace smurf::load_check;
 
@@ -16,18 +13,10 @@ namespace {
 
 const std::string kBall = "<collision><geometry><sphere radius=\"0.1\"/></geometry></collision>";
 
-/// A file that goes with the test.
-struct TemporaryFile {
-  fs::path path;
-
-  TemporaryFile(const std::string& name, const std::string& text)
-      : path(fs::temp_directory_path() / (std::to_string(::getpid()) + name)) {
-    std::ofstream(path, std::ios::binary) << text;
-  }
-  ~TemporaryFile() { fs::remove(path); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-};
+std::string written(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
 
 /// Two triangles: a square of 2 m at z = 0, around the origin.
 const char* const kSquare =
@@ -37,15 +26,16 @@ const char* const kSquare =
     "facet normal 0 0 1\nouter loop\nvertex -1 -1 0\nvertex 1 1 0\nvertex -1 1 0\n"
     "endloop\nendfacet\nendsolid square\n";
 
-std::string mesh(const TemporaryFile& file, const std::string& scale) {
-  return "<collision><geometry><mesh filename=\"" + file.path.string() + "\" scale=\"" + scale +
+std::string mesh(const std::string& path, const std::string& scale) {
+  return "<collision><geometry><mesh filename=\"" + path + "\" scale=\"" + scale +
          "\"/></geometry></collision>";
 }
 
 }  // namespace
 
 TEST_CASE("a mesh of what stands still is its triangles, a mesh of what moves is a box") {
-  const TemporaryFile square("square.stl", kSquare);
+  const test::TemporaryFolder folder;
+  const std::string square = written(folder / "square.stl", kSquare);
   const std::string links = link("base", "0 0 0", 1, 0.01, mesh(square, "1 1 1")) +
                             link("arm", "0 0 0", 1, 0.01) + link("ball", "0 0 0", 1, 0.01, kBall);
   const std::string joints =
@@ -70,7 +60,8 @@ TEST_CASE("a mesh of what stands still is its triangles, a mesh of what moves is
 }
 
 TEST_CASE("a mesh is scaled as the URDF says") {
-  const TemporaryFile square("scaled.stl", kSquare);
+  const test::TemporaryFolder folder;
+  const std::string square = written(folder / "scaled.stl", kSquare);
   const Built built(link("base", "0 0 0", 1, 0.01, mesh(square, "0.5 2 1")), Base::Kind::free);
   const Eigen::Vector3d size = std::get<BoxShape>(built.plan.shapes[0].shape).size;
   CHECK((size - Eigen::Vector3d(1, 4, 1e-4)).norm() < 1e-12);
@@ -125,8 +116,9 @@ TEST_CASE("an image of a thousand million pixels is refused before it takes memo
                            "\xa5\xb9\x2a\x9e"
                            "\0\0\0\0IDAT\x35\xaf\x06\x1e",
                            45);
-  const TemporaryFile huge("huge.png", header);
-  const auto image = read_height_image(huge.path.string(), {DiskFiles()});
+  const test::TemporaryFolder folder;
+  const std::string huge = written(folder / "huge.png", header);
+  const auto image = read_height_image(huge, {DiskFiles()});
   REQUIRE(std::holds_alternative<std::string>(image));
   CHECK(
       std::get<std::string>(image) ==
@@ -134,14 +126,14 @@ TEST_CASE("an image of a thousand million pixels is refused before it takes memo
 }
 
 TEST_CASE("an image that is none, or is cut off, has a reason") {
-  const TemporaryFile text("text.png", "these are no heights");
+  const test::TemporaryFolder folder;
+  const std::string text = written(folder / "text.png", "these are no heights");
   std::ifstream whole(std::string(SMURF_FIXTURES) + "/scenes/terrain/heightmaps/terraces.png",
                       std::ios::binary);
   std::string bytes(60, '\0');
   whole.read(bytes.data(), 60);
-  const TemporaryFile part("part.png", bytes);
-  for (const std::string& path :
-       {text.path.string(), part.path.string(), std::string("/no/such.png")}) {
+  const std::string part = written(folder / "part.png", bytes);
+  for (const std::string& path : {text, part, std::string("/no/such.png")}) {
     const auto image = read_height_image(path, {DiskFiles()});
     REQUIRE(std::holds_alternative<std::string>(image));
     CHECK(!std::get<std::string>(image).empty());

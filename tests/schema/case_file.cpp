@@ -106,7 +106,7 @@ bool CaseFile::add(FileKind kind, std::string text) {
 }
 
 std::optional<std::vector<std::string>> CaseFile::disagreements() const {
-  const auto verdicts = validate(name_, instances_);
+  const auto verdicts = validate(instances_);
   if (!verdicts) return std::nullopt;
   std::vector<std::string> result;
   for (std::size_t i = 0; i < cases_.size(); ++i) {

@@ -36,8 +36,6 @@ struct Reading {
 /// Cases on their way to the validator.
 class CaseFile {
  public:
-  explicit CaseFile(std::string name) : name_(std::move(name)) {}
-
   /// False when the text is not YAML and makes no case.
   bool add(FileKind kind, std::string text);
   std::size_t size() const { return cases_.size(); }
@@ -52,7 +50,6 @@ class CaseFile {
     bool is_valid;
     std::string findings;
   };
-  std::string name_;
   std::vector<Case> cases_;
   std::vector<Instance> instances_;
   std::size_t valid_count_ = 0;

@@ -7,12 +7,14 @@
 
 #include <sys/wait.h>
 
+#include "support/temporary_folder.hpp"
+
 namespace smurf::test {
 
-std::optional<std::vector<bool>> validate(const std::string& name,
-                                          const std::vector<Instance>& instances) {
-  const std::string cases = name + ".cases";
-  const std::string verdicts = name + ".verdicts";
+std::optional<std::vector<bool>> validate(const std::vector<Instance>& instances) {
+  const TemporaryFolder folder;
+  const std::string cases = folder / "cases";
+  const std::string verdicts = folder / "verdicts";
   {
     std::ofstream stream(cases, std::ios::binary);
     for (const Instance& one : instances) {

@@ -15,8 +15,7 @@ struct Instance {
 };
 
 /// One verdict an instance. None when the package is not installed; throws when a schema is not
-/// valid draft-07. `name` tells the working files of tests apart.
-std::optional<std::vector<bool>> validate(const std::string& name,
-                                          const std::vector<Instance>& instances);
+/// valid draft-07.
+std::optional<std::vector<bool>> validate(const std::vector<Instance>& instances);
 
 }  // namespace smurf::test

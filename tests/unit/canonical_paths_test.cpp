@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -9,34 +8,26 @@
 #include <vector>
 
 #include "base/canonical_paths.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace smurf;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder of its own: file, folder/inner, link -> folder, loop -> loop, dead -> nothing.
-class Tree {
+/// file, folder/inner, folder/up -> file, link -> folder, loop -> loop, dead -> nothing.
+class Tree : public test::TemporaryFolder {
  public:
   Tree() {
-    std::string pattern = fs::canonical(fs::temp_directory_path()) / "smurf_test_XXXXXX";
-    root_ = ::mkdtemp(pattern.data());
-    fs::create_directory(root_ / "folder");
-    std::ofstream(root_ / "file") << "text";
-    std::ofstream(root_ / "folder/inner") << "text";
-    fs::create_directory_symlink("folder", root_ / "link");
-    fs::create_symlink("../file", root_ / "folder/up");
-    fs::create_symlink("loop", root_ / "loop");
-    fs::create_symlink("nothing", root_ / "dead");
+    const Tree& root = *this;
+    fs::create_directory(root / "folder");
+    std::ofstream(root / "file") << "text";
+    std::ofstream(root / "folder/inner") << "text";
+    fs::create_directory_symlink("folder", root / "link");
+    fs::create_symlink("../file", root / "folder/up");
+    fs::create_symlink("loop", root / "loop");
+    fs::create_symlink("nothing", root / "dead");
   }
-  ~Tree() { fs::remove_all(root_); }
-  Tree(const Tree&) = delete;
-  Tree& operator=(const Tree&) = delete;
-
-  std::string operator/(const std::string& name) const { return (root_ / name).string(); }
-
- private:
-  fs::path root_;
 };
 
 const char* const kNames[] = {"file",

@@ -3,31 +3,15 @@
 
 #include <sys/stat.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "smurf/file_reader.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace smurf;
 
 namespace {
-
-class Folder {
- public:
-  Folder() {
-    std::string pattern = std::filesystem::temp_directory_path() / "smurf_test_XXXXXX";
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 using Names = std::vector<std::string>;
 
@@ -70,7 +54,7 @@ TEST_CASE("files: memory in front of others") {
 }
 
 TEST_CASE("files: on disk") {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   std::ofstream(folder / "a.yml") << "text";
   std::ofstream(folder / "empty");
   std::filesystem::create_directory(folder / "sub");
@@ -97,7 +81,7 @@ TEST_CASE("files: on disk") {
 }
 
 TEST_CASE("files: confined to a folder") {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "in");
   for (const char* name : {"in/a", "out", "inside"}) std::ofstream(folder / name) << name;
   std::filesystem::create_symlink(folder / "out", folder / "in/link");
