@@ -178,6 +178,8 @@ TEST_CASE("xml: broken structure is reported at its cause") {
       {"<?xml version?><r/>", {"SML1001 1:7 [v]"}},
       {"<?xml version='1.0\"?><r/>", {"SML1001 1:15 [']"}},
       {"<?xml version='1.0'encoding='UTF-8'?><r/>", {"SML1001 1:20 [e]"}},
+      {"<?xml version='1.0' encoding]='UTF-8'?><r/>", {"SML1001 1:29 []]"}},
+      {"<?xml version = '1.0' ='UTF-8'?><r/>", {"SML1001 1:23 [=]"}},
       {"<!-- a --><?xml version='1.0'?><r/>", {"SML1001 1:11 [<?xml version='1.0'?>]"}},
       {std::string("<r\0/>", 6), {"SML0004 1:3 [" + std::string(1, '\0') + "]"}},
       {"<r a='\xFF'/>", {"SML0003 1:7 [\xFF]"}},

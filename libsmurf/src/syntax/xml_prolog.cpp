@@ -9,6 +9,7 @@
 #include "base/utf8.hpp"
 #include "base/words.hpp"
 #include "syntax/text_check.hpp"
+#include "syntax/xml_bytes.hpp"
 
 namespace smurf {
 namespace {
@@ -72,20 +73,22 @@ std::optional<std::size_t> find_unsound(std::string_view instruction) {
   const auto skip_blanks = [&](std::size_t from) {
     return std::min(text.find_first_not_of(kBlanks, from), text.size());
   };
-  const auto is = [&](std::size_t at, std::string_view any) {
+  const auto is_one_of = [&](std::string_view any, std::size_t at) {
     return at < text.size() && any.find(text[at]) != std::string_view::npos;
   };
   std::size_t at = std::min(text.find_first_of(kBlanks, kDeclaration.size()), text.size());
   while ((at = skip_blanks(at)) < text.size()) {
     const std::size_t name = at;
-    const std::size_t equals =
-        skip_blanks(std::min(text.find_first_of(" \t\r\n='\"", at), text.size()));
-    const std::size_t quote = is(equals, "=") ? skip_blanks(equals + 1) : text.size();
-    if (!is(quote, "'\"")) return name;
+    while (at < text.size() && is(text[at], name_char)) ++at;
+    const std::size_t equals = skip_blanks(at);
+    const bool ends = at == text.size() || equals > at || is_one_of("=", at);
+    if (at == name || !ends) return at;
+    const std::size_t quote = is_one_of("=", equals) ? skip_blanks(equals + 1) : text.size();
+    if (!is_one_of("'\"", quote)) return name;
     const std::size_t close = text.find(text[quote], quote + 1);
     if (close == std::string_view::npos) return quote;
     at = close + 1;
-    if (at < text.size() && !is(at, kBlanks)) return at;
+    if (at < text.size() && !is_one_of(kBlanks, at)) return at;
   }
   return std::nullopt;
 }
