@@ -3,6 +3,9 @@
 
 #include <sstream>
 
+#include "syntax/tinyxml2_referee.hpp"
+#include "syntax/xml_reader.hpp"
+
 namespace smurf::test {
 namespace {
 
@@ -12,11 +15,14 @@ std::ostream& operator<<(std::ostream& out, Span span) {
 
 }  // namespace
 
-std::string described_xml(XmlEngine engine, const std::string& text) {
+std::string described_xml(XmlReader reader, const std::string& text) {
   SourceMap sources;
   DiagnosticSink sink;
   const SourceId id = sources.add("a.urdf", text);
-  const auto document = parse_xml_by(engine, sources, id, {}, sink);
+  auto document = parse_xml(sources, id, {}, sink);
+  if (reader == XmlReader::tinyxml2 && document && !read_by_tinyxml2(*document, sources, sink)) {
+    document.reset();
+  }
   std::ostringstream out;
   for (const Diagnostic& diagnostic : sink.diagnostics()) {
     out << diagnostic.rule->id << ' ' << diagnostic.span << ' ' << diagnostic.message << '\n';

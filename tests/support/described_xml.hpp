@@ -4,11 +4,10 @@
 
 #include <string>
 
-#include "syntax/xml_reader.hpp"
-
 namespace smurf::test {
 
+enum class XmlReader : bool { ours, tinyxml2 };
 /// A line a diagnostic, then a line an element with all its members.
-std::string described_xml(XmlEngine engine, const std::string& text);
+std::string described_xml(XmlReader reader, const std::string& text);
 
 }  // namespace smurf::test

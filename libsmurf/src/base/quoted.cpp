@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/quoted.hpp"
 
+#include "base/utf8.hpp"
+
 namespace smurf {
 namespace {
 
 constexpr std::size_t kMostQuoted = 240;  // bytes; a line of names, no page of them
-
-bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80; }
 
 }  // namespace
 
@@ -14,8 +14,8 @@ std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
   std::size_t head = most / 2;
   std::size_t tail = text.size() - most / 4;
-  while (head > 0 && is_inside_character(text[head])) --head;
-  while (tail < text.size() && is_inside_character(text[tail])) ++tail;
+  while (head > 0 && utf8::is_continuation(text[head])) --head;
+  while (tail < text.size() && utf8::is_continuation(text[tail])) ++tail;
   std::string result(text.substr(0, head));
   result.append("…").append(text.substr(tail));
   return result;

@@ -40,8 +40,6 @@ bool is_in(const Range (&ranges)[N], char32_t value) {
   return after != std::begin(ranges) && value <= (after - 1)->last;
 }
 
-bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
-
 /// Number of bytes of the valid sequence at the front, 0 when there is none.
 std::size_t sequence_size(std::string_view text) {
   const auto byte = [&](std::size_t i) {
@@ -101,6 +99,19 @@ CodePoint decode(std::string_view text) {
   char32_t value = size == 1 ? byte(0) : byte(0) & (0xFFU >> (size + 1));
   for (std::size_t i = 1; i < size; ++i) value = (value << 6U) | (byte(i) & 0x3FU);
   return {value, size};
+}
+
+void append(std::string& text, char32_t code_point) {
+  if (code_point < 0x80) {
+    text += static_cast<char>(code_point);
+    return;
+  }
+  const unsigned following = code_point < 0x800 ? 1 : code_point < 0x10000 ? 2 : 3;
+  const unsigned marks = 0xF0U << (3U - following);  // 110xxxxx, 1110xxxx, 11110xxx
+  text += static_cast<char>((marks & 0xFFU) | (code_point >> (6U * following)));
+  for (unsigned left = following; left-- > 0;) {
+    text += static_cast<char>(0x80U | ((code_point >> (6U * left)) & 0x3FU));
+  }
 }
 
 int display_width(char32_t code_point) {

@@ -4,9 +4,15 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace smurf::utf8 {
+
+/// A byte of a sequence that is not its first.
+inline bool is_continuation(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
 
 /// Counts lead bytes, so that any byte string has a count.
 std::size_t count_code_points(std::string_view text);
@@ -24,6 +30,8 @@ struct CodePoint {
 };
 /// Precondition: text is not empty. An invalid byte decodes to U+FFFD.
 CodePoint decode(std::string_view text);
+/// Precondition: a code point of Unicode, no surrogate.
+void append(std::string& text, char32_t code_point);
 
 /// Columns a terminal uses: 2 for East Asian wide and emoji, 0 for combining marks.
 int display_width(char32_t code_point);

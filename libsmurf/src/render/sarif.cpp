@@ -62,7 +62,7 @@ std::string to_uri(const std::string& path) {
 std::string cut(std::string_view description) {
   if (description.size() <= kLongestDescription) return std::string(description);
   std::size_t end = kLongestDescription - 3;
-  while (end > 0 && (static_cast<unsigned char>(description[end]) & 0xC0U) == 0x80U) --end;
+  while (end > 0 && utf8::is_continuation(description[end])) --end;
   return std::string(description.substr(0, end)) + "...";
 }
 

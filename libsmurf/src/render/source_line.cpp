@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/utf8.hpp"
+
 namespace smurf::render {
 namespace {
 
@@ -14,16 +16,14 @@ constexpr std::size_t kBytesPerColumn = 4;  ///< what a character takes at most,
 
 int columns_of(const Glyph& glyph) { return glyph.is_tab ? kTabColumns : glyph.width; }
 
-bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
-
 /// The part of a very long line that can be shown around a place: a file of one line is not decoded
 /// whole for each of its findings.
 ByteRange part_around(std::string_view line, std::size_t place, int room) {
   const std::size_t reach = kBytesPerColumn * static_cast<std::size_t>(room);
   std::size_t begin = place - std::min(place, reach);
   std::size_t end = std::min(line.size(), place + reach);
-  while (begin > 0 && is_continuation(line[begin])) --begin;
-  while (end < line.size() && is_continuation(line[end])) ++end;
+  while (begin > 0 && utf8::is_continuation(line[begin])) --begin;
+  while (end < line.size() && utf8::is_continuation(line[end])) ++end;
   return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
 }
 

@@ -5,9 +5,11 @@
 
 #include "base/count.hpp"
 #include "base/words.hpp"
+#include "syntax/xml_references.hpp"
 
 namespace smurf {
 
+using xml::Attribute;
 using xml::Element;
 using xml::ElementId;
 using xml::kNoElement;
@@ -46,18 +48,43 @@ void XmlBuilder::close(std::uint32_t end) {
   open_.pop_back();
 }
 
-bool XmlBuilder::add_text(Span text) {
-  Element& element = at(open_.back().element);
-  if (element.text != xml::kNoText) return false;
+void XmlBuilder::add_coded_attribute(Attribute attribute) {
+  std::string decoded = decode_xml(attribute.value());
+  if (decoded != attribute.value()) {
+    attribute.set_value(document_.decoded_values.emplace_back(
+        xml::DecodedValue{attribute.name().data(), std::move(decoded)}));
+  }
+  add_attribute(attribute);
+}
+
+void XmlBuilder::add_text(Span text) {
+  if (take_text(text, false)) decode_text(decode_xml);
+}
+
+void XmlBuilder::add_character_section(Span text) {
+  if (take_text(text, true)) decode_text(decode_character_section);
+}
+
+bool XmlBuilder::take_text(Span text, bool is_section) {
+  OpenElement& open = open_.back();
   const std::string_view written = text_.substr(text.begin, text.end - text.begin);
   const std::string_view visible = trimmed(written);
+  if (open.has_text || (visible.empty() && !is_section)) return false;
+  open.has_text = true;
   if (visible.empty()) return false;
   const auto begin = static_cast<std::uint32_t>(visible.data() - text_.data());
-  element.text = static_cast<std::uint32_t>(document_.texts.size());
+  at(open.element).text = static_cast<std::uint32_t>(document_.texts.size());
   document_.texts.push_back(
-      {open_.back().last_child == kNoElement ? written : std::string_view(),
+      {open.last_child == kNoElement ? written : std::string_view(),
        {text.source, begin, begin + static_cast<std::uint32_t>(visible.size())}});
   return true;
+}
+
+void XmlBuilder::decode_text(std::string (*decode)(std::string_view)) {
+  std::string_view& text = document_.texts.back().value;
+  if (text.find_first_of("&\r") == std::string_view::npos) return;
+  std::string decoded = decode(text);
+  if (decoded != text) text = document_.decoded.emplace_back(std::move(decoded));
 }
 
 const Element* XmlBuilder::suspect() const {

@@ -2,6 +2,7 @@
 // The tree of an XML file as it grows: tags are opened and closed in document order.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,12 +26,16 @@ class XmlBuilder {
   void add_comment(Span comment) { document_.comments.push_back(comment); }
   /// Attributes come before the element they belong to.
   void add_attribute(const xml::Attribute& attribute) { document_.attributes.push_back(attribute); }
+  /// One that is not written as it is read: it holds an '&' or a carriage return.
+  void add_coded_attribute(xml::Attribute attribute);
   /// Its attributes are those from `first_attribute` on.
   void open(xml::Element element);
   void close(std::uint32_t end);
-  /// Readers take the first piece of text of an element, if it stands before its children. False
-  /// when this piece is none that anyone looks at: blanks, or not the first.
-  bool add_text(Span text);
+  /// Readers take the first piece of text of an element that is not blank, or the first CDATA
+  /// section, if it stands before its children.
+  void add_text(Span text);
+  /// `text` is what stands in its brackets.
+  void add_character_section(Span text);
 
   /// An element directly in the innermost one and of its name: the end tag that is missing may be
   /// missing before it. Null when there is none.
@@ -40,7 +45,13 @@ class XmlBuilder {
   struct OpenElement {
     xml::ElementId element = xml::kNoElement;
     xml::ElementId last_child = xml::kNoElement;
+    bool has_text = false;
   };
+
+  /// As written. False when no reader takes this piece of text.
+  bool take_text(Span text, bool is_section);
+  /// The piece just taken.
+  void decode_text(std::string (*decode)(std::string_view));
 
   xml::Element& at(xml::ElementId id) { return document_.elements[static_cast<std::size_t>(id)]; }
 

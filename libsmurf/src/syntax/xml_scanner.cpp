@@ -5,7 +5,6 @@
 #include "syntax/xml_scanner.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <utility>
 
@@ -17,6 +16,7 @@
 #include "syntax/xml_bytes.hpp"
 #include "syntax/xml_prefixes.hpp"
 #include "syntax/xml_prolog.hpp"
+#include "syntax/xml_references.hpp"
 
 namespace smurf {
 namespace {
@@ -34,7 +34,7 @@ class Scanner {
         tree_(text, id),
         prefixes_(text, sink) {}
 
-  ScannedXml run() {
+  std::optional<xml::Document> run() {
     at_ = byte_order_mark_size(text_);
     check_xml_prolog(text_, id_, sink_);
     while (well_formed_ && at_ < size()) {
@@ -45,7 +45,8 @@ class Scanner {
       }
     }
     if (well_formed_) finish();
-    return {tree_.take(), well_formed_, is_plain_};
+    if (!well_formed_) return std::nullopt;
+    return tree_.take();
   }
 
  private:
@@ -98,13 +99,12 @@ class Scanner {
 
   void character_section() {
     const std::uint32_t begin = at_;
-    is_plain_ = false;
     skip_section("]]>", "this CDATA section is never closed");
     if (!well_formed_) return;
     if (tree_.depth() == 0) {
       outside_of_root(span(begin, at_));
     } else {
-      add_text(span(begin + 9, at_ - 3));
+      tree_.add_character_section(span(begin + 9, at_ - 3));
     }
   }
 
@@ -131,33 +131,50 @@ class Scanner {
 
   void doctype() {
     const std::uint32_t begin = at_;
-    is_plain_ = false;
-    is_prolog_ = false;
-    std::size_t close = text_.find('>', begin);
-    const std::size_t subset = text_.find('[', begin);
-    if (subset < close) {
-      const std::size_t subset_end = std::min(text_.find(']', subset), text_.size());
-      if (close < subset_end) {  // where TinyXML takes the document type for closed
-        Diagnostic& diagnostic =
-            sink_.report(rules::sml1013_dtd_or_xinclude, span(begin, begin + 9),
-                         "urdfdom finds no robot behind the declarations of this document type");
-        diagnostic.severity = Severity::error;
-        diagnostic.notes.push_back("nor does sdformat, which asks urdfdom; MuJoCo reads on");
-        diagnostic.help = "delete the document type, and write out what it declares";
-      }
-      close = text_.find('>', subset_end);
-    }
-    if (close == std::string_view::npos) {
-      malformed(span(begin, begin + 9), "this document type is never closed");
+    const Span place = span(begin, begin + 9);
+    if (!tree_.elements().empty()) {
+      malformed(place, "a document type stands before the root element or not at all");
       return;
     }
+    is_prolog_ = false;
+    const std::size_t first_close = text_.find('>', begin);
+    const std::size_t subset = text_.find('[', begin);
+    std::size_t close = first_close;
+    if (subset < first_close) {
+      close = text_.find('>', std::min(text_.find(']', subset), text_.size()));
+    }
+    if (close == std::string_view::npos) {
+      malformed(place, "this document type is never closed");
+      return;
+    }
+    if (first_close < close) declarations(place, text_.substr(subset, close + 1 - subset));
     at_ = static_cast<std::uint32_t>(close + 1);
+  }
+
+  /// TinyXML and tinyxml2 take the document type for closed at the first '>' within.
+  void declarations(Span doctype, std::string_view subset) {
+    Diagnostic& diagnostic =
+        sink_.report(rules::sml1013_dtd_or_xinclude, doctype,
+                     "urdfdom finds no robot behind the declarations of this document type");
+    diagnostic.severity = Severity::error;
+    diagnostic.notes.push_back("nor does sdformat, which asks urdfdom; MuJoCo reads on");
+    diagnostic.help = "delete the document type, and write out what it declares";
+    for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {
+      const std::size_t next = subset.find('<', at + 1);
+      const std::string_view one = subset.substr(at, next - at);
+      const bool is_declaration = one.size() > 2 && one.starts_with("<!") && one[2] != '-' &&
+                                  one[2] != '[' && one.find('>') != std::string_view::npos;
+      if (!is_declaration) {  // but an element for tinyxml2, or a comment that may hold the robot
+        well_formed_ = false;
+        return;
+      }
+      at = next;
+    }
   }
 
   void instruction() {
     const std::uint32_t begin = at_;
     const bool is_declaration = looking_at("<?xml ");
-    if (!is_declaration || has_declaration_) is_plain_ = false;
     skip_section("?>", "this processing instruction is never closed");
     if (well_formed_ && is_prolog_ && is_declaration && has_declaration_) {
       sink_
@@ -325,6 +342,7 @@ class Scanner {
     }
     const char quote = text_[at_++];
     const std::uint32_t begin = at_;
+    is_coded_ = false;
     skip_to(quote, '<');
     if (at_ >= size() || text_[at_] == '<') {
       malformed(span(begin - 1, begin),
@@ -356,21 +374,12 @@ class Scanner {
       return false;
     }
     if (attribute.name().starts_with("xmlns:")) prefixes_.declare(attribute.name().substr(6));
-    tree_.add_attribute(attribute);
+    if (is_coded_) {
+      tree_.add_coded_attribute(attribute);
+    } else {
+      tree_.add_attribute(attribute);
+    }
     return true;
-  }
-
-  /// The number of a character that XML allows: "x1F600" or "65".
-  static bool is_number(std::string_view digits) {
-    const int base = digits.starts_with('x') ? 16 : 10;
-    if (base == 16) digits.remove_prefix(1);
-    std::uint32_t value = 0;
-    const char* end = digits.data() + digits.size();
-    const auto result = std::from_chars(digits.data(), end, value, base);
-    if (digits.empty() || result.ec != std::errc() || result.ptr != end) return false;
-    if (value < 0x20) return value == '\t' || value == '\n' || value == '\r';
-    return value < 0xD800 || (value > 0xDFFF && value < 0xFFFE) ||
-           (value > 0xFFFF && value <= 0x10FFFF);
   }
 
   void check_prefixes(const Element& element) {
@@ -396,41 +405,30 @@ class Scanner {
 
   void special_byte() {
     if (text_[at_] == '&') {
+      is_coded_ = true;
       reference();
     } else {
-      is_plain_ = is_plain_ && text_[at_] != '\r';
+      is_coded_ = is_coded_ || text_[at_] == '\r';
       ++at_;
     }
   }
 
   void reference() {
     const std::uint32_t begin = at_;
-    is_plain_ = false;
-    const std::size_t semicolon = text_.find_first_of("; <\"'&", begin + 1);
-    const bool is_closed = semicolon != std::string_view::npos && text_[semicolon] == ';';
-    const std::string_view name =
-        is_closed ? text_.substr(begin + 1, semicolon - begin - 1) : std::string_view{};
-    ++at_;
-    if (!is_closed || name.empty() || (name.front() == '#' && !is_number(name.substr(1)))) {
+    const XmlReference reference = read_reference(text_.substr(begin));
+    at_ += static_cast<std::uint32_t>(reference.size);
+    if (reference.kind == XmlReference::Kind::none) {
       sink_
           .report(rules::sml1003_xml_bare_ampersand, span(begin, begin + 1),
                   "`&` begins no character reference")
           .fixes.push_back({Applicability::safe, {{span(begin, begin + 1), "&amp;"}}});
-      return;
+    } else if (reference.kind == XmlReference::Kind::unknown_entity) {
+      sink_
+          .report(rules::sml1013_dtd_or_xinclude, span(begin, at_),
+                  "URDF readers do not expand the entity `" + std::string(slice(span(begin, at_))) +
+                      "`")
+          .help = "write the text out";
     }
-    at_ = static_cast<std::uint32_t>(semicolon + 1);
-    const bool is_known = name == "lt" || name == "gt" || name == "amp" || name == "quot" ||
-                          name == "apos" || name.front() == '#';
-    if (is_known) return;
-    sink_
-        .report(rules::sml1013_dtd_or_xinclude, span(begin, at_),
-                "URDF readers do not expand the entity `&" + std::string(name) + ";`")
-        .help = "write the text out";
-  }
-
-  void add_text(Span text) {
-    if (!tree_.add_text(text)) return;
-    is_plain_ = is_plain_ && slice(text).find('\r') == std::string_view::npos;
   }
 
   void outside_of_root(Span text) {
@@ -447,7 +445,7 @@ class Scanner {
     if (tree_.depth() == 0) {
       outside_of_root(span(visible, at_));
     } else {
-      add_text(span(begin, at_));
+      tree_.add_text(span(begin, at_));
     }
   }
 
@@ -469,7 +467,7 @@ class Scanner {
   DiagnosticSink& sink_;
   XmlBuilder tree_;
   bool well_formed_ = true;
-  bool is_plain_ = true;
+  bool is_coded_ = false;    ///< the value holds an '&' or a carriage return
   bool has_prefix_ = false;  ///< a name in the start tag has one
   std::uint32_t at_ = 0;
   bool is_prolog_ = true;  ///< nothing but processing instructions so far
@@ -479,8 +477,8 @@ class Scanner {
 
 }  // namespace
 
-ScannedXml scan_xml(const SourceMap& sources, SourceId id, const Limits& limits,
-                    DiagnosticSink& sink) {
+std::optional<xml::Document> scan_xml(const SourceMap& sources, SourceId id, const Limits& limits,
+                                      DiagnosticSink& sink) {
   return Scanner(sources.text(id), id, limits, sink).run();
 }
 

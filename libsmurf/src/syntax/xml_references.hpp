@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `&` begins in an XML file, and what the values that hold it say.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace smurf {
+
+struct XmlReference {
+  enum class Kind { character, unknown_entity, none };
+
+  Kind kind = Kind::none;
+  std::size_t size = 1;  ///< bytes, from the '&' to the ';'; of none only the '&'
+  char32_t character = 0;
+};
+
+/// `text` begins with '&' and may go on behind the value. References to no character of XML, like
+/// `&#0;`, are none.
+XmlReference read_reference(std::string_view text);
+
+/// True for a reference that readers take for something else: tinyxml2 9 copies an unknown entity
+/// from a wrong place, and cuts a value off at `&#0;`.
+bool has_wrong_reference(std::string_view written);
+
+/// What a value or text says: references to characters replaced, every line end a '\n'. Everything
+/// else that begins with '&' stays as it is.
+std::string decode_xml(std::string_view written);
+/// The same of a CDATA section, which has no references.
+std::string decode_character_section(std::string_view written);
+
+}  // namespace smurf
