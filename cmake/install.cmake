@@ -3,7 +3,7 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/smurf)
-install(TARGETS smurf EXPORT smurf-targets
+install(TARGETS smurf smurf_referees EXPORT smurf-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT smurf-targets NAMESPACE smurf:: DESTINATION ${package_dir})
