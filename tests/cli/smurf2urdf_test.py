@@ -65,6 +65,7 @@ class Result(ExportTest):
     def test_proof(self):
         done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "o.urdf", "--prove")
         self.assertIn("compared 10 links", done.stderr)
+        self.assertIn("tinyxml2                    accepts", done.stderr)
         self.assertIn("urdfdom                     accepts", done.stderr)
 
     @unittest.skipUnless(shutil.which("check_urdf"), "check_urdf is not installed")

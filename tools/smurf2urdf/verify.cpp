@@ -3,6 +3,7 @@
 
 #include "base/numbers.hpp"
 #include "smurf/load.hpp"
+#include "syntax/tinyxml2_referee.hpp"
 
 namespace smurf::tools {
 
@@ -37,6 +38,12 @@ Verification verify(const LinkedModel& model, const SourceMap& sources, const st
   LinkedModel& result = plain.model;
   if (!result.robot) {
     verification.problem = "the result cannot be read again; this is a defect of this tool";
+    return verification;
+  }
+  verification.tinyxml2_accepts =
+      read_by_tinyxml2(result.robot->document, plain.sources, plain.sink);
+  if (!verification.tinyxml2_accepts) {
+    verification.problem = "tinyxml2: " + plain.sink.diagnostics().back().message;
     return verification;
   }
   if (options.apply.mimic) {
@@ -74,9 +81,11 @@ std::string describe(const Verification& verification) {
   text += line("  centre of mass              ", proof.center_of_mass, " m");
   text += line("  inertia                     ", proof.inertia, " relative");
   text += line("  joint limits                ", proof.limits, " relative");
+  const auto verdict = [](bool accepts) { return accepts ? "accepts\n" : "refuses\n"; };
+  text += std::string("  tinyxml2                    ") + verdict(verification.tinyxml2_accepts);
   text += "  urdfdom                     ";
   if (!verification.urdfdom.was_asked) return text + "not asked\n";
-  return text + (verification.urdfdom.accepts ? "accepts\n" : "refuses\n");
+  return text + verdict(verification.urdfdom.accepts);
 }
 
 }  // namespace smurf::tools

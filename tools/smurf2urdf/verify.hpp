@@ -10,6 +10,7 @@ namespace smurf::tools {
 
 struct Verification {
   Proof proof;
+  bool tinyxml2_accepts = false;
   RefereeVerdict urdfdom;
   std::string problem;  ///< why the result must not be written; empty when all is well
 

@@ -135,8 +135,8 @@ struct RefereeVerdict {
 };
 
 /// Asks urdfdom in this process. Precondition: our own checks found no error in the text (urdfdom
-/// before 5.1 crashes on some inputs); texts with '%' and very large ones are not handed over. In the
-/// library smurf::referees.
+/// before 5.1 crashes on some inputs); texts with '%' and very large ones are not handed over. In
+/// the library smurf::referees.
 RefereeVerdict ask_urdfdom(const std::string& urdf);
 
 }  // namespace smurf

@@ -4,7 +4,6 @@
 #include "base/rules.hpp"
 #include "base/words.hpp"
 #include "syntax/text_check.hpp"
-#include "syntax/tinyxml2_referee.hpp"
 #include "syntax/xml_scanner.hpp"
 
 namespace smurf {
@@ -22,11 +21,7 @@ std::optional<xml::Document> parse_xml(const SourceMap& sources, SourceId id, co
     return std::nullopt;
   }
   if (!check_text(sources, id, TextFormat::xml, sink)) return std::nullopt;
-  std::optional<xml::Document> document = scan_xml(sources, id, limits, sink);
-#ifndef SMURF_SCANNERS
-  if (document && !read_by_tinyxml2(*document, sources, sink)) return std::nullopt;
-#endif
-  return document;
+  return scan_xml(sources, id, limits, sink);
 }
 
 }  // namespace smurf

@@ -230,7 +230,7 @@ bool parse_plain(const SourceMap& sources, SourceId id, const Limits& limits, Di
 
 std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink) {
-#ifdef SMURF_SCANNERS
+#ifdef SMURF_PLAIN_YAML
   return parse_yaml_by(YamlEngine::scanner_first, sources, id, limits, sink);
 #else
   return parse_yaml_by(YamlEngine::yaml_cpp, sources, id, limits, sink);
