@@ -51,6 +51,18 @@ TEST_CASE("utf8: code points") {
   CHECK(utf8::decode("\xE2\x82").size == 1);
 }
 
+TEST_CASE("utf8: every code point is read as it was written") {
+  std::size_t different = 0;
+  for (char32_t value = 0; value <= 0x10FFFF; ++value) {
+    if (value == 0xD800) value = 0xE000;
+    std::string text;
+    utf8::append(text, value);
+    const utf8::CodePoint read = utf8::decode(text);
+    different += read.value != value || read.size != text.size() || utf8::find_invalid(text);
+  }
+  CHECK(different == 0);
+}
+
 TEST_CASE("utf8: columns of a terminal") {
   CHECK(utf8::display_width(U'a') == 1);
   CHECK(utf8::display_width(U'\u00E4') == 1);

@@ -43,9 +43,9 @@ std::optional<fs::path> folder_of(const std::string& input) {
 
 /// The project around a folder and, above it, the files that say what is checked and how.
 void allow_project(ConfinedFiles& files, const fs::path& folder) {
-  files.allow(project_of(folder).string());
-  files.allow(folder.string());
-  for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
+  const fs::path project = project_of(folder);
+  files.allow(project.string());
+  for (fs::path at = project.parent_path(); at.has_relative_path(); at = at.parent_path()) {
     for (const std::string_view name :
          std::initializer_list<std::string_view>{".gitignore", ".smurf-lintignore", kConfigName}) {
       if (has(at, name)) files.allow((at / name).string());
