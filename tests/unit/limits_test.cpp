@@ -45,6 +45,11 @@ Demand of_mesh(std::uint64_t bytes) {
   return demand;
 }
 
+Demand of_yaml_cpp(std::uint64_t bytes) {
+  const std::string model = "files: &a []\n#";
+  return {"r.smurf", model + repeat("x", bytes - model.size())};
+}
+
 Demand of_yaml_depth(std::uint64_t depth) {
   return {"r.smurf", "x: " + repeat("[", depth - 1) + repeat("]", depth - 1) + "\n"};
 }
@@ -113,6 +118,7 @@ struct LimitCase {
 
 const LimitCase kCases[] = {{"file-bytes", 100, of_file},
                             {"mesh-bytes", 100, of_mesh},
+                            {"yaml-cpp-bytes", 100, of_yaml_cpp},
                             {"yaml-depth", 20, of_yaml_depth},
                             {"yaml-nodes", 20, of_yaml_nodes},
                             {"yaml-expanded-nodes", 20, of_expanded_nodes},

@@ -22,7 +22,7 @@ bool is_plain(const std::string& text) {
   const SourceId id = sources.add("a.yml", text);
   const Limits limits{.yaml_depth = text.size()};  // none that the text reaches
   YamlBuilder builder(sources, id, limits, sink);
-  return scan_plain_yaml(text, builder);
+  return !scan_plain_yaml(text, builder);
 }
 
 /// True when the scanner accepted the text.

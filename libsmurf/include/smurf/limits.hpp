@@ -15,6 +15,7 @@ struct Limits {
   std::uint64_t image_pixels = 16'000'000;
   std::uint64_t archive_bytes = 128ULL << 20U;
   std::uint64_t archive_files = 10'000;
+  std::uint64_t yaml_cpp_bytes = 8ULL << 20U;
   std::uint64_t yaml_depth = 100;
   std::uint64_t yaml_nodes = 3'000'000;
   std::uint64_t yaml_expanded_nodes = 20'000'000;
@@ -49,6 +50,10 @@ inline constexpr std::array kLimits{
               "bytes of all files in an archive, unpacked", "", "a small file may hold any number"},
     LimitInfo{"archive-files", &Limits::archive_files, 1'000'000, "files in an archive", "",
               "as for its bytes"},
+    LimitInfo{"yaml-cpp-bytes", &Limits::yaml_cpp_bytes, 2047ULL << 20U,
+              "bytes of a file of YAML that is not plain: it has anchors, tags, tabs, carriage "
+              "returns or a mistake",
+              "SML0002", "yaml-cpp needs a second for it; plain YAML is read fifty times as fast"},
     LimitInfo{"yaml-depth", &Limits::yaml_depth, 240, "lists and mappings in each other", "SML0014",
               "no section of SMURF has more than ten; yaml-cpp gives up at 250"},
     LimitInfo{"yaml-nodes", &Limits::yaml_nodes, 1'000'000'000,

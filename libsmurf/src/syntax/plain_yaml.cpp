@@ -43,13 +43,13 @@ class Scanner {
  public:
   Scanner(std::string_view text, YamlBuilder& builder) : text_(text), builder_(builder) {}
 
-  bool run() {
+  std::optional<std::uint32_t> run() {
     while (to_next_token()) {
-      if (!close_deeper_levels() || !read_line()) return false;
+      if (!close_deeper_levels() || !read_line()) return at_;
     }
-    if (at_ < size() || !has_content_) return false;
+    if (at_ < size() || !has_content_) return at_;
     while (!levels_.empty()) close_level();
-    return true;
+    return std::nullopt;
   }
 
  private:
@@ -383,8 +383,9 @@ class Scanner {
 
 }  // namespace
 
-bool scan_plain_yaml(std::string_view text, YamlBuilder& builder) {
-  return byte_order_mark_size(text) == 0 && Scanner(text, builder).run();
+std::optional<std::uint32_t> scan_plain_yaml(std::string_view text, YamlBuilder& builder) {
+  if (byte_order_mark_size(text) > 0) return 0;
+  return Scanner(text, builder).run();
 }
 
 }  // namespace smurf

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/limits.hpp"
 #include "base/rules.hpp"
 #include "syntax/plain_yaml.hpp"
 #include "syntax/text_check.hpp"
@@ -211,19 +212,31 @@ bool has_too_many_nodes(const DiagnosticSink& found) {
   return !all.empty() && all.back().rule == &rules::sml0002_file_too_large;
 }
 
-/// True when the text is judged: it is plain, or so large that nobody reads it a second time.
-bool parse_plain(const SourceMap& sources, SourceId id, const Limits& limits, DiagnosticSink& sink,
-                 std::optional<yaml::Document>& document) {
+/// None when the text is judged: it is plain, or so large that nobody reads it a second time.
+/// Otherwise where it ceases to be plain.
+std::optional<std::uint32_t> parse_plain(const SourceMap& sources, SourceId id,
+                                         const Limits& limits, DiagnosticSink& sink,
+                                         std::optional<yaml::Document>& document) {
   DiagnosticSink found(limits.findings);  // counts only when the text is judged
   YamlBuilder builder(sources, id, limits, found);
   try {
-    if (!scan_plain_yaml(sources.text(id), builder)) return false;
+    if (const auto end = scan_plain_yaml(sources.text(id), builder)) return end;
     document = builder.take();
   } catch (const StopParsing&) {
-    if (!has_too_many_nodes(found)) return false;
+    if (!has_too_many_nodes(found)) return 0;
   }
   hand_on(found, sink);
-  return true;
+  return std::nullopt;
+}
+
+/// What yaml-cpp would need seconds for.
+void refuse_large(Span place, const Limits& limits, DiagnosticSink& sink) {
+  Diagnostic& diagnostic =
+      sink.report(rules::sml0002_file_too_large, place,
+                  "of a file of more than " + std::to_string(limits.yaml_cpp_bytes) +
+                      " bytes only plain YAML is read, and here it is not");
+  diagnostic.notes.push_back("plain YAML has no anchors, tags, tabs, carriage returns or mistakes");
+  diagnostic.help = raise_limit("yaml-cpp-bytes");
 }
 
 }  // namespace
@@ -247,9 +260,18 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
         "keep one of the two versions, and none of the marks";
     return std::nullopt;
   }
-  if (engine == YamlEngine::scanner_first) {
+  const bool is_large = text.size() > limits.yaml_cpp_bytes;
+  if (engine == YamlEngine::scanner_first || is_large) {
+    DiagnosticSink unused;
     std::optional<yaml::Document> document;
-    if (parse_plain(sources, id, limits, sink, document)) return document;
+    const bool counts = engine == YamlEngine::scanner_first;
+    const auto end = parse_plain(sources, id, limits, counts ? sink : unused, document);
+    if (!end && counts) return document;
+    if (end && is_large) {
+      refuse_large({id, *end, std::min(*end + 1, static_cast<std::uint32_t>(text.size()))}, limits,
+                   sink);
+      return std::nullopt;
+    }
   }
   if (const auto directive = find_open_directive(text, id)) {
     sink.report(rules::sml0010_yaml_syntax, *directive, "no `---` follows this directive").help =
