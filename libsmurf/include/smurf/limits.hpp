@@ -17,7 +17,7 @@ struct Limits {
   std::uint64_t archive_files = 10'000;
   std::uint64_t yaml_cpp_bytes = 8ULL << 20U;
   std::uint64_t yaml_depth = 100;
-  std::uint64_t yaml_nodes = 3'000'000;
+  std::uint64_t yaml_nodes = 2'500'000;
   std::uint64_t yaml_expanded_nodes = 20'000'000;
   std::uint64_t xml_depth = 90;
   std::uint64_t xml_elements = 5'500'000;
@@ -26,7 +26,7 @@ struct Limits {
   std::uint64_t urdf_parts = 500'000;
   std::uint64_t include_depth = 64;
   std::uint64_t instances = 250'000;
-  std::uint64_t findings = 100'000;
+  std::uint64_t findings = 10'000;
 };
 
 /// A limit as people know it: what `--limit` and docs/limits.md call it.
@@ -58,7 +58,7 @@ inline constexpr std::array kLimits{
               "no section of SMURF has more than ten; yaml-cpp gives up at 250"},
     LimitInfo{"yaml-nodes", &Limits::yaml_nodes, 1'000'000'000,
               "texts, lists and mappings of a file", "SML0002",
-              "100,000 entities have two thirds of it; each takes 100 to 200 bytes of memory"},
+              "100,000 entities have four fifths of it; each takes 100 bytes of memory"},
     LimitInfo{"yaml-expanded-nodes", &Limits::yaml_expanded_nodes, 1'000'000'000,
               "the same, with what aliases repeat counted again", "SML0015",
               "nine aliases in nine levels stand for 400 million"},

@@ -27,7 +27,7 @@ constexpr std::size_t kLongest = 4096;
 /// Can the last part be told from what is above it? Not "..": that is seen from where a link leads.
 bool has_name(const std::string& path) {
   const std::string_view name = path::file_name(path);
-  return !name.empty() && name != "." && name != ".." && path.size() <= kLongest;
+  return !name.empty() && name != "." && name != "..";
 }
 
 bool is_link(const std::string& path) {
@@ -50,6 +50,7 @@ std::optional<std::string> CanonicalPaths::of(const std::string& path) const {
 }
 
 std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) const {
+  if (path.size() > kLongest) return std::nullopt;
   if (!has_name(path)) return looked_up(path.empty() ? "." : path);
   const auto above = of(std::string(path::parent(path)));
   if (!above) return looked_up(path);

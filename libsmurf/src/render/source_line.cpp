@@ -19,7 +19,11 @@ int columns_of(const Glyph& glyph) { return glyph.is_tab ? kTabColumns : glyph.w
 /// The part of a very long line that can be shown around a place: a file of one line is not decoded
 /// whole for each of its findings.
 ByteRange part_around(std::string_view line, std::size_t place, int room) {
-  const std::size_t reach = kBytesPerColumn * static_cast<std::size_t>(room);
+  const auto columns = static_cast<std::size_t>(room);
+  const std::string_view near =
+      line.substr(place - std::min(place, columns), std::min(place, columns) + columns);
+  const bool is_ascii = utf8::ascii_prefix(near) == near.size();
+  const std::size_t reach = is_ascii ? columns : kBytesPerColumn * columns;
   std::size_t begin = place - std::min(place, reach);
   std::size_t end = std::min(line.size(), place + reach);
   while (begin > 0 && utf8::is_continuation(line[begin])) --begin;

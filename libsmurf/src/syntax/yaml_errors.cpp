@@ -66,7 +66,7 @@ void report_in_brackets(std::uint32_t at, Span bracket, std::string_view text,
     return;
   }
   sink.report(rules::sml0010_yaml_syntax, {bracket.source, at, at + 1},
-              std::string("a `,` or `") + (open == "[" ? ']' : '}') + "` is missing before this")
+              "a `,` or `" + std::string(open == "[" ? "]" : "}") + "` is missing before this")
       .labels.push_back({bracket, "opened here"});
 }
 
