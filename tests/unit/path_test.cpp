@@ -96,3 +96,12 @@ TEST_CASE("path: lower case") {
   CHECK(path::to_lower("A.SMURF") == "a.smurf");
   CHECK(path::to_lower("\xC3\x84") == "\xC3\x84");
 }
+
+TEST_CASE("path: names that no system opens are left alone") {
+  std::string name;
+  for (int i = 0; i < 2000; ++i) name += "a/.";
+  CHECK(path::normalize(name) == name);
+  CHECK(path::join("f", name) == "f/" + name);
+  CHECK(path::relative(name, "f") == name);
+  CHECK(path::normalize(name.substr(0, 3000)).size() < 3000);
+}

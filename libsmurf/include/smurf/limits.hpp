@@ -17,7 +17,7 @@ struct Limits {
   std::uint64_t archive_files = 10'000;
   std::uint64_t yaml_cpp_bytes = 8ULL << 20U;
   std::uint64_t yaml_depth = 100;
-  std::uint64_t yaml_nodes = 2'500'000;
+  std::uint64_t yaml_nodes = 2'000'000;
   std::uint64_t yaml_expanded_nodes = 20'000'000;
   std::uint64_t xml_depth = 90;
   std::uint64_t xml_elements = 5'500'000;
@@ -25,7 +25,7 @@ struct Limits {
   std::uint64_t annotation_entries = 500'000;
   std::uint64_t urdf_parts = 500'000;
   std::uint64_t include_depth = 64;
-  std::uint64_t instances = 250'000;
+  std::uint64_t instances = 150'000;
   std::uint64_t findings = 10'000;
 };
 
@@ -56,9 +56,10 @@ inline constexpr std::array kLimits{
               "SML0002", "yaml-cpp needs a second for it; plain YAML is read fifty times as fast"},
     LimitInfo{"yaml-depth", &Limits::yaml_depth, 240, "lists and mappings in each other", "SML0014",
               "no section of SMURF has more than ten; yaml-cpp gives up at 250"},
-    LimitInfo{"yaml-nodes", &Limits::yaml_nodes, 1'000'000'000,
-              "texts, lists and mappings of a file", "SML0002",
-              "100,000 entities have four fifths of it; each takes 100 bytes of memory"},
+    LimitInfo{
+        "yaml-nodes", &Limits::yaml_nodes, 1'000'000'000, "texts, lists and mappings of a file",
+        "SML0002",
+        "100,000 entities with poses have two thirds of it; each takes 60 to 120 bytes of memory"},
     LimitInfo{"yaml-expanded-nodes", &Limits::yaml_expanded_nodes, 1'000'000'000,
               "the same, with what aliases repeat counted again", "SML0015",
               "nine aliases in nine levels stand for 400 million"},

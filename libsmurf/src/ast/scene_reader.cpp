@@ -2,6 +2,7 @@
 // Scenes and assemblies. Shape only: nothing is opened, looked up or composed.
 #include "ast/scene_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ast/model_reader.hpp"
@@ -140,7 +141,8 @@ Entity read_entity(yaml::View mapping, EntityList list, DiagnosticSink& sink) {
 
 namespace {
 
-void read_entities(yaml::View value, EntityList list, Scene& scene, DiagnosticSink& sink) {
+void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& scene,
+                   DiagnosticSink& sink) {
   if (value.is_null()) return;
   const std::string key(value.key());
   if (!value.is_sequence()) {
@@ -150,8 +152,9 @@ void read_entities(yaml::View value, EntityList list, Scene& scene, DiagnosticSi
     diagnostic.help = "begin every entity with `- name:`";
     return;
   }
-  scene.entities.reserve(scene.entities.size() + value.size());
+  scene.entities.reserve(std::min(scene.entities.size() + value.size(), most));
   for (const yaml::View item : value) {
+    if (scene.entities.size() >= most) return;
     if (item.is_mapping()) {
       scene.entities.push_back(read_entity(item, list, sink));
     } else {
@@ -200,7 +203,8 @@ bool is_taken(std::string_view key) {
 
 }  // namespace
 
-std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& sink) {
+std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& sink,
+                                std::size_t most_entities) {
   const yaml::View root = document.view();
   if (!root || !root.is_mapping()) {
     const Span place = root ? root.span() : Span{document.source, 0, 0};
@@ -213,7 +217,7 @@ std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& 
   constexpr EntityList kLists[] = {EntityList::smurfs, EntityList::entities, EntityList::smurfa};
   for (const EntityList list : kLists) {
     const yaml::View value = root.find(kTaken[static_cast<std::size_t>(list)]);
-    if (value) read_entities(value, list, scene, sink);
+    if (value) read_entities(value, list, most_entities, scene, sink);
   }
   scene.physics = read_physics(root.find("physics"), sink);
   read_environment(root.find("environment"), scene, sink);

@@ -2,6 +2,8 @@
 // yaml::Document -> Scene.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "smurf/diagnostic.hpp"
@@ -9,8 +11,9 @@
 
 namespace smurf {
 
-/// Reads a scene or assembly. None when the root is not a mapping.
-std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& sink);
+/// Reads a scene or assembly, and its first `most_entities`. None when the root is not a mapping.
+std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& sink,
+                                std::size_t most_entities = SIZE_MAX);
 
 /// The keys of an entity, wherever they are written.
 Entity read_entity(yaml::View mapping, EntityList list, DiagnosticSink& sink);

@@ -21,9 +21,6 @@ std::optional<std::string> looked_up(const std::string& path) {
   return canonical.string();
 }
 
-/// Names longer than this exist nowhere, and the way up from one is not to use up the stack.
-constexpr std::size_t kLongest = 4096;
-
 /// Can the last part be told from what is above it? Not "..": that is seen from where a link leads.
 bool has_name(const std::string& path) {
   const std::string_view name = path::file_name(path);
@@ -50,7 +47,8 @@ std::optional<std::string> CanonicalPaths::of(const std::string& path) const {
 }
 
 std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) const {
-  if (path.size() > kLongest) return std::nullopt;
+  // The way up from a long name is not to use up the stack.
+  if (path.size() > path::kLongest) return std::nullopt;
   if (!has_name(path)) return looked_up(path.empty() ? "." : path);
   const auto above = of(std::string(path::parent(path)));
   if (!above) return looked_up(path);

@@ -25,7 +25,8 @@ bool begins_oddly(std::string_view rest) {
 }
 
 /// Does a glance show that normalising changes nothing?
-bool is_plainly_normal(std::string_view path) {
+bool is_final(std::string_view path) {
+  if (path.size() > kLongest) return true;
   if (!path.starts_with('/') && begins_oddly(path)) return false;
   for (std::size_t at = path.find('/'); at != std::string_view::npos; at = path.find('/', at + 1)) {
     if (begins_oddly(path.substr(at + 1))) return false;
@@ -60,7 +61,7 @@ std::string_view stem(std::string_view path) {
 bool is_absolute(std::string_view path) { return path.starts_with('/'); }
 
 std::string normalize(std::string_view path) {
-  if (is_plainly_normal(path)) return std::string(path);
+  if (is_final(path)) return std::string(path);
   std::vector<std::string_view> kept;
   for (const std::string_view part : split(path)) {
     if (part == ".") continue;
@@ -83,14 +84,14 @@ std::string join(std::string_view folder, std::string_view path) {
   std::string whole;
   whole.reserve(folder.size() + 1 + path.size());
   whole.append(folder).append("/").append(path);
-  if (is_plainly_normal(whole)) return whole;
+  if (is_final(whole)) return whole;
   return normalize(whole);
 }
 
 std::string relative(std::string_view path, std::string_view folder) {
   const std::string whole = normalize(path);
   const std::string base = normalize(folder.empty() ? "." : folder);
-  if (is_absolute(whole) != is_absolute(base)) return whole;
+  if (is_absolute(whole) != is_absolute(base) || whole.size() > kLongest) return whole;
   std::vector<std::string_view> to = split(whole);
   std::vector<std::string_view> from = split(base);
   if (whole == ".") to.clear();

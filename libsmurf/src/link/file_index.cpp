@@ -18,6 +18,7 @@ const std::vector<std::string>& FileIndex::list(const std::string& folder) {
 }
 
 std::optional<std::string> FileIndex::in_other_case(const std::string& path, int most_folders) {
+  if (path.size() > path::kLongest) return std::nullopt;
   std::string folder(path::parent(path));
   if (list(folder).empty()) {
     if (folder.empty() || folder == "/" || most_folders == 0) return std::nullopt;

@@ -69,7 +69,11 @@ class SceneExpander {
       } else if (!read_drawn_scene(file, scene_.data_files, context_)) {
         lose_scene();
       }
-      auto scene = file.document ? read_scene(*file.document, context_.sink) : std::nullopt;
+      std::optional<Scene> scene;
+      if (file.document) {
+        // One more, of which expand() tells.
+        scene = read_scene(*file.document, context_.sink, context_.limits.instances + 1);
+      }
       if (scene) file.scene = std::move(*scene);
       if (!scene) lose_scene();
       if (scene) check_world_files(file, context_);
