@@ -238,6 +238,13 @@ FIFTY_MEGABYTES = {
     "empty transmissions": ("r.urdf", ROBOT, b"<transmission/>", b"</robot>"),
     "empty visuals": ("r.urdf", b'<robot name="r"><link name="a">', b"<visual/>", b"</link></robot>"),
 }
+# Fewer than the limits allow of what takes most to tell of.
+EIGHT_MEGABYTES = {
+    "empty entities": ("s.smurfs", b"entities:\n", b"- {}\n", b""),
+    "ampersands": ("r.urdf", b'<robot name="', b"&", b'"/>'),
+    "folders of a mesh": ("r.urdf", b'<robot name="r"><link name="a"><visual><geometry><mesh filename="', b"a/",
+                          b'"/></geometry></visual></link></robot>'),
+}
 
 
 def large():
@@ -256,6 +263,9 @@ def large():
         if name.endswith("f") and title != "links of one name":
             yield Case(f"50 MB of {title} next to the file", {
                 name: long_file(head, part, 50, tail), "a.yml": b"motors: []\n"}, "a.yml", tools=("smurf-lint",))
+    for title, (name, head, part, tail) in EIGHT_MEGABYTES.items():
+        yield Case(f"8 MB of {title}", {name: long_file(head, part, 8, tail)}, name, scale=2)
+    yield Case("a key of 50 MB", {"r.smurf": long_file(b"", b"k", 50, b": 1\n")}, "r.smurf", codes=(1, 2))
     yield Case("50 MB in a comment", {"r.urdf": long_file(
         b"<robot name='r'><!--", b"x", 50, b"--><link name='a'/></robot>")}, "r.urdf", scale=2)
     yield Case("a file with a hole of a terabyte", {"r.urdf": Special(
