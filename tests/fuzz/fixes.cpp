@@ -13,8 +13,10 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   MemoryFiles fixed(&files);
   for (const auto& [path, text] : before.fixed) fixed.add(path, text);
   Exercise after = exercise(fixed, "r.smurf", {.renders = false, .fixes = true});
-  if (after.has_syntax_errors && !before.has_syntax_errors) {
-    after.broken.emplace_back("a fix broke the syntax of its file");
+  for (const auto& [path, text] : before.fixed) {
+    if (after.unreadable.contains(path) && !before.unreadable.contains(path)) {
+      after.broken.emplace_back("a fix broke the syntax of its file");
+    }
   }
   require_kept(after);
   return 0;

@@ -24,7 +24,9 @@ void check_spans(const std::vector<Diagnostic>& diagnostics, const SourceMap& so
       result.broken.push_back(id + ": a negative span");
     if (diagnostic.message.empty()) result.broken.push_back(id + ": no message");
     result.has_errors |= diagnostic.severity == Severity::error;
-    result.has_syntax_errors |= id.starts_with("SML00") && diagnostic.severity == Severity::error;
+    if (id.starts_with("SML00") && diagnostic.severity == Severity::error) {
+      result.unreadable.emplace(sources.path(diagnostic.span.source));
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // Everything that the library does with a path, and what it promises of any input.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace smurf::test {
 struct Exercise {
   std::size_t findings = 0;
   bool has_errors = false;
-  bool has_syntax_errors = false;     ///< SML00xx
-  std::vector<std::string> broken{};  ///< promises, in words; empty when all hold
+  std::set<std::string> unreadable{};  ///< files with an SML00xx
+  std::vector<std::string> broken{};   ///< promises, in words; empty when all hold
   std::vector<std::pair<std::string, std::string>> fixed{};  ///< path and text, all fixes applied
 };
 
