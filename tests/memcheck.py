@@ -60,7 +60,7 @@ def main():
     with tempfile.TemporaryDirectory() as out:
         def check(run):
             title, command = run
-            # In a folder that goes away: some programs leave files where they run.
+            # In a folder that goes away, with whatever a program leaves where it runs.
             return title, subprocess.run([*VALGRIND, *SILENT_CHILDREN.get(title, []), *command], capture_output=True,
                                          text=True, errors="replace", cwd=out, env={**os.environ, **FEWER}, check=False)
 
