@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <vector>
 
 #include "ast/urdf_schema.hpp"
 #include "lint/geometry_queries.hpp"
@@ -9,11 +10,15 @@ namespace {
 
 /// Any that some reader knows, or a slip for one, which is reported as that.
 bool has_shape(const LinkedModel& model, const urdf::Geometry& geometry) {
-  constexpr std::string_view kShapes[] = {"box",  "sphere", "cylinder", "capsule",
-                                          "mesh", "plane",  "cdf",      "ellipsoid"};
+  const urdf::ElementSpec& spec = *urdf::find_element_spec("geometry");
+  std::vector<std::string_view> shapes;
+  for (const urdf::ChildSpec& child : spec.children) shapes.push_back(child.name);
   const xml::View element(model.robot->document, geometry.element);
   return std::any_of(element.begin(), element.end(), [&](const xml::View child) {
-    return std::ranges::count(kShapes, child.name()) > 0 || urdf::meant_name(child.name(), kShapes);
+    const bool is_vendors =  // `verbose` is no shape
+        child.name() != "verbose" && std::ranges::count(spec.extensions, child.name()) > 0;
+    return is_vendors || std::ranges::count(shapes, child.name()) > 0 ||
+           urdf::meant_name(child.name(), shapes).has_value();
   });
 }
 
