@@ -35,7 +35,9 @@ TEST_CASE("mutations of a model differ, repeat themselves, and mostly can be rea
     CHECK(text == mutated_bundle(kModel, kModel, kMost, again));
     CHECK(text.size() <= kMost);
     all.insert(text);
-    readable += exercise(unbundle(text, "r.smurf"), "r.smurf").unreadable.empty() ? 1U : 0U;
+    const Exercise result = exercise(unbundle(text, "r.smurf"), "r.smurf", {.converts = true});
+    CHECK(result.broken.empty());
+    readable += result.unreadable.empty() ? 1U : 0U;
   }
   MESSAGE(all.size() << " texts, " << readable << " of " << kCount << " can be read");
   CHECK(all.size() > kCount / 2);
