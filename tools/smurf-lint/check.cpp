@@ -128,7 +128,8 @@ class Checker {
       Group& group = groups_.emplace_back();
       DiagnosticSink sink;
       if (!path.empty()) {
-        group.config = read_config(path, checked_.sources, files_, sink, formats);
+        group.config =
+            read_config(path, checked_.sources, files_, sink, formats, origin_of_config(options_));
       }
       group.settings = merge(group.config, options_);
       group.diagnostics = sink.take();

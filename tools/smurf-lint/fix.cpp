@@ -4,9 +4,13 @@
 #include <dtl/dtl.hpp>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
+#include "base/path.hpp"
+#include "common/confine.hpp"
+#include "render/printable.hpp"
 #include "smurf/fix.hpp"
 
 namespace smurf::tools {
@@ -32,7 +36,7 @@ std::vector<std::string> lines_of(std::string_view text) {
 }
 
 std::string diff_line(char mark, const std::string& line) {
-  std::string text = mark + line;
+  std::string text = mark + render::escape_lines(line);
   if (!text.ends_with('\n')) text += "\n\\ No newline at end of file\n";
   return text;
 }
@@ -50,8 +54,9 @@ std::string diff_of(const std::string& path, const Change& change) {
   diff.compose();
   diff.composeUnifiedHunks();
   const bool is_relative = !path.starts_with('/');
-  std::string text = "--- " + (is_relative ? "a/" + path : path) + "\n";
-  text += "+++ " + (is_relative ? "b/" + path : path) + "\n";
+  const std::string name = render::escape(path);
+  std::string text = "--- " + (is_relative ? "a/" + name : name) + "\n";
+  text += "+++ " + (is_relative ? "b/" + name : name) + "\n";
   for (const auto& hunk : diff.getUniHunks()) {
     text += "@@ -" + diff_range(hunk.a, hunk.b) + " +" + diff_range(hunk.c, hunk.d) + " @@\n";
     for (const auto& [line, info] : hunk.common[0]) text += diff_line(' ', line);
@@ -62,6 +67,15 @@ std::string diff_of(const std::string& path, const Change& change) {
     for (const auto& [line, info] : hunk.common[1]) text += diff_line(' ', line);
   }
   return text;
+}
+
+/// A link that comes with the files does not choose what is written.
+bool leads_outside(const std::string& path, const LintOptions& options) {
+  const std::string folder(path::parent(path));
+  ConfinedFiles project;
+  confine(project, std::array{folder.empty() ? std::string(".") : folder}, options.packages,
+          options.allow_outside);
+  return project.read(path, 0).status == ReadStatus::denied;
 }
 
 }  // namespace
@@ -89,8 +103,15 @@ Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, 
   return fixed;
 }
 
-bool write_changes(const Fixed& fixed, const Plan& plan) {
+bool write_changes(const Fixed& fixed, const Plan& plan, const LintOptions& options) {
   bool is_written = true;
+  for (const auto& [path, change] : fixed.changes) {
+    if (path == plan.standard_input || !leads_outside(path, options)) continue;
+    complain(kTool, "cannot fix '" + path +
+                        "': it is a link that leads out of its project; name "
+                        "the file itself, or add --allow-outside; nothing was fixed");
+    return false;
+  }
   for (const auto& [path, change] : fixed.changes) {
     if (path != plan.standard_input) is_written &= write_output(kTool, path, change.after);
   }

@@ -54,6 +54,12 @@ bool write_reports(const Options& options, const Report& report) {
   return is_written;
 }
 
+std::vector<std::string> outputs_of(const Options& options) {
+  std::vector<std::string> outputs{options.output, options.trace, options.plot};
+  for (const ReportRequest& request : options.reports) outputs.push_back(request.file);
+  return outputs;
+}
+
 std::vector<Diagnostic> all_diagnostics(std::span<const Checked> checked,
                                         const SourceMap& sources) {
   std::vector<Diagnostic> all;
@@ -80,6 +86,7 @@ int main(int argc, char** argv) {
     complain(kTool, "--plot takes one model or scene, not " + std::to_string(inputs.jobs.size()));
     return kFailed;
   }
+  if (!keeps_inputs(kTool, inputs.read, outputs_of(options))) return kFailed;
   options.check.poses = !options.trace.empty();
   options.check.samples = options.check.poses || !options.plot.empty();
   const RunOptions run{options.check, options.limits, options.jobs.value_or(1)};

@@ -7,6 +7,7 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "common/command.hpp"
+#include "render/json_text.hpp"
 #include "render/printable.hpp"
 
 namespace smurf::load_check {
@@ -48,7 +49,7 @@ std::vector<std::string> figure_lines(const Figure& figure, const SourceMap& sou
   std::string line = padded(figure.bound, 13) + padded(with_unit(figure.value, unit), 14) +
                      "at most " + with_unit(figure.limit, unit);
   if (figure.worst.empty()) return {line};
-  const std::string worst = figure.worst + ", " + place_text(figure.place, sources);
+  const std::string worst = render::escape(figure.worst) + ", " + place_text(figure.place, sources);
   constexpr std::size_t kWorstColumn = 46;
   if (indent + kWorstColumn + worst.size() <= kLineWidth) {
     return {padded(line, kWorstColumn) + worst};
@@ -60,7 +61,7 @@ std::vector<std::string> figure_lines(const Figure& figure, const SourceMap& sou
 /// figure and nothing to say takes one line.
 std::string stage_text(const StageResult& stage, const SourceMap& sources, const TextStyle& style) {
   std::vector<std::string> lines;
-  if (!stage.note.empty()) lines.push_back(stage.note);
+  if (!stage.note.empty()) lines.push_back(render::escape(stage.note));
   for (const Figure& figure : stage.figures) {
     for (std::string& line : figure_lines(figure, sources, kStageWidth + kVerdictWidth)) {
       lines.push_back(std::move(line));
@@ -139,7 +140,7 @@ std::string render_json(const Report& report) {
   Json checks = Json::array();
   for (const Checked& checked : report.checked) checks.push_back(to_json(checked, report.sources));
   json["checks"] = checks;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return render::dump(json);
 }
 
 }  // namespace smurf::load_check

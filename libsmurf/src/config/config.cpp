@@ -50,8 +50,8 @@ std::optional<Severity> to_severity(std::string_view word) {
 class ConfigReader {
  public:
   ConfigReader(SourceMap& sources, const FileReader& files, DiagnosticSink& sink,
-               std::span<const std::string_view> formats)
-      : sources_(sources), files_(files), sink_(sink), formats_(formats) {}
+               std::span<const std::string_view> formats, ConfigOrigin origin)
+      : sources_(sources), files_(files), sink_(sink), formats_(formats), origin_(origin) {}
 
   /// `reference` is where another configuration names it; empty for the first.
   void read(const std::string& path, Span reference) {
@@ -203,6 +203,10 @@ class ConfigReader {
       if (!formats_.empty() &&
           std::find(formats_.begin(), formats_.end(), name) == formats_.end()) {
         report_word(item, name, "format", formats_);
+      } else if (!file.empty() && origin_ == ConfigOrigin::found) {
+        wrong(item, "a configuration that was found beside the files names no file to write").help =
+            "name it on the command line, `--format " + name +
+            "=FILE`, or name the configuration with `--config`";
       } else if (!places.insert(place).second) {
         wrong(item, "two reports go to " + (place == "-" ? "standard output" : quoted(file))).help =
             "write " + quoted(name + "=FILE");
@@ -374,6 +378,7 @@ class ConfigReader {
   const FileReader& files_;
   DiagnosticSink& sink_;
   std::span<const std::string_view> formats_;
+  const ConfigOrigin origin_;
   std::vector<std::string> chain_;  ///< each extends the next
   std::set<std::string> read_;
   std::string folder_;  ///< of the configuration that is being read
@@ -396,7 +401,9 @@ const ConfigReader::Setting ConfigReader::kSettings[] = {
     {{"force-exclude", SettingType::boolean,
       "Whether excluded files are left out even when they are named on the command line."},
      &Reader::read_force_exclude},
-    {{"format", SettingType::formats, "Reports: FORMAT or FORMAT=FILE."}, &Reader::read_format},
+    {{"format", SettingType::formats,
+      "Reports: FORMAT or, in a configuration named with --config, FORMAT=FILE."},
+     &Reader::read_format},
     {{"ignore", SettingType::rules, "All but these rules."}, &Reader::read_ignore},
     {{"max-warnings", SettingType::count, "With more warnings than this, the exit code is 1."},
      &Reader::read_max_warnings},
@@ -436,8 +443,9 @@ const ConfigReader::Setting ConfigReader::kSchemaSettings[] = {
 }  // namespace
 
 Config read_config(const std::string& path, SourceMap& sources, const FileReader& files,
-                   DiagnosticSink& sink, std::span<const std::string_view> formats) {
-  ConfigReader reader(sources, files, sink, formats);
+                   DiagnosticSink& sink, std::span<const std::string_view> formats,
+                   ConfigOrigin origin) {
+  ConfigReader reader(sources, files, sink, formats, origin);
   reader.read(path::normalize(path), {});
   return reader.take();
 }

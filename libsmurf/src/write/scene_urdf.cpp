@@ -6,6 +6,7 @@
 
 #include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/utf8.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/xml_text.hpp"
@@ -88,7 +89,8 @@ class UrdfMerger {
     return scene_.sources.text(model.robot->document.source);
   }
 
-  static std::string comment(std::string text) {
+  static std::string comment(std::string_view path) {
+    std::string text = utf8::replace_controls(path);
     for (std::size_t at; (at = text.find("--")) != std::string::npos;) text.replace(at, 2, "- ");
     return text;
   }

@@ -8,7 +8,7 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
-#include "write/json_text.hpp"
+#include "base/utf8.hpp"
 #include "write/placed_shapes.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
@@ -35,10 +35,19 @@ std::string tuple(const std::array<float, 3>& point) {
 
 std::string tuple(const Vector3& vector) { return tuple({vector[0], vector[1], vector[2]}); }
 
+/// USD knows the escapes of JSON but those with a number.
 std::string quoted(std::string_view text) {
-  std::string out;
-  append_json(out, text);
-  return out;
+  std::string out = "\"";
+  for (const char c : utf8::replace_controls(text)) {
+    switch (c) {
+    case '\n': out += "\\n"; break;
+    case '\t': out += "\\t"; break;
+    case '"':
+    case '\\': out += '\\'; [[fallthrough]];
+    default: out += c;
+    }
+  }
+  return out + "\"";
 }
 
 class UsdaWriter {
