@@ -187,7 +187,8 @@ void show_run(const Config& config, const LintOptions& options, Page& page) {
 }  // namespace
 
 ExitCode show_config(const LintOptions& options) {
-  const DiskFiles files;
+  ConfinedFiles files;
+  confine_to_inputs(files, options);
   std::error_code ignored;
   if (!std::filesystem::exists(options.show_config, ignored)) {
     complain(kTool, "there is no '" + options.show_config + "'");
