@@ -29,7 +29,7 @@ def instructions(tools: pathlib.Path, case: growth_inputs.Case, folder: pathlib.
     case.write(size, folder)
     run = subprocess.run(
         ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--trace-children=yes",
-         str(tools / case.command[0]), *case.command[1:]],
+         str(tools / case.command[0]), *case.arguments(size)],
         cwd=folder, capture_output=True, text=True, errors="replace", timeout=SECONDS,
         env={**os.environ, **case.environment}, stdin=subprocess.DEVNULL)
     if run.returncode not in (0, 1, 2):
