@@ -65,63 +65,63 @@ def link_spellings(n: int) -> list:
     return ["/".join("lm"[i >> bit & 1] for bit in range(13)) for i in range(n)]
 
 
-@grows(60, "smurf-lint", "-q", "a.smurf")
+@grows(30, "smurf-lint", "-q", "a.smurf")
 def links_in_files(n, write):
     """The file grows as the number of its names does: read for each name, it would be quadratic."""
     write.link("l", ".")
     write.link("m", ".")
-    write("b.yml", "foo:\n" + "- 1\n" * 100 * n)
+    write("b.yml", "foo:\n" + "- 1\n" * 40 * n)
     write("a.smurf", "modelname: a\nfiles:\n" + "".join(f"- {place}/b.yml\n" for place in link_spellings(n)))
 
 
-@grows(60, "smurf-lint", "-q", "s.smurfs")
+@grows(30, "smurf-lint", "-q", "s.smurfs")
 def links_in_scenes(n, write):
     write.link("l", ".")
     write.link("m", ".")
-    write("a.urdf", f'<robot name="r">{"".join(f"<link name={chr(34)}l{i}{chr(34)}/>" for i in range(10 * n))}</robot>')
+    write("a.urdf", f'<robot name="r">{"".join(f"<link name={chr(34)}l{i}{chr(34)}/>" for i in range(5 * n))}</robot>')
     write("a.smurf", "modelname: a\nfiles: [a.urdf]\n")
     write("s.smurfs", "smurfs:\n" + "".join(
         f"- {{name: e{i}, type: smurf, file: {place}/a.smurf}}\n" for i, place in enumerate(link_spellings(n))))
 
 
-@grows(60, "smurf-lint", "-q", "a.urdf")
+@grows(30, "smurf-lint", "-q", "a.urdf")
 def spellings_of_a_material_library(n, write):
-    write("m.mtl", "newmtl a\n" + "map_Kd x\n" * 100 * n)
+    write("m.mtl", "newmtl a\n" + "map_Kd x\n" * 40 * n)
     names = ["".join("./" if i >> bit & 1 else ".//" for bit in range(10)) + "m.mtl" for i in range(n)]
     write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + "".join(f"mtllib {name}\n" for name in names))
     write("a.urdf", URDF.replace("/></robot>", '><visual><geometry><mesh filename="a.obj"/></geometry></visual></link></robot>'))
 
 
-@grows(200, "smurf-lint", "-q", "--statistics", "a.smurf")
+@grows(100, "smurf-lint", "-q", "--statistics", "a.smurf")
 def missing_files_beside_many(n, write):
     for i in range(n):
         write(f"file_{i:05}_that_is_there.yml", "")
     write("a.smurf", "modelname: a\nfiles:\n" + "".join(f"- file_{i:05}_that_is_gone.yml\n" for i in range(n)))
 
 
-@grows(100, "smurf-lint", "-q", "--statistics", "a.urdf",
-       ROS_PACKAGE_PATH=":".join(f"/nonexistent{i}" for i in range(400)))
+@grows(50, "smurf-lint", "-q", "--statistics", "a.urdf",
+       ROS_PACKAGE_PATH=":".join(f"/nonexistent{i}" for i in range(200)))
 def packages_in_many_folders(n, write):
     """The folders are as many at both sizes: what is asked of each of them must not show."""
     write("a.urdf", URDF.replace("/></robot>", ">" + "".join(
         f'<visual><geometry><mesh filename="package://p{i}/x"/></geometry></visual>' for i in range(n)) + "</link></robot>"))
 
 
-@grows(40, "smurf-lint", "-q", "--only-listed", lambda n: [f"x{i}.yml" for i in range(n)])
+@grows(20, "smurf-lint", "-q", "--only-listed", lambda n: [f"x{i}.yml" for i in range(n)])
 def files_named_beside_models(n, write):
     for i in range(n):
         write(f"m{i}.smurf", f"modelname: a\nfiles: [x{i}.yml]\n")
         write(f"x{i}.yml", "motors: []\n")
 
 
-@grows(40, "smurf-lint", "-q", "--only-listed", lambda n: [f"x{i}.stl" for i in range(n)])
+@grows(20, "smurf-lint", "-q", "--only-listed", lambda n: [f"x{i}.stl" for i in range(n)])
 def meshes_named_beside_robots(n, write):
     for i in range(n):
         write(f"m{i}.urdf", URDF)
         write(f"x{i}.stl", "solid\nendsolid\n")
 
 
-@grows(40, "smurf-lint", "-q", "--shard", "1/2", ".")
+@grows(20, "smurf-lint", "-q", "--shard", "1/2", ".")
 def shards_of_models_and_robots(n, write):
     for i in range(n):
         write(f"m{i}.smurf", MODEL)
