@@ -21,6 +21,10 @@ class Case:
         """Those of the tool; a part of the command may be a function of the size."""
         return [one for part in self.command[1:] for one in (part(size) if callable(part) else [part])]
 
+    def variables(self, size: int) -> dict:
+        """Those of the environment, which may be functions of the size as well."""
+        return {name: value(size) if callable(value) else value for name, value in self.environment.items()}
+
     def write(self, size: int, folder: pathlib.Path) -> None:
         def write(name: str, text) -> None:
             path = folder / name
@@ -34,7 +38,7 @@ class Case:
 CASES: list = []
 
 
-def grows(size: int, *command, **environment: str):
+def grows(size: int, *command, **environment):
     """Adds a case: `@grows(1000, "smurf-lint", "a.smurf")` above a function of (n, write)."""
 
     def add(make):
@@ -78,8 +82,8 @@ def links_in_files(n, write):
 def links_in_scenes(n, write):
     write.link("l", ".")
     write.link("m", ".")
-    write("a.urdf", f'<robot name="r">{"".join(f"<link name={chr(34)}l{i}{chr(34)}/>" for i in range(5 * n))}</robot>')
-    write("a.smurf", "modelname: a\nfiles: [a.urdf]\n")
+    write("b.yml", "foo:\n" + "- 1\n" * 40 * n)
+    write("a.smurf", "modelname: a\nfiles: [b.yml]\n")
     write("s.smurfs", "smurfs:\n" + "".join(
         f"- {{name: e{i}, type: smurf, file: {place}/a.smurf}}\n" for i, place in enumerate(link_spellings(n))))
 
@@ -100,9 +104,8 @@ def missing_files_beside_many(n, write):
 
 
 @grows(50, "smurf-lint", "-q", "--statistics", "a.urdf",
-       ROS_PACKAGE_PATH=":".join(f"/nonexistent{i}" for i in range(200)))
+       ROS_PACKAGE_PATH=lambda n: ":".join(f"/nonexistent{i}" for i in range(4 * n)))
 def packages_in_many_folders(n, write):
-    """The folders are as many at both sizes: what is asked of each of them must not show."""
     write("a.urdf", URDF.replace("/></robot>", ">" + "".join(
         f'<visual><geometry><mesh filename="package://p{i}/x"/></geometry></visual>' for i in range(n)) + "</link></robot>"))
 
