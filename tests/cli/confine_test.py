@@ -86,7 +86,8 @@ class Confine(cli.CliTest):
         for name in ("there", "gone"):
             for end in ("yml", "stl", "png"):
                 (self.project / f"{name}.{end}").symlink_to(self.folder / f"{name}.{end}")
-        shape = '<visual><geometry><mesh filename="{0}.stl"/></geometry><material name="{0}"><texture filename="{0}.png"/></material></visual>'
+        shape = ('<visual><geometry><mesh filename="{0}.stl"/></geometry>'
+                 '<material name="{0}"><texture filename="{0}.png"/></material></visual>')
 
         def said(name):
             for place in (f"../../../{name}", name, f"{self.folder}/{name}"):
