@@ -50,6 +50,8 @@ class InputFiles final : public FileReader {
   std::vector<std::string> list(const std::string& folder) const override {
     return behind_.list(folder);
   }
+  bool is_denied(const std::string& path) const override { return behind_.is_denied(path); }
+  std::string identity(const std::string& path) const override { return behind_.identity(path); }
 
   void add(const std::string& path) const;
   /// By whatever name.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-lint: checks SMURF models and scenes.
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <span>
 
-#include "common/confine.hpp"
 #include "common/input.hpp"
 #include "common/process.hpp"
 #include "common/repository.hpp"
@@ -202,12 +200,7 @@ ExitCode merge_reports(const LintOptions& options) {
 
 ExitCode run(const LintOptions& options) {
   ConfinedFiles disk;
-  const std::vector<std::string> here{"."};
-  confine(disk, options.paths.empty() ? here : options.paths, options.packages,
-          options.allow_outside);
-  confine(disk, std::array{options.stdin_filename, options.config}, {}, options.allow_outside);
-  disk.allow(options.config);
-  disk.allow(options.baseline);
+  confine_to_inputs(disk, options);
   const InputFiles inputs(disk);
   const ArchiveFiles archives(inputs, options.limits);
   MemoryFiles files(&archives);
@@ -218,6 +211,7 @@ ExitCode run(const LintOptions& options) {
     }
   }
   Plan plan = make_plan(options, files);
+  confine_to_found(disk, options, plan);
   keep_shard(plan, options.shard, files);
   if (options.list_files) return list_files(options, plan, inputs);
   Checked checked = check(options, plan, files);

@@ -191,7 +191,8 @@ void show_run(const Config& config, const LintOptions& options, Page& page) {
 }  // namespace
 
 ExitCode show_config(const LintOptions& options) {
-  const DiskFiles disk;
+  ConfinedFiles disk;
+  confine_to_inputs(disk, options);
   const InputFiles files(disk);
   std::error_code ignored;
   if (!std::filesystem::exists(options.show_config, ignored)) {
