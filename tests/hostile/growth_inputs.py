@@ -129,3 +129,52 @@ def shards_of_models_and_robots(n, write):
     for i in range(n):
         write(f"m{i}.smurf", MODEL)
         write(f"x{i}.urdf", URDF)
+
+
+@grows(3000, "smurf-lint", "-q", "a.smurf")
+def markers_on_one_line(n, write):
+    write("a.smurf", MODEL + "#" + " #smurf-lint:" * n + "\n")
+
+
+@grows(1500, "smurf-lint", "-q", "a.smurf")
+def comments_behind_many_values(n, write):
+    write("a.smurf", MODEL + "x: [" + "1," * 8 * n + "1]\n" + "#smurf-lint:ignore[A]\n" * n)
+
+
+@grows(1500, "smurf-lint", "-q", "a.urdf")
+def comments_behind_many_elements(n, write):
+    write("a.urdf", '<robot name="a"><link name="b"/>' + "<a/>" * 4 * n + "<!--smurf-lint:ignore[A]-->" * n + "</robot>")
+
+
+# Schemas and configurations
+
+
+def schema(write, text, section):
+    write(".smurf-lint.yaml", "schemas: {sections: {foo: s.yaml}}\n")
+    write("s.yaml", text)
+    write("a.smurf", MODEL + f"foo: {section}\n")
+
+
+@grows(400, "smurf-lint", "-q", "a.smurf")
+def a_text_and_its_pattern(n, write):
+    schema(write, "pattern: '" + "a*" * 20 + "b'\n", "a" * n)
+
+
+@grows(2000, "smurf-lint", "-q", "a.smurf")
+def required_keys_of_other_names(n, write):
+    schema(write, "required: [" + ",".join(f"a{i}" for i in range(n)) + "]\n",
+           "{" + ",".join(f"b{i}: 1" for i in range(n)) + "}")
+
+
+@grows(2000, "smurf-lint", "-q", "a.smurf")
+def values_that_are_none_of_many(n, write):
+    schema(write, "items: {enum: [" + ",".join(str(i) for i in range(n)) + "]}\n",
+           "[" + ",".join(f"a{i}" for i in range(n)) + "]")
+
+
+@grows(1000, "smurf-lint", "-q", "--statistics", "a.smurf")
+def rules_ignored_again_and_again(n, write):
+    write(".smurf-lint.yaml", "ignore:\n" + "- SML9\n" * 8 * n)
+    links = "".join(f'<link name="l{i}" x="1"/>' for i in range(n))
+    write("a.urdf", f'<robot name="r">{links}</robot>')
+    write("a.smurf", "modelname: a\nfiles: [a.urdf]\n")

@@ -61,10 +61,8 @@ Demand of_yaml_nodes(std::uint64_t nodes) {
   return {"r.smurf", text};
 }
 
-/// The mapping, two lists, an entry and what the aliases repeat.
 Demand of_expanded_nodes(std::uint64_t nodes) {
-  return {"r.smurf", "a: &a [x]\nb: [" + repeat("*a, ", (nodes - 4) / 2) +
-                         ((nodes - 4) % 2 == 0 ? "" : "y") + "]\n"};
+  return {"r.smurf", "a: &a x\nb: [" + repeat("*a, ", nodes) + "]\n"};
 }
 
 Demand of_xml_depth(std::uint64_t depth) {

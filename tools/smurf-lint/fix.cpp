@@ -19,6 +19,8 @@ namespace {
 constexpr std::string_view kTool = "smurf-lint";
 /// A fix may uncover the next fault, but not for ever.
 constexpr int kRounds = 10;
+/// With those that only fix what was left out before, because there were too many findings.
+constexpr int kMostRounds = 100;
 
 std::string counted(std::size_t number, std::string_view noun) {
   return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
@@ -84,7 +86,12 @@ Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, 
   const Applicability most = options.unsafe_fixes ? Applicability::unsafe : Applicability::safe;
   Fixed fixed;
   fixed.checked = std::move(checked);
-  for (int round = 0; round < kRounds; ++round) {
+  int counted = 0;
+  for (int round = 0; counted < kRounds && round < kMostRounds; ++round) {
+    const auto& all = fixed.checked.diagnostics;
+    const bool is_partial = std::any_of(
+        all.begin(), all.end(), [](const Diagnostic& one) { return one.left_out != nullptr; });
+    if (!is_partial) ++counted;
     AppliedFixes applied = apply_fixes(fixed.checked.diagnostics, fixed.checked.sources, most);
     if (applied.texts.empty()) return fixed;
     fixed.count += applied.count;

@@ -18,7 +18,7 @@ struct Limits {
   std::uint64_t yaml_cpp_bytes = 8ULL << 20U;
   std::uint64_t yaml_depth = 100;
   std::uint64_t yaml_nodes = 2'000'000;
-  std::uint64_t yaml_expanded_nodes = 20'000'000;
+  std::uint64_t yaml_expanded_nodes = 100'000;
   std::uint64_t xml_depth = 90;
   std::uint64_t xml_elements = 5'500'000;
   std::uint64_t xml_attributes = 100;
@@ -63,8 +63,8 @@ inline constexpr std::array kLimits{
         "SML0002",
         "100,000 entities with poses have two thirds of it; each takes 60 to 120 bytes of memory"},
     LimitInfo{"yaml-expanded-nodes", &Limits::yaml_expanded_nodes, 1'000'000'000,
-              "the same, with what aliases repeat counted again", "SML0015",
-              "nine aliases in nine levels stand for 400 million"},
+              "the same that the aliases of a file repeat", "SML0015",
+              "no known model repeats 10,000; nine aliases in nine levels repeat 400 million"},
     LimitInfo{"xml-depth", &Limits::xml_depth, 98, "elements in each other", "SML0014",
               "URDF has seven; tinyxml2 gives up at 99"},
     LimitInfo{"xml-elements", &Limits::xml_elements, 1'000'000'000,

@@ -8,6 +8,7 @@
 #include "ast/scene_reader.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "link/drawn_scene.hpp"
@@ -250,20 +251,33 @@ class SceneExpander {
   }
 
   bool is_cyclic(UseIndex outer, const Entity& entity, const std::string& path) {
-    std::string chain = "`" + path + "`";
+    const auto known = scene_files_.find(path);
+    if (known == scene_files_.end() || !known->second) return false;
+    std::vector<SceneIndex> chain;  // from the innermost scene
     for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer) {
-      const SceneUse& use = scene_.uses[to_size(*at)];
-      const std::string& including = scene_.file(use).path;
-      chain.insert(0, "`" + including + "` includes ");
-      if (including != path) continue;
+      chain.push_back(scene_.uses[to_size(*at)].scene);
+      if (chain.back() != *known->second) continue;
       Diagnostic& diagnostic =
           context_.sink.report(rules::sml5020_cyclic_include, file_of(entity).span,
                                *at == outer ? "this scene includes itself"
-                                            : "this include leads back to `" + path + "`");
-      diagnostic.notes.push_back(chain);
+                                            : "this include leads back to " + quoted(path));
+      diagnostic.notes.push_back(describe(chain));
       return true;
     }
     return false;
+  }
+
+  /// "`a` includes `b` includes `a`"; of a long chain, its ends.
+  std::string describe(const std::vector<SceneIndex>& chain) const {
+    constexpr std::size_t kMostAtEnd = 4;
+    const auto name = [&](SceneIndex scene) { return quoted(scene_.scenes[to_size(scene)].path); };
+    std::string text;
+    for (std::size_t i = chain.size(); i-- > 0;) {
+      const bool is_shown = i < kMostAtEnd || chain.size() - i <= kMostAtEnd;
+      if (is_shown) text += name(chain[i]) + " includes ";
+      if (i == kMostAtEnd && !is_shown) text += "... includes ";
+    }
+    return text + name(chain.back());
   }
 
   bool is_too_deep(UseIndex outer, const Entity& entity) {

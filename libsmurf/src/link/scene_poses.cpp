@@ -26,6 +26,8 @@ void report_pose(const Entity& entity, const LinkedModel& model, LoadContext& co
     diagnostic.help = "Phobos up to 0.7 writes this name always; the joints stay at zero";
     return;
   }
+  constexpr std::size_t kMostSets = 5000;  // more are not searched for a near name
+  if (entity.poses.size() + model.annotations.poses.size() > kMostSets) return;
   std::vector<std::string_view> known;
   for (const auto* sets : {&entity.poses, &model.annotations.poses}) {
     for (const JointPoseSet& set : *sets) {
