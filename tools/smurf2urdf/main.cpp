@@ -2,6 +2,7 @@
 // smurf2urdf: the plain URDF of a SMURF model, checked before it is written.
 #include <filesystem>
 
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
@@ -59,7 +60,15 @@ std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
 bool write_result(const Options& options, const std::string& urdf, const LinkedModel& model) {
   const std::string& output = options.common.output;
   if (options.srdf.empty()) return write_output(kTool, output, urdf);
-  std::vector<TextFile> files = {{options.srdf, export_srdf(model, options.conversion.prefix)}};
+  const std::uint64_t most = options.common.limits.srdf_bytes;
+  auto srdf = export_srdf(model, options.conversion.prefix, most);
+  if (!srdf) {
+    complain(kTool, "so many pairs of links of '" + options.model +
+                        "' never collide that the SRDF has more than " + std::to_string(most) +
+                        " bytes; " + raise_limit("srdf-bytes") + "; nothing was written");
+    return false;
+  }
+  std::vector<TextFile> files = {{options.srdf, std::move(*srdf)}};
   const bool to_stdout = output.empty() || output == "-";
   if (to_stdout) return write_files(kTool, ".", files, true) && write_output(kTool, output, urdf);
   files.push_back({output, urdf});

@@ -105,7 +105,10 @@ class YamlBuilder {
   yaml::Node& add(yaml::Kind kind, Span span, std::uint64_t size);
   void grow(Collection& collection, std::uint64_t size) {
     collection.size += size;
-    if (collection.size > limits_.yaml_expanded_nodes) stop_at_expanded_nodes(collection);
+    // Without aliases a value is no larger than the file, which has a limit of its own.
+    if (collection.size > limits_.yaml_expanded_nodes && collection.size > document_.nodes.size()) {
+      stop_at_expanded_nodes(collection);
+    }
   }
   /// Reports that a limit is reached, and leaves the document.
   [[noreturn]] void stop(const Rule& rule, Span place, std::string message, std::string_view limit);
