@@ -80,7 +80,8 @@ class SceneCheck {
       if (model == nullptr || !model->robot || !instance.X_WE) continue;
       number_of[i] = placed.size();
       instance_of_.push_back(i);
-      placed.push_back({model, instance.path, *instance.X_WE, instance.joint_positions, {}});
+      placed.push_back(
+          {model, instance.path, *instance.X_WE, scene_.joint_positions(instance), {}});
     }
     for (std::size_t i = 0; i < placed.size(); ++i) {
       const Attachment& anchor = scene_.instances[instance_of_[i]].placement.anchor;

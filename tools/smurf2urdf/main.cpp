@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf2urdf: the plain URDF of a SMURF model, checked before it is written.
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
@@ -57,8 +58,15 @@ std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
 bool write_result(const Options& options, const std::string& urdf, const LinkedModel& model) {
   const std::string& output = options.common.output;
   if (options.srdf.empty()) return write_output(kTool, output, urdf);
-  const std::string srdf = export_srdf(model, options.conversion.prefix);
-  std::vector<OutputFile> files = {named_by_user(options.srdf, srdf)};
+  const std::uint64_t most = options.common.limits.srdf_bytes;
+  auto srdf = export_srdf(model, options.conversion.prefix, most);
+  if (!srdf) {
+    complain(kTool, "so many pairs of links of '" + options.model +
+                        "' never collide that the SRDF has more than " + std::to_string(most) +
+                        " bytes; " + raise_limit("srdf-bytes") + "; nothing was written");
+    return false;
+  }
+  std::vector<OutputFile> files = {named_by_user(options.srdf, std::move(*srdf))};
   const bool to_stdout = output.empty() || output == "-";
   if (!to_stdout) files.push_back(named_by_user(output, urdf));
   return write_files(kTool, files, true) && (!to_stdout || write_output(kTool, output, urdf));

@@ -92,7 +92,7 @@ class Comparison {
 
  private:
   const EntityReading& reading(std::size_t dialect, std::size_t i) const {
-    return readings_[dialect][i];
+    return readings_[dialect].entities[i];
   }
 
   bool differs(std::size_t i) const {
@@ -165,7 +165,7 @@ class Comparison {
 
   const LinkedScene& scene_;
   const SourceMap& sources_;
-  std::vector<std::vector<EntityReading>> readings_;  ///< by dialect, by instance
+  std::vector<SceneReading> readings_;  ///< by dialect
   std::vector<std::size_t> different_;
 };
 

@@ -156,7 +156,7 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
     return kFailed;
   }
   const Dialect& dialect = *find_dialect(options.dialect);
-  const EntityReading reading = dialect.read(scene)[to_size(*instance)];
+  const EntityReading reading = dialect.read(scene).entities[to_size(*instance)];
   if (!reading.X_WE) {
     complain(kTool, "'" + options.explained + "' is not in the scene of the dialect " +
                         options.dialect + ", which " + reading.note);
@@ -210,14 +210,22 @@ Result flatten_scene(Conversion& conversion, LinkedScene& scene, const Options& 
   const Dialect* dialect = find_dialect(options.dialect);
   const bool is_documented = dialect == dialects().front();
   std::vector<Instance> documented;
+  std::vector<JointPositions> documented_poses;
   if (!is_documented) {
     documented = scene.instances;
+    documented_poses = scene.joint_poses;
     apply_dialect(*dialect, scene, conversion.sink());
   }
   const OldScenes old_scenes = conversion.load_old_scenes(scene);
   FlattenOptions flattening = flatten_options(options, current);
   flattening.old_scenes = &old_scenes;
+  flattening.repeats_models = format.repeats_models;
+  if (!check_scene_size(scene, conversion.sources(), flattening, options.common.limits,
+                        conversion.sink())) {
+    return {};
+  }
   FlatScene flat = flatten(scene, conversion.sources(), flattening);
+  if (!check_flat_numbers(flat, scene, conversion.sink())) return {};
   Result result;
   if (!options.assets.empty()) {
     result.copies = redirect_assets(flat, options.assets, flattening, conversion.files());
@@ -231,7 +239,10 @@ Result flatten_scene(Conversion& conversion, LinkedScene& scene, const Options& 
                               .meshes = mesh_source(flattening, result.copies, conversion.files(),
                                                     options.common.limits)});
   result.is_complete = !has_losses(conversion.sink());
-  if (!is_documented) scene.instances = std::move(documented);
+  if (!is_documented) {
+    scene.instances = std::move(documented);
+    scene.joint_poses = std::move(documented_poses);
+  }
   return result;
 }
 

@@ -45,7 +45,16 @@ class SceneExpander {
     const UseIndex index{static_cast<std::uint32_t>(scene_.uses.size())};
     scene_.uses.push_back(std::move(use));
     names_.add_use();
+    const SceneUse& added = scene_.uses.back();
+    inherited_.push_back(
+        added.outer ? inherited_[to_size(*added.outer)] + references_of(*scene_.entity(added)) : 0);
+    bytes_ += added.path.size();
     return index;
+  }
+
+  static std::uint64_t references_of(const Entity& entity) {
+    return (entity.parent ? entity.parent->size() : 0) +
+           (entity.anchor ? entity.anchor->size() : 0);
   }
 
   const Entity& entity(UseIndex use, std::size_t index) const {
@@ -103,17 +112,26 @@ class SceneExpander {
     if (scene_.instances.empty()) scene_.instances.reserve(count);
     for (std::size_t i = 0; i < count && !is_full_; ++i) {
       if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
-        is_full_ = true;
-        lose_scene();
-        context_.sink
-            .report(rules::sml5022_too_many_instances, place_of(entity(use, i)),
-                    "this is one entity too many: a scene holds at most " +
-                        std::to_string(context_.limits.instances) + ", nested ones included")
-            .help = raise_limit("instances");
-        return;
+        stop(entity(use, i),
+             "this is one entity too many: a scene holds at most " +
+                 std::to_string(context_.limits.instances) + ", nested ones included",
+             "instances");
+      } else if (bytes_ > context_.limits.scene_bytes) {
+        stop(entity(use, i),
+             "the entities before this one have names and references of more than " +
+                 std::to_string(context_.limits.scene_bytes) + " bytes, nested ones included",
+             "scene-bytes");
+      } else {
+        add_entity(use, i);
       }
-      add_entity(use, i);
     }
+  }
+
+  void stop(const Entity& at, std::string message, std::string_view limit) {
+    is_full_ = true;
+    lose_scene();
+    context_.sink.report(rules::sml5022_too_many_instances, place_of(at), std::move(message)).help =
+        raise_limit(limit);
   }
 
   void add_entity(UseIndex use, std::size_t index) {
@@ -169,6 +187,8 @@ class SceneExpander {
     } else if (!path.empty() && path.find(":/") == std::string::npos) {
       check_data_file(path, file_of(entity).span, type);
     }
+    bytes_ += instance.path.size() + instance.name.size() + type.size() + path.size() +
+              references_of(entity) + inherited_[to_size(use)];
     const InstanceIndex number{static_cast<std::uint32_t>(scene_.instances.size())};
     if (entity.name) names_.add(use, *entity.name, number);
     scene_.instances.push_back(std::move(instance));
@@ -378,6 +398,9 @@ class SceneExpander {
   std::unordered_set<std::string> paths_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
   std::optional<SceneIndex> empty_scene_;
+  /// Of the texts of instances: a long one may be repeated in each of a nested scene.
+  std::uint64_t bytes_ = 0;
+  std::vector<std::uint64_t> inherited_;  ///< by use: of the references of the includes around it
   bool is_full_ = false;
 };
 
