@@ -27,6 +27,7 @@ struct Limits {
   std::uint64_t include_depth = 64;
   std::uint64_t instances = 150'000;
   std::uint64_t findings = 10'000;
+  std::uint64_t suggestions = 200'000'000;
 };
 
 /// A limit as people know it: what `--limit` and docs/limits.md call it.
@@ -85,6 +86,10 @@ inline constexpr std::array kLimits{
     LimitInfo{"findings", &Limits::findings, 100'000'000,
               "findings of one rule in a model or scene", "SML0002",
               "nobody reads as many; each takes 500 bytes of memory and of the report"},
+    LimitInfo{"suggestions", &Limits::suggestions, 100'000'000'000,
+              "characters compared to find the names that misspelt ones are near to", "SML0002",
+              "every misspelt name is compared with all known ones, which takes a second for a "
+              "thousand million"},
 };
 
 }  // namespace smurf
