@@ -91,7 +91,7 @@ class Conversion {
   ArchiveFiles archives_{inputs_, options_.limits};
   MemoryFiles files_{&archives_};
   SourceMap sources_;
-  DiagnosticSink sink_{options_.limits.findings};
+  DiagnosticSink sink_{options_.limits.findings, options_.limits.suggestions};
   std::string path_;
 };
 
