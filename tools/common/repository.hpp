@@ -2,6 +2,8 @@
 // Where files stand in their repository.
 #pragma once
 
+#include <string>
+
 #include "smurf/render.hpp"
 
 namespace smurf::tools {
@@ -12,5 +14,9 @@ RepositoryPath in_repository();
 
 /// Paths relative to the folder of a file; a file outside of it starts with "..".
 RepositoryPath relative_to_folder_of(const std::string& file);
+
+/// The first symbolic link on the way to `path` that lies in a repository and leads out of it, or to
+/// what git keeps of it: it may have come with a pull request. "" when there is none.
+std::string link_out_of_repository(const std::string& path);
 
 }  // namespace smurf::tools
