@@ -134,8 +134,8 @@ class Configuration(StrangerTest):
         self.expect(2, "smurf-lint", "--fix", "l.urdf", "sound.urdf")
         self.assertEqual((self.victim / "mine").read_text(), text)
         self.assertEqual((self.project / "sound.urdf").read_text(), text)
-        self.expect(0, "smurf-lint", "--fix", "--allow-outside", "l.urdf", "sound.urdf")
-        self.assertNotEqual((self.victim / "mine").read_text(), text)
+        self.expect(2, "smurf-lint", "--fix", "--allow-outside", "l.urdf", "sound.urdf")  # which is about reading
+        self.assertEqual((self.victim / "mine").read_text(), text)
 
 
 class Pipes(StrangerTest):
@@ -379,11 +379,15 @@ class Inputs(StrangerTest):
         before = self.texts(self.project)
         self.expect(0, "smurfs-flatten", "--format", "sdf", "a.urdf", "--copy-assets", ".", "-o", "w.sdf")
         self.assertEqual({p: t for p, t in self.texts(self.project).items() if p in before}, before)
-        self.write("b.urdf", urdf("a/b/m.stl", "b/m.stl"))
-        self.write("b/m.stl", MESH)
+        self.assertEqual((self.project / "a/2/m.stl").read_text(), MESH.replace("solid a", "solid b"))
+        # Something else of the run, by chance of that name.
+        self.write("b.smurf", "modelname: b\nfiles: [b.urdf, b/r.yml]\n")
+        self.write("b.urdf", urdf("a/b/r.yml"))
+        self.write("a/b/r.yml", MESH)
+        self.write("b/r.yml", "{}\n")
         before = self.texts(self.project)
-        done = self.expect(2, "smurfs-flatten", "--format", "sdf", "b.urdf", "--copy-assets", ".", "-o", "w.sdf")
-        self.assertIn("'b/m.stl' is an input of this run", done.stderr)
+        done = self.expect(2, "smurfs-flatten", "--force", "--format", "sdf", "b.smurf", "--copy-assets", ".", "-o", "w.sdf")
+        self.assertIn("'b/r.yml' is an input of this run", done.stderr)
         self.assertEqual(self.texts(self.project), before)
 
     def test_standard_input(self):

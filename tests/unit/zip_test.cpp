@@ -44,7 +44,7 @@ TEST_CASE("the limit is that of all archives together") {
   ArchiveBudget budget(at_most(10));
   CHECK(read_zip(zip({{"a", "12345"}}), budget).reason == "");
   CHECK(read_zip(zip({{"a", "12345"}}), budget).reason == "");
-  CHECK(read_zip(zip({{"a", "1"}}), budget).reason.starts_with("unpacks to more than 10 bytes"));
+  CHECK(read_zip(zip({{"a", "1"}}), budget).reason.find("to more than 10 bytes") != std::string::npos);
 }
 
 TEST_CASE("files do not share their bytes") {
@@ -127,5 +127,6 @@ TEST_CASE("all archives together unpack to a limit") {
   CHECK(!archives.is_file("b.zsmurf/b.smurf"));
   CHECK(main_file_of_archive("a.zsmurf", archives).path == "a.zsmurf/a.smurf");
   CHECK(main_file_of_archive("b.zsmurf", archives).reason ==
-        "unpacks to more than 40 bytes; raise the limit with `--limit archive-bytes=N`");
+        "unpacks, with the archives before it, to more than 100 bytes; raise the limit with "
+        "`--limit archive-bytes=N`");
 }

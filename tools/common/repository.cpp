@@ -27,7 +27,7 @@ bool leads_out(const fs::path& link, const fs::path& folder) {
   const auto root = root_above(folder);
   if (!root) return false;
   std::error_code failed;
-  const fs::path target = fs::weakly_canonical(link, failed);
+  const fs::path target = fs::canonical(link, failed);  // fails where the link leads nowhere
   return failed || !is_inside(target, *root) || is_inside(target, *root / ".git");
 }
 

@@ -22,16 +22,20 @@ std::string known_name(const std::string& absolute, const std::string& current,
 
 class Redirection {
  public:
-  Redirection(const std::string& folder, const FlattenOptions& options, const FileReader& files)
+  Redirection(const std::string& folder, const FlattenOptions& options, const FileReader& files,
+              const FlatScene& flat)
       : files_(files),
         current_(options.current_folder),
         folder_(folder),
-        output_(path::join(options.current_folder, options.output_folder)) {}
+        output_(path::join(options.current_folder, options.output_folder)) {
+    for (const FlatModel& model : flat.models) {
+      for (const auto& [written, file] : model.resources) sources_.insert(absolute(file));
+    }
+  }
 
   /// What the file is called from now on; `file` is relative to the output's folder.
   std::string redirect(const std::string& file, const std::string& group) {
-    const std::string from =
-        known_name(path::normalize(path::join(output_, file)), current_, files_);
+    const std::string from = known_name(absolute(file), current_, files_);
     const auto [known, is_new] = copies_.try_emplace({group, from});
     if (is_new) {
       const bool is_known = files_.is_file(from) || files_.is_denied(from);
@@ -43,6 +47,10 @@ class Redirection {
   AssetCopies take() { return std::move(list_); }
 
  private:
+  std::string absolute(const std::string& file) const {
+    return path::normalize(path::join(output_, file));
+  }
+
   std::string add(const std::string& from, const std::string& group) {
     const std::string inside = unique(safe_name(group), from);
     const AssetCopy& copy = list_.emplace_back(AssetCopy{from, folder_, inside});
@@ -59,18 +67,25 @@ class Redirection {
     return file.substr(0, file.size() - path::extension(file).size()) + std::string(extension);
   }
 
-  /// Files of one name from several folders get folders of their own, so that the name stays.
+  /// Files of one name from several folders get folders of their own, so that the name stays, and no
+  /// copy takes the place of another source.
   std::string unique(const std::string& group, const std::string& from) {
     const std::string name = safe_name(path::file_name(from));
     std::string inside = path::join(group, name);
-    for (int number = 2; !taken_.insert(inside).second; ++number) {
+    for (int number = 2; is_source(inside, from) || !taken_.insert(inside).second; ++number) {
       inside = path::join(path::join(group, std::to_string(number)), name);
     }
     return inside;
   }
 
+  bool is_source(const std::string& inside, const std::string& from) const {
+    const std::string place = path::normalize(path::join(current_, path::join(folder_, inside)));
+    return place != from && sources_.contains(place);
+  }
+
   const FileReader& files_;
   std::string current_, folder_, output_;
+  std::set<std::string> sources_;
   std::map<std::pair<std::string, std::string>, std::string> copies_;
   std::set<std::string> taken_;
   AssetCopies list_;
@@ -96,7 +111,7 @@ std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& 
 
 AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files) {
-  Redirection redirection(folder, options, files);
+  Redirection redirection(folder, options, files, flat);
   for (FlatModel& model : flat.models) {
     for (auto& [written, file] : model.resources) file = redirection.redirect(file, model.id);
   }

@@ -133,7 +133,7 @@ class Reader {
     int count = 0;
     while ((count = unzReadCurrentFile(zip, buffer, sizeof buffer)) > 0) {
       if (!budget_.take(static_cast<std::uint64_t>(count))) {
-        return refuse("unpacks " + budget_.excess());
+        return refuse(budget_.excess());
       }
       text.append(buffer, static_cast<std::size_t>(count));
     }
@@ -168,7 +168,8 @@ bool ArchiveBudget::take(std::uint64_t bytes) {
 
 std::string ArchiveBudget::excess() const {
   const bool is_total = limits_.archive_bytes <= most_by_growth();
-  return "to more than " + std::to_string(most()) + " bytes; " +
+  const std::string_view before = archives_ > 1 ? ", with the archives before it," : "";
+  return "unpacks" + std::string(before) + " to more than " + std::to_string(most()) + " bytes; " +
          raise_limit(is_total ? "archive-bytes" : "archive-growth");
 }
 

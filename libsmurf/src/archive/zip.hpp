@@ -28,10 +28,13 @@ class ArchiveBudget {
 
   const Limits& limits() const { return limits_; }
   /// An archive of so many bytes is going to be unpacked.
-  void add_packed(std::uint64_t bytes) { packed_ += bytes; }
+  void add_packed(std::uint64_t bytes) {
+    packed_ += bytes;
+    ++archives_;
+  }
   /// False, and nothing, when there is no room for as many.
   bool take(std::uint64_t bytes);
-  /// What was too much: "to more than 100 bytes; raise the limit ...".
+  /// What was too much: "unpacks to more than 100 bytes; raise the limit ...".
   std::string excess() const;
 
  private:
@@ -39,6 +42,7 @@ class ArchiveBudget {
   std::uint64_t most_by_growth() const;
 
   Limits limits_;
+  std::uint64_t archives_ = 0;
   std::uint64_t packed_ = 0;
   std::uint64_t unpacked_ = 0;
 };
