@@ -246,6 +246,29 @@ class Links(StrangerTest):
             (self.project / "assets/r/m.stl").unlink()
         self.assertEqual(self.texts(self.victim), before)
 
+    def test_copies_replace_no_other_files(self):
+        """The scene chooses the names of the folder and of the file."""
+        self.write("src.urdf", urdf("assets/m.stl"))
+        self.write("assets/m.stl", MESH)
+        self.write("user/src/m.stl", "mine\n")
+        flatten = ("smurfs-flatten", "--format", "sdf", "../src.urdf", "--copy-assets", ".", "-o", "w.sdf")
+        before = self.texts(self.project)
+        done = self.expect(2, *flatten, cwd=self.project / "user")
+        self.assertIn("cannot write './src/m.stl': another file is there; see --overwrite", done.stderr)
+        self.assertEqual(self.texts(self.project), before)
+        self.expect(0, *flatten, "--overwrite", cwd=self.project / "user")
+        self.assertEqual((self.project / "user/src/m.stl").read_text(), MESH)
+        self.expect(0, *flatten, cwd=self.project / "user")  # the same file may be there
+
+    def test_copies_are_meshes_and_images(self):
+        for name in ("main.py", "Makefile", "pre-commit", "m.stl.sh"):
+            self.write("src.urdf", urdf(f"assets/{name}"))
+            self.write(f"assets/{name}", MESH)
+            done = self.expect(2, "smurfs-flatten", "--format", "sdf", "--force", "src.urdf", "--copy-assets", "out",
+                               "-o", "w.sdf")
+            self.assertIn("its name is that of no mesh or image", done.stderr)
+            self.assertFalse((self.project / "out").exists())
+
     def test_new_models(self):
         (self.project / "robot").mkdir()
         (self.project / "robot/smurf").symlink_to(self.victim)
@@ -276,6 +299,15 @@ class Links(StrangerTest):
         (self.project / "latest.urdf").symlink_to("results/old.urdf")
         self.expect(0, "smurf2urdf", "r.urdf", "-o", "latest.urdf")
         self.assertIn("<robot", (self.project / "results/old.urdf").read_text())
+
+    def test_links_of_repositories_of_other_kinds(self):
+        shutil.rmtree(self.project / ".git")
+        (self.project / "out").symlink_to("../victim/mine")
+        for kept in (".hg", ".svn"):
+            (self.project / kept).mkdir()
+            self.expect(2, "smurf2urdf", "r.urdf", "-o", "out")
+            self.assert_unharmed()
+            (self.project / kept).rmdir()
 
     def test_links_of_a_repository_that_lead_out_of_it(self):
         """Under the name of a report that CI writes, say."""

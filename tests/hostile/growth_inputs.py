@@ -308,3 +308,44 @@ def states_of_a_robot(n, write):
     write("r.urdf", ROBOT)
     write("r.smurf", "modelname: r\nfiles: [r.urdf, p.yml]\n")
     write("p.yml", "poses:\n" + "".join(f"- {{name: p{i}, joints: {{}}}}\n" for i in range(n)))
+
+
+# Names of shapes, nodes, lists and files that are looked up for each entry
+
+
+@grows(1000, "smurf-lint", "-q", "a.smurf")
+def shapes_of_another_link(n, write):
+    shapes = "".join(f'<collision name="c{i}"><geometry><sphere radius="1"/></geometry></collision>' for i in range(n))
+    write("a.urdf", f'<robot name="a"><link name="big">{shapes}</link><link name="o"><collision name="x"><geometry>'
+          '<sphere radius="1"/></geometry></collision></link><joint name="j" type="fixed"><parent link="big"/>'
+          '<child link="o"/></joint></robot>')
+    write("a.yml", "collision:\n" + "- {name: x, link: big}\n" * n)
+    write("a.smurf", "modelname: a\nfiles: [a.urdf, a.yml]\n")
+
+
+@grows(1000, "smurf-lint", "-q", "a.smurf")
+def nodes_of_a_sensor(n, write):
+    write("a.urdf", '<robot name="a"><link name="l"/></robot>')
+    nodes = "".join(f"- {{name: n{i}, parent: l}}\n" for i in range(n))
+    write("a.yml", f"nodes:\n{nodes}sensors:\n- name: s\n  type: NodePosition\n  id: [{', '.join(['n0x'] * n)}]\n")
+    write("a.smurf", "modelname: a\nfiles: [a.urdf, a.yml]\n")
+
+
+@grows(1000, "smurfs-flatten", "--dialect", "phobos", "-o", "a.json", "a.smurfs")
+def entities_to_phobos(n, write):
+    write("a.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: box}}\n" for i in range(n)))
+
+
+@grows(50, "smurf-lint", "-q", "a.smurf")
+def keys_beside_a_missing_one(n, write):
+    keys = "".join(f", k{i}: 1" for i in range(n * 8))
+    write("a.yml", "motors:\n" + f"- {{name: m{keys}}}\n" * 8)
+    write("a.smurf", "modelname: a\nfiles: [a.yml]\n")
+
+
+@grows(300, "smurf-lint", "-q", "a.urdf")
+def missing_meshes_beside_many_files(n, write):
+    for i in range(n):
+        write(f"m/{'f' * 100}{i}.stl", "")
+    shapes = "".join(f'<visual><geometry><mesh filename="m/g{i}.stl"/></geometry></visual>' for i in range(n))
+    write("a.urdf", f'<robot name="a"><link name="l">{shapes}</link></robot>')

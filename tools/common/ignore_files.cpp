@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/ignore_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -46,15 +47,24 @@ bool IgnoreFiles::may_check(std::size_t patterns) {
   return !is_exhausted_;
 }
 
+PathVerdict IgnoreFiles::judge(const PathPatterns& patterns, std::string_view path,
+                               bool is_folder) {
+  constexpr std::uint64_t kStepsOfACheck = 64;  // of an ordinary pattern; classes may be long
+  std::uint64_t steps = 0;
+  const PathVerdict verdict = patterns.judge(path, is_folder, &steps);
+  checks_left_ -= std::min(checks_left_, steps / kStepsOfACheck);
+  return verdict;
+}
+
 bool IgnoreFiles::leaves_out(const std::string& path, bool is_folder) {
   const Level* first = &level_of(std::string(path::parent(path)));
   for (const Level* level = first; level != nullptr; level = level->above) {
     if (!may_check(level->of_lint.size() + level->of_git.size())) return true;
-    const PathVerdict verdict = level->of_lint.judge(below(path, level->folder), is_folder);
+    const PathVerdict verdict = judge(level->of_lint, below(path, level->folder), is_folder);
     if (verdict != PathVerdict::unmentioned) return verdict == PathVerdict::excluded;
   }
   for (const Level* level = first; level != nullptr; level = level->above) {
-    const PathVerdict verdict = level->of_git.judge(below(path, level->folder), is_folder);
+    const PathVerdict verdict = judge(level->of_git, below(path, level->folder), is_folder);
     if (verdict != PathVerdict::unmentioned) return verdict == PathVerdict::excluded;
     if (level->is_repository) break;
   }

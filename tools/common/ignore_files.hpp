@@ -26,6 +26,8 @@ class IgnoreFiles {
   /// Checks of patterns that are not in ignore files are of the same number. False when they are
   /// too many.
   bool may_check(std::size_t patterns);
+  /// What patterns say of a path; one that takes long is as many checks.
+  PathVerdict judge(const PathPatterns& patterns, std::string_view path, bool is_folder);
 
   /// Of the path alone, without what is said of the folders above it. `path` is absolute, unless
   /// the current folder has no path that can be told.

@@ -39,6 +39,14 @@ class OnlyMainFile final : public FileReader {
   mutable std::set<std::string> asked_;  ///< by identity
 };
 
+std::uint64_t bytes_of(const SourceMap& sources) {
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    bytes += sources.text(SourceId{static_cast<std::uint32_t>(i)}).size();
+  }
+  return bytes;
+}
+
 /// Folders from that of a file upwards, with some of the folders in each.
 std::vector<std::string> places_around(const std::string& path, int levels,
                                        std::initializer_list<std::string_view> inner) {
@@ -59,12 +67,13 @@ const ModelsAround::Users& ModelsAround::listing_in(const std::string& folder) {
   if (!is_new) return users;
   for (const std::string& name : files_.list(folder)) {
     const std::string model = path::join(folder, name);
-    if (kind_of(model) != InputKind::model) continue;
+    if (kind_of(model) != InputKind::model || is_exhausted()) continue;
     const OnlyMainFile only(files_, model);
     SourceMap sources;
     DiagnosticSink ignored(kNeighbour.findings);
     LoadContext context{sources, only, ignored, kNeighbour, {}};
     load_model(model, context);
+    bytes_ += bytes_of(sources);
     for (const std::string& file : only.asked()) {
       users[file].push_back({model, identity(model), {}, true});
     }
@@ -79,11 +88,12 @@ const ModelsAround::Users& ModelsAround::using_in(const std::string& folder) {
   for (const std::string& name : files_.list(folder)) {
     const std::string candidate = path::join(folder, name);
     const InputKind kind = kind_of(candidate);
-    if (kind != InputKind::model && kind != InputKind::urdf) continue;
+    if ((kind != InputKind::model && kind != InputKind::urdf) || is_exhausted()) continue;
     SourceMap sources;
     DiagnosticSink ignored(kNeighbour.findings);
     LoadContext context{sources, files_, ignored, kNeighbour, {}};
     const LinkedModel loaded = load_model(candidate, context);
+    bytes_ += bytes_of(sources);
     std::set<std::string> used;
     for (const MeshReference& mesh : loaded.meshes) {
       if (mesh.exists) used.insert(identity(mesh.path));

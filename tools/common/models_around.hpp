@@ -27,6 +27,9 @@ class ModelsAround {
   /// sorted.
   std::vector<std::string> using_resource(const std::string& path);
 
+  /// So much lies around that not all of it was looked at.
+  bool is_exhausted() const { return bytes_ > kMost; }
+
  private:
   /// A model that uses a file. All identities are those of identity().
   struct User {
@@ -40,7 +43,10 @@ class ModelsAround {
   const Users& listing_in(const std::string& folder);
   const Users& using_in(const std::string& folder);
 
+  static constexpr std::uint64_t kMost = 64'000'000;  // bytes, a second
+
   const FileReader& files_;
+  std::uint64_t bytes_ = 0;  ///< of all files looked at
   std::map<std::string, Users> listing_, using_;  ///< by the folder that holds the models
 };
 

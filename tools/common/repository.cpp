@@ -13,7 +13,9 @@ namespace fs = std::filesystem;
 std::optional<fs::path> root_above(const fs::path& folder) {
   std::error_code ignored;
   for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
-    if (fs::exists(at / ".git", ignored)) return at;
+    for (const char* const kept : {".git", ".hg", ".svn"}) {
+      if (fs::exists(at / kept, ignored)) return at;
+    }
   }
   return std::nullopt;
 }
@@ -28,7 +30,8 @@ bool leads_out(const fs::path& link, const fs::path& folder) {
   if (!root) return false;
   std::error_code failed;
   const fs::path target = fs::canonical(link, failed);  // fails where the link leads nowhere
-  return failed || !is_inside(target, *root) || is_inside(target, *root / ".git");
+  return failed || !is_inside(target, *root) || is_inside(target, *root / ".git") ||
+         is_inside(target, *root / ".hg") || is_inside(target, *root / ".svn");
 }
 
 }  // namespace

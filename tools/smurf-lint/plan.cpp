@@ -119,6 +119,9 @@ class Planner {
            std::to_string(options_.limits.ignore_checks) + " comparisons of files with patterns; " +
            raise_limit("ignore-checks"));
     }
+    if (models_.is_exhausted()) {
+      fail("so much lies around the named files that not all models were looked at; name the models");
+    }
     return std::move(plan_);
   }
 
@@ -171,7 +174,7 @@ class Planner {
     if (!ignore_files_.may_check(exclusions.size())) return true;
     const bool is_excluded =
         exclusions.any(path, [&](const PathPatterns& patterns, const std::string& inside) {
-          return patterns.judge(inside, folder) == PathVerdict::excluded;
+          return ignore_files_.judge(patterns, inside, folder) == PathVerdict::excluded;
         });
     if (is_excluded || options_.no_ignore_files) return is_excluded;
     return ignore_files_.leaves_out(absolute(path), folder);

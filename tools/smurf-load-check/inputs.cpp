@@ -100,7 +100,9 @@ class Loader {
     DiagnosticSink sink(options_.limits.findings, options_.limits.suggestions);
     LoadContext context{inputs_.sources, inputs_.files,     sink,
                         options_.limits, options_.packages, package_folders_};
+    std::swap(context.read, read_);  // all inputs are kept until the last is checked
     const LinkedScene& scene = inputs_.scenes.emplace_back(load_scene(file, context));
+    std::swap(context.read, read_);
     for (const LinkedModel& model : scene.models) {
       lint_model(model, building_rules(), sink);
       done_.insert(identity(model.path));
@@ -151,6 +153,7 @@ class Loader {
   const InputOptions& options_;
   const std::vector<std::string> package_folders_ = package_folders_of_environment();
   Inputs& inputs_;
+  ReadFiles read_;
   std::set<std::string> done_;  ///< by identity
 };
 

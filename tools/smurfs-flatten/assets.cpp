@@ -144,15 +144,32 @@ MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
 }
 
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
-                const Limits& limits) {
+                const Limits& limits, bool overwrite) {
+  const DiskFiles disk;
+  AssetCopies missing;
   for (const AssetCopy& copy : copies) {
     if (is_in_place(copy)) continue;
+    if (kind_of(copy.to()) != InputKind::resource) {
+      complain(tool, "cannot copy '" + copy.from +
+                         "': its name is that of no mesh or image; nothing was written");
+      return false;
+    }
+    const FileContent there = disk.read(copy.to(), limits.mesh_bytes);
+    if (there.status == ReadStatus::not_found || overwrite) {
+      missing.push_back(copy);
+    } else if (there.text != files.read(copy.from, limits.mesh_bytes).text) {
+      complain(tool, "cannot write '" + copy.to() +
+                         "': another file is there; see --overwrite; nothing was written");
+      return false;
+    }
+  }
+  for (const AssetCopy& copy : missing) {
     const FileContent content = files.read(copy.from, limits.mesh_bytes);
     if (content.status != ReadStatus::ok) {
       complain(tool, "cannot read '" + copy.from + "': " + content.reason);
       return false;
     }
-    if (!write_files(tool, {{copy.folder, copy.inside, content.text}}, true)) return false;
+    if (!write_files(tool, {{copy.folder, copy.inside, content.text, {}}}, overwrite)) return false;
   }
   return true;
 }

@@ -30,6 +30,7 @@ struct Options {
   std::string form;
   std::string explained;
   std::string assets;  ///< folder
+  bool overwrite = false;
   bool links = false;
   bool force = false;
   bool strict = false;
@@ -99,6 +100,9 @@ void add_options(Command& command, Options& options) {
        .help = "Copy the meshes, textures and heightmaps that the result names into DIR, and name "
                "the copies.",
        .set = set_text(options.assets)});
+  add({.name = "overwrite",
+       .help = "With --copy-assets: replace files that exist.",
+       .set = set_flag(options.overwrite)});
   add({.name = "explain",
        .metavar = "NAME",
        .help =
@@ -283,6 +287,9 @@ int main(int argc, char** argv) {
     return explain_instance(*scene, conversion.sources(), options);
   }
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");
-  if (!copy_files(kTool, result.copies, conversion.files(), options.common.limits)) return kFailed;
+  if (!copy_files(kTool, result.copies, conversion.files(), options.common.limits,
+                  options.overwrite)) {
+    return kFailed;
+  }
   return write_output(kTool, options.common.output, result.text) ? kDone : kFailed;
 }

@@ -2,8 +2,12 @@
 // From a path to a linked model or scene.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <unordered_set>
+#include <vector>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/file_reader.hpp"
@@ -14,7 +18,14 @@
 
 namespace smurf {
 
-/// What loading needs. Owns nothing; all of it must outlive what is loaded.
+/// Which files were read, so that what is read again can be counted: thousands of models may share
+/// one large URDF, and each keeps what it reads.
+struct ReadFiles {
+  std::unordered_set<std::string> known;  ///< by identity
+  std::uint64_t repeated = 0;             ///< bytes
+};
+
+/// What loading needs. Owns nothing else; all of it must outlive what is loaded.
 struct LoadContext {
   SourceMap& sources;
   const FileReader& files;
@@ -25,6 +36,7 @@ struct LoadContext {
   std::vector<std::string> package_folders = {};
   MeshLibrary* meshes = nullptr;         ///< null: meshes are looked up, but not opened
   const UserSchemas* schemas = nullptr;  ///< of the user's own sections and entity types
+  ReadFiles read = {};
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Everything wrong is reported; what could

@@ -79,7 +79,9 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
 
 /// The key of `entry` that comes before `key` in `other`; none when `other` does not help.
 Span place_like(yaml::View entry, yaml::View other, std::string_view key) {
-  if (!other.is_mapping() || !other.find(key)) return {};
+  constexpr std::size_t kMostKeys = 100;  // each is searched for; entries of SMURF have up to 60
+  if (!other.is_mapping() || entry.size() > kMostKeys || other.size() > kMostKeys) return {};
+  if (!other.find(key)) return {};
   Span place;
   for (const yaml::View member : other) {
     if (member.key() == key) return place;

@@ -19,12 +19,13 @@ std::vector<std::string_view> split(std::string_view path) {
 }
 
 /// Length of the class at the front of `pattern`, such as "[!a-z]", when `c` is in it; else 0.
-std::size_t match_class(std::string_view pattern, char c) {
+std::size_t match_class(std::string_view pattern, char c, std::uint64_t& steps) {
   std::size_t i = 1;
   const bool is_negated = i < pattern.size() && (pattern[i] == '!' || pattern[i] == '^');
   if (is_negated) ++i;
   bool is_in = false;
   for (bool is_first = true; i < pattern.size(); is_first = false) {
+    ++steps;
     if (pattern[i] == ']' && !is_first) return is_in != is_negated ? i + 1 : 0;
     if (pattern[i] == '\\') ++i;
     if (i >= pattern.size()) break;
@@ -41,10 +42,10 @@ std::size_t match_class(std::string_view pattern, char c) {
 }
 
 /// Length of the front of `pattern` that takes one character, `c`; 0 when it does not take it.
-std::size_t match_one(std::string_view pattern, char c) {
+std::size_t match_one(std::string_view pattern, char c, std::uint64_t& steps) {
   switch (pattern.front()) {
   case '?': return 1;
-  case '[': return match_class(pattern, c);
+  case '[': return match_class(pattern, c, steps);
   case '\\': return pattern.size() > 1 && pattern[1] == c ? 2 : 0;
   default: return pattern.front() == c ? 1 : 0;
   }
@@ -53,11 +54,13 @@ std::size_t match_one(std::string_view pattern, char c) {
 /// A match with wildcards that span any number of items. Only the last wildcard ever has to take
 /// more, so that no pattern takes longer than its length times that of the text.
 template <class IsWild, class Match>
-bool match_all(std::size_t pattern_size, std::size_t size, IsWild is_wild, Match match) {
+bool match_all(std::size_t pattern_size, std::size_t size, IsWild is_wild, Match match,
+               std::uint64_t& steps) {
   std::size_t p = 0, i = 0;
   std::size_t after_wild = 0, taken = 0;
   bool has_wild = false;
   while (i < size) {
+    ++steps;
     if (p < pattern_size && is_wild(p)) {
       has_wild = true;
       after_wild = ++p;
@@ -76,17 +79,22 @@ bool match_all(std::size_t pattern_size, std::size_t size, IsWild is_wild, Match
   return p == pattern_size;
 }
 
-bool match_name(std::string_view pattern, std::string_view name) {
+bool match_name(std::string_view pattern, std::string_view name, std::uint64_t& steps) {
+  const auto match = [&](std::size_t p, std::size_t i) {
+    return match_one(pattern.substr(p), name[i], steps);
+  };
   return match_all(
-      pattern.size(), name.size(), [&](std::size_t p) { return pattern[p] == '*'; },
-      [&](std::size_t p, std::size_t i) { return match_one(pattern.substr(p), name[i]); });
+      pattern.size(), name.size(), [&](std::size_t p) { return pattern[p] == '*'; }, match, steps);
 }
 
 bool match_path(const std::vector<std::string>& pattern,
-                const std::vector<std::string_view>& names) {
+                const std::vector<std::string_view>& names, std::uint64_t& steps) {
+  const auto match = [&](std::size_t p, std::size_t i) {
+    return match_name(pattern[p], names[i], steps) ? 1U : 0U;
+  };
   return match_all(
-      pattern.size(), names.size(), [&](std::size_t p) { return pattern[p] == kAnyFolders; },
-      [&](std::size_t p, std::size_t i) { return match_name(pattern[p], names[i]) ? 1U : 0U; });
+      pattern.size(), names.size(), [&](std::size_t p) { return pattern[p] == kAnyFolders; }, match,
+      steps);
 }
 
 /// Blanks at the end do not count unless a backslash stands before them.
@@ -138,12 +146,16 @@ void PathPatterns::add_lines(std::string_view text) {
   }
 }
 
-PathVerdict PathPatterns::judge(std::string_view path, bool is_folder) const {
+PathVerdict PathPatterns::judge(std::string_view path, bool is_folder,
+                                std::uint64_t* steps) const {
   if (patterns_.empty()) return PathVerdict::unmentioned;
   const std::vector<std::string_view> names = split(path);
+  std::uint64_t taken = 0;
   const auto last = std::find_if(patterns_.rbegin(), patterns_.rend(), [&](const Pattern& one) {
-    return (is_folder || !one.folders_only) && match_path(one.names, names);
+    ++taken;
+    return (is_folder || !one.folders_only) && match_path(one.names, names, taken);
   });
+  if (steps != nullptr) *steps += taken;
   if (last == patterns_.rend()) return PathVerdict::unmentioned;
   return last->is_exclusion ? PathVerdict::excluded : PathVerdict::included;
 }

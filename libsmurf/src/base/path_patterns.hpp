@@ -24,8 +24,9 @@ class PathPatterns {
   bool empty() const { return patterns_.empty(); }
   std::size_t size() const { return patterns_.size(); }
 
-  /// Of the path alone, without what is said of the folders above it.
-  PathVerdict judge(std::string_view path, bool is_folder) const;
+  /// Of the path alone, without what is said of the folders above it. `steps` grows by the
+  /// characters that were compared.
+  PathVerdict judge(std::string_view path, bool is_folder, std::uint64_t* steps = nullptr) const;
   /// Is a file excluded, itself or with a folder that it lies in?
   bool excludes(std::string_view file) const;
 

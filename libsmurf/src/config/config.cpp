@@ -24,6 +24,9 @@ using Levels = std::map<std::string, Spanned<Severity>>;
 using Files = std::map<std::string, Spanned<std::string>>;
 
 constexpr std::size_t kLongestChain = 16;  // of configurations that extend each other
+// Bytes. Thousands of folders may extend one configuration, and a thousand sections name one schema.
+constexpr std::uint64_t kMostOfConfig = 100'000;
+constexpr std::uint64_t kMostOfSchemas = 2'000'000;
 /// Of one setting. Each pattern is compared with every rule or file, and no project has as many.
 constexpr std::size_t kMostEntries = 1000;
 
@@ -57,8 +60,8 @@ class ConfigReader {
 
   /// `reference` is where another configuration names it; empty for the first.
   void read(const std::string& path, Span reference) {
-    read_.insert(path);
-    const std::optional<SourceId> source = open(path, reference);
+    read_.insert(files_.identity(path));
+    const std::optional<SourceId> source = open(path, reference, kMostOfConfig);
     if (!source) return;
     const auto document = parse_yaml(sources_, *source, Limits{}, sink_);
     const yaml::View root = document ? document->view() : yaml::View();
@@ -102,13 +105,15 @@ class ConfigReader {
     const std::string folder(path::parent(chain_.back()));
     for_each_text(value, "a configuration file or a list of them", [&](yaml::View item) {
       const std::string base = path::join(folder, item.text());
-      if (std::find(chain_.begin(), chain_.end(), base) != chain_.end()) {
+      const std::string identity = files_.identity(base);
+      const auto is_this = [&](const std::string& one) { return files_.identity(one) == identity; };
+      if (std::any_of(chain_.begin(), chain_.end(), is_this)) {
         wrong(item, "the configuration extends itself" +
-                        std::string(base == chain_.back() ? "" : " by way of others"));
+                        std::string(is_this(chain_.back()) ? "" : " by way of others"));
       } else if (chain_.size() >= kLongestChain) {
         wrong(item,
               "more than " + std::to_string(kLongestChain) + " configurations extend each other");
-      } else if (!read_.contains(base)) {
+      } else if (!read_.contains(identity)) {
         read(base, item.span());
       }
     });
@@ -362,20 +367,29 @@ class ConfigReader {
   /// Last, so that only what counts in the end is read.
   void register_schemas() {
     for (const auto& [name, file] : config_.section_schemas) {
-      if (const auto schema = open(file.value, file.span)) {
+      if (const auto schema = open_schema(file)) {
         config_.schemas.add_section(name, *schema, sources_, sink_);
       }
     }
     for (const auto& [type, file] : config_.entity_schemas) {
-      if (const auto schema = open(file.value, file.span)) {
+      if (const auto schema = open_schema(file)) {
         config_.schemas.add_entity_type(type, *schema, sources_, sink_);
       }
     }
   }
 
+  std::optional<SourceId> open_schema(const Spanned<std::string>& file) {
+    const auto schema = open(file.value, file.span, kMostOfSchemas - schema_bytes_);
+    if (schema) schema_bytes_ += sources_.text(*schema).size();
+    return schema;
+  }
+
   /// A file that cannot be read is reported where it is named.
-  std::optional<SourceId> open(const std::string& path, Span reference) {
-    FileContent content = files_.read(path, Limits{}.file_bytes);
+  std::optional<SourceId> open(const std::string& path, Span reference, std::uint64_t most) {
+    FileContent content = files_.read(path, most);
+    if (content.status == ReadStatus::too_large) {
+      content.reason += "; only " + std::to_string(most) + " more may be read";
+    }
     if (content.status == ReadStatus::ok) return sources_.add(path, std::move(content.text));
     const bool is_named = reference != Span{};  // an absent path has a place as well
     const Rule& rule = is_named ? rules::sml9002_wrong_setting : rules::sml0001_unreadable_file;
@@ -390,8 +404,9 @@ class ConfigReader {
   std::span<const std::string_view> formats_;
   const ConfigOrigin origin_;
   std::vector<std::string> chain_;  ///< each extends the next
-  std::set<std::string> read_;
+  std::set<std::string> read_;  ///< by identity
   std::string folder_;  ///< of the configuration that is being read
+  std::uint64_t schema_bytes_ = 0;
   Config config_;
 };
 

@@ -88,14 +88,23 @@ JointPositions positions_of_pose(const Entity& entity, const LinkedModel& model,
   return positions;
 }
 
+/// An entity may stand in many instances.
+bool JointPoseTable::has_own(const Entity& entity, std::string_view pose) {
+  if (entity.poses.empty()) return false;
+  const auto [known, is_new] = has_own_.try_emplace({&entity, std::string(pose)});
+  if (is_new) {
+    known->second = std::any_of(
+        entity.poses.begin(), entity.poses.end(),
+        [&](const JointPoseSet& set) { return set.name.value_or({}) == pose; });
+  }
+  return known->second;
+}
+
 JointPoseIndex JointPoseTable::of(const Entity& entity, const LinkedModel& model,
                                   std::string_view pose,
                                   const std::function<JointPositions()>& read) {
-  const bool has_own =
-      std::any_of(entity.poses.begin(), entity.poses.end(),
-                  [&](const JointPoseSet& set) { return set.name.value_or({}) == pose; });
-  const auto [known, is_new] =
-      known_.try_emplace({&model, has_own ? &entity : nullptr, std::string(pose)});
+  const Entity* owner = has_own(entity, pose) ? &entity : nullptr;
+  const auto [known, is_new] = known_.try_emplace({&model, owner, std::string(pose)});
   if (is_new) {
     known->second = JointPoseIndex{static_cast<std::uint32_t>(poses_.size())};
     poses_.push_back(read());

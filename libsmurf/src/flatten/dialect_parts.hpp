@@ -35,8 +35,11 @@ class JointPoseTable {
 
  private:
   using Key = std::tuple<const LinkedModel*, const Entity*, std::string>;
+  bool has_own(const Entity& entity, std::string_view pose);
+
   std::vector<JointPositions>& poses_;
   std::map<Key, JointPoseIndex> known_;  ///< an entity without sets of its own is null
+  std::map<std::pair<const Entity*, std::string>, bool> has_own_;
 };
 
 /// X_EL of a link; none when the model has no such link, or the root does not reach it.

@@ -37,11 +37,15 @@ std::optional<std::string> FileIndex::in_other_case(const std::string& path, int
     if (!other) return std::nullopt;
     folder = *other;
   }
-  const std::string wanted = path::to_lower(path::file_name(path));
-  for (const std::string& name : list(folder)) {
-    if (path::to_lower(name) == wanted) return path::join(folder, name);
+  const auto [names, is_new] = lower_.try_emplace(folder);
+  if (is_new) {
+    for (const std::string& name : list(folder)) {
+      names->second.try_emplace(path::to_lower(name), name);
+    }
   }
-  return std::nullopt;
+  const auto found = names->second.find(path::to_lower(path::file_name(path)));
+  if (found == names->second.end()) return std::nullopt;
+  return path::join(folder, found->second);
 }
 
 }  // namespace smurf

@@ -44,6 +44,8 @@ class FileIndex {
   const FileReader& files_;
   std::map<std::string, bool> known_;
   std::map<std::string, std::vector<std::string>> lists_;
+  using Names = std::unordered_map<std::string, std::string>;
+  std::map<std::string, Names> lower_;  ///< first name of a folder, by itself in lower case
 };
 
 }  // namespace smurf

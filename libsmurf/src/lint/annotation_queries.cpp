@@ -71,21 +71,6 @@ Span place_in_files(const LinkedModel& model, SourceId source) {
   return {};
 }
 
-bool is_node(const LinkedModel& model, std::string_view name) {
-  constexpr std::string_view kInertial = "inertial_";
-  if (model.link_names.contains(name) || model.collision_names.contains(name) ||
-      model.visual_names.contains(name)) {
-    return true;
-  }
-  if (name.starts_with(kInertial) && model.link_names.contains(name.substr(kInertial.size()))) {
-    return true;
-  }
-  const auto& nodes = model.annotations.nodes;
-  return std::any_of(nodes.begin(), nodes.end(), [&](const NodeAnnotation& node) {
-    return node.name && *node.name == name && node.parent.written;
-  });
-}
-
 std::vector<const Motor*> leading_motors(const LinkedModel& model) {
   std::vector<const Motor*> leading;
   NameTable driven;

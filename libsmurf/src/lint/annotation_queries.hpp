@@ -36,10 +36,6 @@ std::vector<TopLevelKey> top_level_keys(const LinkedModel& model);
 /// Where `files` lists the file of this source; empty when it does not, or a file was not read.
 Span place_in_files(const LinkedModel& model, SourceId source);
 
-/// True for the names of nodes in MARS: links, `inertial_LINK`, collisions, visuals, and entries of
-/// `nodes`.
-bool is_node(const LinkedModel& model, std::string_view name);
-
 /// The motors without those that drive a joint which an earlier one drives, and which is reported.
 std::vector<const Motor*> leading_motors(const LinkedModel& model);
 

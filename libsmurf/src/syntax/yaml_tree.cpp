@@ -129,7 +129,8 @@ std::string escape_step(std::string_view text) {
 /// "name=elbow" for an item of a sequence that has a name.
 std::optional<std::string> name_step(const Document& document, NodeId id) {
   const View item(document, id);
-  if (!item.is_mapping()) return std::nullopt;
+  constexpr std::size_t kMostKeys = 1000;  // which are searched for each finding
+  if (!item.is_mapping() || item.size() > kMostKeys) return std::nullopt;
   const View name = item.find("name");
   constexpr std::size_t kMost = 200;  // bytes; what is longer is no name, and many pointers hold it
   if (!name || !name.is_scalar() || name.text().size() > kMost) return std::nullopt;

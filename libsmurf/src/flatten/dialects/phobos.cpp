@@ -3,6 +3,7 @@
 // utils/transform.py:9-48); it composes scenes as documented, from one of the three lists
 // (multiple.py:20-30, 83-88, 126, 188).
 #include <algorithm>
+#include <unordered_map>
 
 #include "base/path.hpp"
 #include "flatten/dialect_parts.hpp"
@@ -61,16 +62,19 @@ class Reader {
     bool is_composed = false;
   };
 
-  EntityList list_of(const SceneUse& use) const {
+  /// The one that is read; it is the same for all uses of a file.
+  EntityList list_of(const SceneUse& use) {
     const std::vector<Entity>& entities = scene_.file(use).scene.entities;
+    const auto [known, is_new] = lists_.try_emplace(&entities, EntityList::smurfs);
+    if (!is_new) return known->second;
     for (const EntityList list : {EntityList::entities, EntityList::smurfa}) {
       const auto is_in = [&](const Entity& entity) { return entity.list == list; };
-      if (std::any_of(entities.begin(), entities.end(), is_in)) return list;
+      if (std::any_of(entities.begin(), entities.end(), is_in)) return known->second = list;
     }
     return EntityList::smurfs;
   }
 
-  Placed place(const Entity& entity, const SceneUse& around, const Placed* frame) const {
+  Placed place(const Entity& entity, const SceneUse& around, const Placed* frame) {
     Placed placed;
     if (scene_.file(around).drawing) {
       placed.refusal = "reads no drawings";
@@ -102,14 +106,14 @@ class Reader {
     return placed;
   }
 
-  Placed read(const SceneUse& use) const {
+  Placed read(const SceneUse& use) {
     if (!use.outer) return {};
     const SceneUse& around = scene_.uses[to_size(*use.outer)];
     const Placed* frame = around.outer ? &uses_[to_size(*use.outer)] : nullptr;
     return place(*scene_.entity(use), around, frame);
   }
 
-  Placed read(const Instance& instance) const {
+  Placed read(const Instance& instance) {
     const SceneUse& around = scene_.use(instance);
     const Placed* frame = around.outer ? &uses_[to_size(instance.use)] : nullptr;
     const Entity& entity = scene_.entity(instance);
@@ -182,6 +186,7 @@ class Reader {
   }
 
   const LinkedScene& scene_;
+  std::unordered_map<const std::vector<Entity>*, EntityList> lists_;
   std::vector<Placed> uses_, placed_;
   SceneReading result_;
   JointPoseTable poses_{result_.joint_poses};

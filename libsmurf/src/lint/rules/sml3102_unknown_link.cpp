@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unordered_set>
+
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -9,21 +11,46 @@ void check_link(const LinkedModel& model, const Field<std::string>& name, const 
   if (name) check_reference(model, NameKind::link, *name, name.span, who, findings);
 }
 
+constexpr std::string_view kInertial = "inertial_";
+
+/// The names of nodes in MARS: links, `inertial_LINK`, collisions, visuals, and entries of `nodes`.
+class NodeNames {
+ public:
+  explicit NodeNames(const LinkedModel& model) : model_(model) {
+    for (const NodeAnnotation& node : model.annotations.nodes) {
+      if (node.name && node.parent.written) entries_.insert(*node.name);
+    }
+  }
+
+  bool has(std::string_view name) const {
+    if (model_.link_names.contains(name) || model_.collision_names.contains(name) ||
+        model_.visual_names.contains(name) || entries_.contains(name)) {
+      return true;
+    }
+    return name.starts_with(kInertial) &&
+           model_.link_names.contains(name.substr(kInertial.size()));
+  }
+
+ private:
+  const LinkedModel& model_;
+  std::unordered_set<std::string_view> entries_;
+};
+
 /// Sensors of nodes take the names of collisions and visuals, too.
-void check_nodes(const LinkedModel& model, const Field<NameList>& list, const Subject& who,
-                 Findings& findings) {
+void check_nodes(const LinkedModel& model, const NodeNames& nodes, const Field<NameList>& list,
+                 const Subject& who, Findings& findings) {
   if (!list) return;
   for (const Spanned<std::string>& name : *list) {
-    if (is_node(model, name.value)) continue;
+    if (nodes.has(name.value)) continue;
     check_reference(model, NameKind::link, name.value, name.span, who, findings);
   }
 }
 
 /// An entry for the inertia of a link that is not there makes a new node.
-void check_inertial(const LinkedModel& model, const NodeAnnotation& entry, Findings& findings) {
-  constexpr std::string_view kInertial = "inertial_";
+void check_inertial(const LinkedModel& model, const NodeNames& nodes, const NodeAnnotation& entry,
+                    Findings& findings) {
   if (!entry.name || !entry.name->starts_with(kInertial) || entry.parent.written) return;
-  if (is_node(model, *entry.name)) return;
+  if (nodes.has(*entry.name)) return;
   Span place = within_quotes(model, entry.name.span);
   place.begin += static_cast<std::uint32_t>(kInertial.size());
   check_reference(model, NameKind::link, entry.name->substr(kInertial.size()), place,
@@ -31,6 +58,7 @@ void check_inertial(const LinkedModel& model, const NodeAnnotation& entry, Findi
 }
 
 void check(const LinkedModel& model, Findings& findings) {
+  const NodeNames nodes(model);
   for (const Sensor& sensor : model.annotations.sensors) {
     const Subject who = subject("sensor", sensor);
     if (sensor.link) {
@@ -38,7 +66,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     check_references(model, NameKind::link, sensor.links, who, findings);
     if (sensor.type && sensor_target(*sensor.type) == NameKind::link) {
-      check_nodes(model, sensor.id, who, findings);
+      check_nodes(model, nodes, sensor.id, who, findings);
     }
   }
   for (const CollisionAnnotation& entry : model.annotations.collisions) {
@@ -52,7 +80,7 @@ void check(const LinkedModel& model, Findings& findings) {
     check_reference(model, NameKind::link, *name, name.span, "this link entry", findings);
   }
   for (const NodeAnnotation& entry : model.annotations.nodes) {
-    check_inertial(model, entry, findings);
+    check_inertial(model, nodes, entry, findings);
     check_link(model, entry.parent, subject("node", entry), findings);
     check_link(model, entry.viz_link, subject("node", entry), findings);
   }
@@ -71,7 +99,7 @@ void check(const LinkedModel& model, Findings& findings) {
   }
   for (const Light& light : model.annotations.lights) {
     // The node may belong to another robot of the scene.
-    if (!light.node_name || is_node(model, *light.node_name)) continue;
+    if (!light.node_name || nodes.has(*light.node_name)) continue;
     if (!is_slip(model, NameKind::link, *light.node_name)) continue;
     check_link(model, light.node_name, subject("light", light), findings);
   }

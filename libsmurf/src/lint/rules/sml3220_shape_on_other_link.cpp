@@ -1,25 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-template <class Shapes>
-bool has_shape(const Shapes& shapes, std::string_view name) {
-  return std::any_of(shapes.begin(), shapes.end(),
-                     [&](const auto& shape) { return shape.name && *shape.name == name; });
-}
+/// Names of the shapes of links, looked through once a link.
+template <class ShapesOf>
+class ShapeNames {
+ public:
+  explicit ShapeNames(const ShapesOf& shapes_of) : shapes_of_(shapes_of) {}
+
+  bool has(const urdf::Link& link, std::string_view name) {
+    const auto [known, is_new] = names_.try_emplace(&link);
+    if (is_new) {
+      for (const auto& shape : shapes_of_(link)) {
+        if (shape.name) known->second.insert(*shape.name);
+      }
+    }
+    return known->second.contains(name);
+  }
+
+ private:
+  const ShapesOf& shapes_of_;
+  std::unordered_map<const urdf::Link*, std::unordered_set<std::string_view>> names_;
+};
 
 template <class Entries, class ShapesOf>
 void check_entries(const LinkedModel& model, const Entries& entries, NameKind kind,
                    const ShapesOf& shapes_of, Findings& findings) {
+  ShapeNames shapes(shapes_of);
   for (const auto& entry : entries) {
     if (!entry.name || !entry.link) continue;
     const auto owner = names(model, kind).find(*entry.name);
     const urdf::Link* link = find_link(model, *entry.link);
-    if (!owner || link == nullptr || has_shape(shapes_of(*link), *entry.name)) continue;
+    if (!owner || link == nullptr || shapes.has(*link, *entry.name)) continue;
     const urdf::Link& other = model.robot->links[*owner];
     if (!other.name) continue;
     const std::string shape(to_string(kind));
