@@ -27,8 +27,7 @@ class NodeNames {
         model_.visual_names.contains(name) || entries_.contains(name)) {
       return true;
     }
-    return name.starts_with(kInertial) &&
-           model_.link_names.contains(name.substr(kInertial.size()));
+    return name.starts_with(kInertial) && model_.link_names.contains(name.substr(kInertial.size()));
   }
 
  private:
