@@ -29,7 +29,7 @@ struct OutputFile {
   std::string folder;  ///< the user's choice: links in it are followed, as for write_output()
   std::string path;    ///< from there: made of names that others chose, so no link is followed
   std::string_view text;
-  std::string written_as;  ///< what the user wrote for both, when it is one name
+  std::string written_as = {};  ///< what the user wrote for both, when it is one name
 };
 
 /// A name for a file or folder, made of one that others chose: neither hidden nor an option, "." or

@@ -24,7 +24,7 @@ using Levels = std::map<std::string, Spanned<Severity>>;
 using Files = std::map<std::string, Spanned<std::string>>;
 
 constexpr std::size_t kLongestChain = 16;  // of configurations that extend each other
-// Bytes. Thousands of folders may extend one configuration, and a thousand sections name one
+// Bytes. Thousands of folders may extend one configuration; a thousand sections may name one
 // schema.
 constexpr std::uint64_t kMostOfConfig = 100'000, kMostOfSchemas = 2'000'000;
 /// Of one setting. Each pattern is compared with every rule or file, and no project has as many.
@@ -105,15 +105,14 @@ class ConfigReader {
     const std::string folder(path::parent(chain_.back()));
     for_each_text(value, "a configuration file or a list of them", [&](yaml::View item) {
       const std::string base = path::join(folder, item.text());
-      const std::string identity = files_.identity(base);
-      const auto is_this = [&](const std::string& one) { return files_.identity(one) == identity; };
+      const std::string id = files_.identity(base);
+      const auto is_this = [&](const std::string& one) { return files_.identity(one) == id; };
       if (std::any_of(chain_.begin(), chain_.end(), is_this)) {
         wrong(item, "the configuration extends itself" +
                         std::string(is_this(chain_.back()) ? "" : " by way of others"));
       } else if (chain_.size() >= kLongestChain) {
-        wrong(item,
-              "more than " + std::to_string(kLongestChain) + " configurations extend each other");
-      } else if (!read_.contains(identity)) {
+        wrong(item, std::to_string(kLongestChain) + " configurations extend each other already");
+      } else if (!read_.contains(id)) {
         read(base, item.span());
       }
     });
@@ -379,9 +378,9 @@ class ConfigReader {
   }
 
   std::optional<SourceId> open_schema(const Spanned<std::string>& file) {
-    const auto schema = open(file.value, file.span, kMostOfSchemas - schema_bytes_);
-    if (schema) schema_bytes_ += sources_.text(*schema).size();
-    return schema;
+    const auto source = open(file.value, file.span, kMostOfSchemas - schema_bytes_);
+    if (source) schema_bytes_ += sources_.text(*source).size();
+    return source;
   }
 
   /// A file that cannot be read is reported where it is named.
