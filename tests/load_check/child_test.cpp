@@ -3,7 +3,11 @@
 #include "smurf-load-check/child.hpp"
 
 #include <doctest/doctest.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
+#include <climits>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -79,6 +83,26 @@ TEST_CASE("a child that takes all memory is told from one that crashes") {
       1, 1, kLimits, [](std::size_t, const Write&) { take_all_memory(); }, [](std::size_t) {});
   CHECK(outcomes[0].end == End::out_of_memory);
 }
+
+#ifdef __GLIBC__
+TEST_CASE("what the parent keeps in its heap for later is no memory for the child") {
+  constexpr int kAhead = 256 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  mallopt(M_TOP_PAD, kAhead);
+  const std::vector<char> block(16U << 20U, 'x');  // more than the heap has left
+  mallopt(M_TOP_PAD, 1 << 20);
+  const ChildLimits limits{.seconds = 10, .memory_bytes = 32ULL << 20U};
+  const std::vector<ChildOutcome> outcomes = run_in_children(
+      1, 1, limits,
+      [](std::size_t, const Write&) {
+        std::vector<std::vector<char>> all;
+        while (all.size() < 64) all.emplace_back(1U << 20U, 'x');
+      },
+      [](std::size_t) {});
+  CHECK(outcomes[0].end == End::out_of_memory);
+}
+#endif
 #endif
 
 TEST_CASE("a child writes to no file") {

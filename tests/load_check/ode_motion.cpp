@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// URDFs without shapes as the load check lets them hang and fall.
+// A URDF as the load check lets it hang, fall and drop. Its own shapes do not touch each other.
 #include "readers/motion.hpp"
 
 #include <cstdio>
 #include <cstdlib>
 
 #include "smurf-load-check/plan.hpp"
+#include "smurf-load-check/shapes.hpp"
 #include "smurf-load-check/world.hpp"
 #include "smurf/load.hpp"
 
@@ -13,6 +14,8 @@ namespace {
 
 using namespace smurf;
 using namespace smurf::load_check;
+
+constexpr double kDropHeight = 1e-3;  // m; that of the load check
 
 double weight_of(const Plan& plan) {
   double mass = 0;
@@ -30,12 +33,16 @@ double height_of(const Plan& plan, const World& world) {
   return sum / mass;
 }
 
-template <class Print>
-void simulate(const LinkedModel& model, Base::Kind base, double step, Print print) {
+Plan plan_on(const LinkedModel& model, Base::Kind base) {
   PlacedModel placed;
   placed.model = &model;
   placed.base.kind = base;
-  const Plan plan = make_plan({placed});
+  return make_plan({placed});
+}
+
+template <class Print>
+void simulate(const LinkedModel& model, Base::Kind base, double step, Print print) {
+  const Plan plan = plan_on(model, base);
   WorldSetup setup;
   setup.step = step;
   World world(plan, setup);
@@ -59,13 +66,34 @@ void print_links(double time, const Plan& plan, const World& world) {
   }
 }
 
-bool move(const std::string& path, double step) {
+void drop(const LinkedModel& model, double step, const ShapeFiles& files, DiagnosticSink& sink) {
+  Plan plan = plan_on(model, Base::Kind::free);
+  add_shapes(plan, files, sink);
+  for (ShapePlan& shape : plan.shapes) shape.is_stand_in = true;  // touches the ground only
+  WorldSetup setup;
+  setup.step = step;
+  setup.contacts = true;
+  World world(plan, setup);
+  const std::optional<double> lowest = world.lowest_point();
+  if (!lowest) return;
+  const double ground = *lowest - kDropHeight;
+  world.add_ground(ground);
+  std::printf("ground\t%.17g\n", ground);
+  tests::run_drop(
+      step, [&] { world.step(); }, [&] { return !world.overlaps().empty(); },
+      [&] { return world.energy() * weight_of(plan); }, [&] { return height_of(plan, world); });
+}
+
+std::string move(const std::string& path, double step, std::optional<double>) {
   SourceMap sources;
   DiskFiles files;
   DiagnosticSink sink;
   LoadContext context{sources, files, sink, {}, {}};
   const LinkedModel model = load_model(path, context);
-  if (!model.robot || model.tree.roots.size() != 1 || sink.has_errors()) return false;
+  for (const Diagnostic& diagnostic : sink.take()) {
+    if (diagnostic.severity == Severity::error) return diagnostic.message;
+  }
+  if (!model.robot || model.tree.roots.size() != 1) return "is no robot of one tree";
   simulate(model, Base::Kind::world, step,
            [](double time, double energy, double, const Plan& plan, const World& world) {
              tests::print_hang(time, energy);
@@ -75,7 +103,8 @@ bool move(const std::string& path, double step) {
            [](double time, double energy, double height, const Plan&, const World&) {
              tests::print_fall(time, energy, height);
            });
-  return true;
+  drop(model, step, {files}, sink);
+  return {};
 }
 
 void give_up(const std::string& message) {
@@ -87,5 +116,5 @@ void give_up(const std::string& message) {
 
 int main(int argc, char** argv) {
   start_engine(give_up);
-  return tests::move_robots(argc, argv, move);
+  return tests::move_robot(argc, argv, move);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// URDFs without shapes as MuJoCo lets them hang. It holds every root: one that falls has a floating
-// joint above it, named `fall`.
+// A URDF as MuJoCo lets it hang. It holds every root: a robot that falls has a floating joint above
+// it, named `fall`, and the ground that it drops on is a shape of what holds it.
 #include <cstring>
 #include <mujoco/mujoco.h>
 
@@ -34,29 +34,55 @@ double energy_of(const mjModel& model, mjData& data) {
   return data.energy[0] + data.energy[1];
 }
 
-bool move(const std::string& path, double step) {
+void fall(const mjModel& model, mjData& data, double step) {
+  const double start = energy_of(model, data);
+  const double height = data.subtree_com[2];
+  run(
+      step, [&] { mj_step(&model, &data); },
+      [&](double time) {
+        const double energy = energy_of(model, data) - start;
+        print_fall(time, energy, data.subtree_com[2] - height);
+      });
+}
+
+void hang(const mjModel& model, mjData& data, double step) {
+  const double start = energy_of(model, data);
+  run(
+      step, [&] { mj_step(&model, &data); },
+      [&](double time) {
+        print_hang(time, energy_of(model, data) - start);
+        print_bodies(time, model, data);
+      });
+}
+
+void drop(mjModel& model, mjData& data, double step) {
+  model.opt.disableflags &= ~mjDSBL_CONTACT;
+  for (int i = 0; i < model.ngeom; ++i) {
+    const bool is_ground = model.geom_bodyid[i] == 0;
+    model.geom_contype[i] = is_ground ? 1 : 0;
+    model.geom_conaffinity[i] = is_ground ? 0 : 1;
+  }
+  mj_resetData(&model, &data);
+  run_drop(
+      step, [&] { mj_step(&model, &data); }, [&] { return data.ncon > 0; },
+      [&] { return energy_of(model, data); }, [&] { return data.subtree_com[2]; });
+}
+
+std::string move(const std::string& path, double step, std::optional<double> ground) {
   char error[1000] = "";
   mjModel* model = mj_loadXML(path.c_str(), nullptr, error, sizeof error);
-  if (model == nullptr) return false;
+  if (model == nullptr) return error;
   leave_mechanics_alone(*model, step);
   mjData* data = mj_makeData(model);
-  const bool falls = mj_name2id(model, mjOBJ_JOINT, "fall") >= 0;
-  const double start = energy_of(*model, *data);
-  const double height = data->subtree_com[2];
-  run(
-      step, [&] { mj_step(model, data); },
-      [&](double time) {
-        const double energy = energy_of(*model, *data) - start;
-        if (falls) {
-          print_fall(time, energy, data->subtree_com[2] - height);
-        } else {
-          print_hang(time, energy);
-          print_bodies(time, *model, *data);
-        }
-      });
+  if (mj_name2id(model, mjOBJ_JOINT, "fall") >= 0) {
+    fall(*model, *data, step);
+  } else {
+    hang(*model, *data, step);
+  }
+  if (ground) drop(*model, *data, step);
   mj_deleteData(data);
   mj_deleteModel(model);
-  return true;
+  return {};
 }
 
 void be_quiet(const char*) {}
@@ -65,5 +91,5 @@ void be_quiet(const char*) {}
 
 int main(int argc, char** argv) {
   mju_user_warning = be_quiet;
-  return move_robots(argc, argv, move);
+  return move_robot(argc, argv, move);
 }
