@@ -92,8 +92,9 @@ class ModelLoader {
   /// `{},` three bytes of a file.
   std::uint64_t most_entries() const {
     constexpr std::uint64_t kFewestBytes = 16;  // of what people write as an entry
+    constexpr std::uint64_t kFree = 50'000;
     const std::uint64_t limit = context_.limits.annotation_entries;
-    return std::min(limit, limit / 10 + annotation_bytes_ / kFewestBytes);
+    return std::min(limit, std::max(kFree, limit / 10) + annotation_bytes_ / kFewestBytes);
   }
 
   /// False when the model has too many entries with those of this file; that is reported.
