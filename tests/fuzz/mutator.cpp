@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -298,9 +299,10 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed) {
+  static const bool only_bytes = std::getenv("SMURF_FUZZ_BYTES") != nullptr;
   smurf::test::Random random(seed);
   const std::string bundle(reinterpret_cast<const char*>(data), size);
-  if (random.one_in(3)) return LLVMFuzzerMutate(data, size, most);
+  if (only_bytes || random.one_in(3)) return LLVMFuzzerMutate(data, size, most);
   const std::string result = smurf::test::mutated_bundle(bundle, bundle, most, random);
   if (result == bundle) return LLVMFuzzerMutate(data, size, most);
   std::copy(result.begin(), result.end(), data);
