@@ -132,6 +132,14 @@ def check_public_headers():
                 yield path, number, f"a public header includes {header}"
 
 
+def check_installed_headers():
+    """A header that is not in the list is not installed."""
+    listed = (ROOT / "libsmurf" / "CMakeLists.txt").read_text(encoding="utf-8").split()
+    for path in sources(PUBLIC):
+        if path.name not in listed:
+            yield path, 1, "this header is not in public_headers of libsmurf/CMakeLists.txt"
+
+
 def check_sizes():
     folders = [ROOT / "libsmurf", ROOT / "tools"]
     for path in sorted(p for folder in folders for p in sources(folder)):
@@ -145,6 +153,7 @@ def main():
         *check_stage_files(),
         *check_private_headers(),
         *check_public_headers(),
+        *check_installed_headers(),
         *check_sizes(),
     ]
     for path, number, fault in faults:
