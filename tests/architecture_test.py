@@ -56,6 +56,39 @@ PRINTING = re.compile(
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 LONGEST_FILE = 500
 
+# The rules are run, places named and comments heeded in one place: whoever goes another way judges
+# a model otherwise.
+PIPELINE = re.compile(r"\b(lint_model|lint_scene|locate|apply_targets|sort_findings)\s*\(|\b(Suppressions|Baseline)\b")
+PIPELINE_FOLDERS = [SOURCE / "check", SOURCE / "lint"]
+# Who still goes another way. The list gets shorter, never longer.
+OTHER_WAYS = {
+    "tools/smurf-load-check/inputs.cpp",
+    "tools/smurf-load-check/run.cpp",
+}
+
+# Private headers that tools still include: what they offer is to become public, or the tool to do
+# without. Like OTHER_WAYS, the list gets shorter, never longer.
+PRIVATE_HEADERS_OF_TOOLS = {
+    "base/canonical_paths.hpp",
+    "base/edits.hpp",
+    "base/limits.hpp",
+    "base/numbers.hpp",
+    "base/path.hpp",
+    "base/path_patterns.hpp",
+    "base/rules.hpp",
+    "base/suggest.hpp",
+    "convert/mass_properties.hpp",
+    "flatten/shapes.hpp",
+    "link/kinematics.hpp",
+    "lint/annotation_queries.hpp",
+    "lint/inertia.hpp",
+    "lint/queries.hpp",
+    "render/printable.hpp",
+    "render/wrap.hpp",
+    "syntax/tinyxml2_referee.hpp",
+    "write/json_text.hpp",
+}
+
 
 def code_lines(path):
     """Lines without // comments, with their numbers."""
@@ -141,6 +174,31 @@ def check_installed_headers():
             yield path, 1, "this header is not in public_headers of libsmurf/CMakeLists.txt"
 
 
+def check_pipeline():
+    for path in sorted(p for folder in (SOURCE, ROOT / "tools") for p in sources(folder)):
+        is_part = any(folder in path.parents for folder in PIPELINE_FOLDERS)
+        if is_part or path.relative_to(ROOT).as_posix() in OTHER_WAYS:
+            continue
+        for number, line in code_lines(path):
+            if found := PIPELINE.search(line):
+                yield path, number, f"{found[0].strip('(')} is called by the stage check alone"
+
+
+def check_tools():
+    """They use what everybody can use."""
+    unused = set(PRIVATE_HEADERS_OF_TOOLS)
+    for path in sources(ROOT / "tools"):
+        for number, line in code_lines(path):
+            include = INCLUDE.match(line)
+            if not include or include[2].split("/")[0] not in STAGES:
+                continue
+            unused.discard(include[2])
+            if include[2] not in PRIVATE_HEADERS_OF_TOOLS:
+                yield path, number, f"{include[2]} is private to the library"
+    for header in sorted(unused):
+        yield pathlib.Path(__file__).resolve(), 1, f"no tool includes {header}; take it out of the list"
+
+
 def check_sizes():
     folders = [ROOT / "libsmurf", ROOT / "tools"]
     for path in sorted(p for folder in folders for p in sources(folder)):
@@ -155,6 +213,8 @@ def main():
         *check_private_headers(),
         *check_public_headers(),
         *check_installed_headers(),
+        *check_pipeline(),
+        *check_tools(),
         *check_sizes(),
     ]
     for path, number, fault in faults:
