@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-lint: checks SMURF models and scenes.
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <optional>
 
-#include "common/confine.hpp"
 #include "common/input.hpp"
 #include "common/process.hpp"
 #include "common/progress.hpp"
@@ -178,12 +176,7 @@ Report run_check(const LintOptions& options, const tools::Plan& plan, Session& s
 
 ExitCode run(const LintOptions& options) {
   ConfinedFiles disk;
-  const std::vector<std::string> here{"."};
-  confine(disk, options.paths.empty() ? here : options.paths, options.packages,
-          options.allow_outside);
-  confine(disk, std::array{options.stdin_filename, options.config}, {}, options.allow_outside);
-  disk.allow(options.config);
-  disk.allow(options.baseline);
+  confine_to_inputs(disk, options);
   const ArchiveFiles archives(disk, options.limits);
   MemoryFiles files(&archives);
   if (!options.baseline.empty() && !options.generate_baseline) {
@@ -198,6 +191,7 @@ ExitCode run(const LintOptions& options) {
     return no_baseline();
   }
   tools::Plan plan = make_plan(options, files);
+  confine_to_found(disk, options, plan);
   keep_shard(plan, options.shard, files);
   if (options.list_files) return list_files(options, plan);
   Session session(files, options.limits, stamp_on_disk);

@@ -25,6 +25,11 @@ struct Plan {
   bool has_failed = false;           ///< something could not be read; it was said
 };
 
+/// Lets be read what the command line names and what belongs to it: common/confine.hpp.
+void confine_to_inputs(ConfinedFiles& files, const LintOptions& options);
+/// The same for what a search of shared folders has found.
+void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Plan& plan);
+
 /// Standard input, if it is read, goes to `files`.
 Plan make_plan(const LintOptions& options, MemoryFiles& files);
 

@@ -188,7 +188,8 @@ void show_run(const Config& config, const RunSettings& run, const LintOptions& o
 }  // namespace
 
 ExitCode show_config(const LintOptions& options) {
-  const DiskFiles files;
+  ConfinedFiles files;
+  confine_to_inputs(files, options);
   std::error_code ignored;
   if (!std::filesystem::exists(options.show_config, ignored)) {
     complain(kTool, "there is no '" + options.show_config + "'");

@@ -72,7 +72,10 @@ class Loader {
       inputs_.has_failed = inputs_.has_failed || !name;
       if (name) files.push_back(*name);
     } else if (std::filesystem::is_directory(path, ignored)) {
-      const Found found = find_inputs(path);
+      const Found found = find_inputs(path, options_.limits);
+      if (is_shared_folder(path)) {
+        confine(inputs_.disk, found.files, options_.packages, options_.allow_outside);
+      }
       for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
       if (found.files.empty() && found.unreadable.empty()) {
         fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + path + "'");

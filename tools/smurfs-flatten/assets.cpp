@@ -34,7 +34,8 @@ class Redirection {
         known_name(path::normalize(path::join(output_, file)), current_, files_);
     const auto [known, is_new] = copies_.try_emplace({group, from});
     if (is_new) {
-      known->second = files_.is_file(from) ? path::relative(add(from, group), output_) : file;
+      const bool is_known = files_.is_file(from) || files_.is_denied(from);
+      known->second = is_known ? path::relative(add(from, group), output_) : file;
     }
     return known->second;
   }

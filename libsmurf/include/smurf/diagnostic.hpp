@@ -102,6 +102,8 @@ class DiagnosticSink {
   std::span<const Diagnostic> diagnostics() const { return diagnostics_; }
   std::vector<Diagnostic> take() { return std::move(diagnostics_); }
   bool has_errors() const;
+  /// How many findings of a rule were reported.
+  std::uint64_t count_of(const Rule& rule) const;
 
  private:
   std::uint64_t most_;

@@ -27,6 +27,8 @@ struct Limits {
   std::uint64_t include_depth = 64;
   std::uint64_t instances = 150'000;
   std::uint64_t findings = 10'000;
+  std::uint64_t folder_entries = 1'000'000;
+  std::uint64_t ignore_checks = 20'000'000;
 };
 
 /// A limit as people know it: what `--limit` and docs/limits.md call it.
@@ -85,6 +87,12 @@ inline constexpr std::array kLimits{
     LimitInfo{"findings", &Limits::findings, 100'000'000,
               "findings of one rule in a model or scene", "SML0002",
               "nobody reads as many; each takes 500 bytes of memory and of the report"},
+    LimitInfo{"folder-entries", &Limits::folder_entries, 1'000'000'000,
+              "files and folders in a folder that is searched, and in those below it", "",
+              "a search of a whole machine is a mistake; a million takes some seconds"},
+    LimitInfo{"ignore-checks", &Limits::ignore_checks, 1'000'000'000'000,
+              "comparisons of a file or folder with a pattern of an ignore file", "",
+              "a second; 20,000 models with a thousand patterns each have as many"},
 };
 
 }  // namespace smurf

@@ -73,8 +73,8 @@ struct MeshReference {
   std::string filename;  ///< as written
   bool is_texture = false;
 
-  std::string path;  ///< resolved; empty when it cannot be (unknown package, other scheme)
-  bool exists = false;
+  std::string path;     ///< resolved; empty when it cannot be (unknown package, other scheme)
+  bool exists = false;  ///< or it may: what lies outside of the project is not looked for
   /// When nothing is at `path`: a file whose path differs only in case or in `/` for `\`.
   std::string similar;
   const MeshFile* file = nullptr;  ///< what is at `path`; null when it was not opened
@@ -92,6 +92,7 @@ struct TextureReference {
   std::string filename;  ///< as written
   std::string path;      ///< resolved
   bool exists = false;
+  bool is_denied = false;  ///< whether it exists is not told: it lies outside of the project
 };
 
 /// A file of a model and what is known of it.

@@ -118,6 +118,15 @@ bool ArchiveFiles::is_file(const std::string& path) const {
   return place.archive->files.is_file(place.inside);
 }
 
+bool ArchiveFiles::is_denied(const std::string& path) const {
+  return find(path, false).archive == nullptr && behind_.is_denied(path);
+}
+
+std::string ArchiveFiles::identity(const std::string& path) const {
+  const Place place = find(path, true);
+  return place.archive == nullptr ? behind_.identity(path) : path::normalize(path);
+}
+
 std::vector<std::string> ArchiveFiles::list(const std::string& folder) const {
   const Place place = find(folder, true);
   return place.archive == nullptr ? behind_.list(folder) : place.archive->files.list(place.inside);

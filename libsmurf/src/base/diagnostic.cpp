@@ -58,6 +58,11 @@ bool DiagnosticSink::has_errors() const {
                      [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
+std::uint64_t DiagnosticSink::count_of(const Rule& rule) const {
+  const auto found = counts_.find(&rule);
+  return found == counts_.end() ? 0 : found->second;
+}
+
 std::span<const Rule* const> all_rules() { return kRules; }
 
 const Rule* find_rule(std::string_view id_or_name) {

@@ -24,6 +24,8 @@ std::string answer_to(const Recorder::Question& question, const Snapshot& files)
   case Recorder::Kind::content: return std::to_string(files.version(question.path));
   case Recorder::Kind::is_file: return yes_or_no(files.is_file(question.path));
   case Recorder::Kind::list: return joined(files.list(question.path));
+  case Recorder::Kind::is_denied: return yes_or_no(files.is_denied(question.path));
+  case Recorder::Kind::identity: return files.identity(question.path);
   }
   return {};
 }
@@ -97,6 +99,18 @@ std::vector<std::string> Recorder::list(const std::string& folder) const {
   std::vector<std::string> names = files_.list(folder);
   note(Kind::list, folder, joined(names));
   return names;
+}
+
+bool Recorder::is_denied(const std::string& path) const {
+  const bool answer = files_.is_denied(path);
+  note(Kind::is_denied, path, yes_or_no(answer));
+  return answer;
+}
+
+std::string Recorder::identity(const std::string& path) const {
+  std::string answer = files_.identity(path);
+  note(Kind::identity, path, answer);
+  return answer;
 }
 
 void Recorder::note(Kind kind, const std::string& path, std::string text) const {

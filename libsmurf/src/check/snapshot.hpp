@@ -31,6 +31,8 @@ class Snapshot final : public FileReader {
   std::vector<std::string> list(const std::string& folder) const override {
     return files_.list(folder);
   }
+  bool is_denied(const std::string& path) const override { return files_.is_denied(path); }
+  std::string identity(const std::string& path) const override { return files_.identity(path); }
   /// Another one whenever the content may be another one.
   std::uint64_t version(const std::string& path) const;
 
@@ -59,7 +61,7 @@ class Snapshot final : public FileReader {
 /// them. For one thread.
 class Recorder final : public FileReader {
  public:
-  enum class Kind : std::uint8_t { content, is_file, list };
+  enum class Kind : std::uint8_t { content, is_file, list, is_denied, identity };
   struct Question {
     Kind kind;
     std::string path;
@@ -76,6 +78,8 @@ class Recorder final : public FileReader {
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
   bool is_file(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  bool is_denied(const std::string& path) const override;
+  std::string identity(const std::string& path) const override;
 
   Answers take() { return std::move(answers_); }
 

@@ -13,6 +13,7 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "link/file_index.hpp"
 #include "link/read_file.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -123,7 +124,7 @@ class DrawnSceneReader {
 
   void add(const DrawnEntity& drawn) {
     const auto [known, is_new] = keys_.try_emplace(drawn.file.value);
-    if (is_new) known->second = read_keys(drawn.file);
+    if (is_new) known->second = keys_in(drawn.file);
     if (!known->second) return;
     const Keys& keys = *known->second;
     const yaml::NodeId entity = tree_.add(entities_, yaml::Kind::mapping, drawn.group);
@@ -149,13 +150,19 @@ class DrawnSceneReader {
   }
 
   /// None when the file is missing or broken, which is reported at its first title.
-  std::optional<Keys> read_keys(const Spanned<std::string>& title) {
+  std::optional<Keys> keys_in(const Spanned<std::string>& title) {
     const std::string path = path::join(path::parent(file_.path), title.value);
     const std::string extension = path::to_lower(path::extension(path));
     // MARS would take these for YAML with keys of an entity. They are the entity.
     for (const std::string_view own : {".smurf", ".urdf", ".smurfs", ".smurfa"}) {
       if (extension == own) return Keys{};
     }
+    const auto [known, is_new] = keys_by_file_.try_emplace(key_of_file(path, context_.files));
+    if (is_new) known->second = read_keys(title, path);
+    return known->second;
+  }
+
+  std::optional<Keys> read_keys(const Spanned<std::string>& title, const std::string& path) {
     const auto source = read_source(path, title.span, rules::sml5006_missing_entity_file, context_);
     if (!source) return std::nullopt;
     auto document = parse_yaml(context_.sources, *source, context_.limits, context_.sink);
@@ -210,7 +217,8 @@ class DrawnSceneReader {
   LoadContext& context_;
   Tree tree_;
   yaml::NodeId entities_ = yaml::kNoNode;
-  std::unordered_map<std::string, std::optional<Keys>> keys_;
+  std::unordered_map<std::string, std::optional<Keys>> keys_;  ///< by title
+  std::unordered_map<std::string, std::optional<Keys>> keys_by_file_;
 };
 
 }  // namespace

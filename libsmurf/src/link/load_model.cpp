@@ -2,15 +2,17 @@
 // The files of a model: read once each, merged as smurf_parser does (SMURFParser.cpp:43-69), linked
 // by name.
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "ast/model_reader.hpp"
 #include "ast/sections.hpp"
 #include "ast/urdf_reader.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
+#include "link/file_index.hpp"
 #include "link/kinematics.hpp"
 #include "link/read_file.hpp"
 #include "link/resources.hpp"
@@ -142,17 +144,32 @@ class ModelLoader {
     find_unlisted(path);
   }
 
+  /// What an annotation file says does not depend on its folder; where the meshes of a URDF are,
+  /// does.
+  std::string listed_key(const std::string& path) const {
+    const bool is_urdf = path::to_lower(path::extension(path)) == ".urdf";
+    return is_urdf ? key_of_file(path, context_.files) : context_.files.identity(path);
+  }
+
   void listed_files(const std::string& main_path) {
     const std::string_view folder = path::parent(main_path);
     const NameList none;
-    std::set<std::string> read;  // a rule reports what is listed twice
+    std::map<std::string, Span> read;
     for (const Spanned<std::string>& entry : model_.main.files ? *model_.main.files : none) {
       const std::string path = path::join(folder, entry.value);
-      if (!read.insert(path::normalize(path)).second) continue;
+      const auto [first, is_new] = read.emplace(listed_key(path), entry.span);
+      if (!is_new) {
+        context_.sink
+            .report(rules::sml2009_file_listed_twice, entry.span,
+                    "MARS reads " + quoted(entry.value) + " twice")
+            .labels.push_back({first->second, "listed here before"});
+        continue;
+      }
       if (entry.value.starts_with('/')) {
         context_.sink.report(rules::sml2004_absolute_path, entry.span,
                              "MARS takes this path as relative to the .smurf's folder");
-        if (!context_.files.is_file(path)) {  // one cause, one diagnostic
+        // One cause, one diagnostic.
+        if (!context_.files.is_file(path) && !context_.files.is_denied(path)) {
           model_.is_complete = false;
           continue;
         }
@@ -309,6 +326,16 @@ constinit const Rule sml2004_absolute_path{
            "the file is not found; and no other machine has it there.",
     .remedy = "Write the path relative to the .smurf's folder.",
     .sources = "smurf_parser SMURFParser.cpp:40-54 (run)."};
+
+constinit const Rule sml2009_file_listed_twice{
+    .id = "SML2009",
+    .name = "file-listed-twice",
+    .severity = Severity::error,
+    .summary = "`files` lists one file twice.",
+    .why = "MARS merges it twice: every motor, sensor and light exists two times, under "
+           "one name.",
+    .remedy = "List the file once.",
+    .sources = "smurf_parser SMURFParser.cpp:43-69 (run)."};
 
 }  // namespace rules
 }  // namespace smurf

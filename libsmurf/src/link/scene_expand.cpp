@@ -11,6 +11,7 @@
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "link/drawn_scene.hpp"
+#include "link/file_index.hpp"
 #include "link/read_file.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/archive_files.hpp"
@@ -29,7 +30,7 @@ class SceneExpander {
       : context_(context), scene_(scene), names_(names) {}
 
   bool run(const std::string& path) {
-    scene_.path = path::normalize(path);
+    scene_.path = first_names_.of(path::normalize(path));
     const std::optional<SceneIndex> root =
         scene_file(scene_.path, {}, rules::sml0001_unreadable_file);
     if (!root) return false;
@@ -91,7 +92,7 @@ class SceneExpander {
   }
 
   void report_again(const std::string& path, Span reference, const Rule& rule) {
-    const bool exists = context_.files.is_file(path);
+    const bool exists = context_.files.is_file(path) || context_.files.is_denied(path);
     context_.sink.report(rule, reference,
                          (exists ? "cannot read `" : "there is no file `") + path + "`");
   }
@@ -126,7 +127,7 @@ class SceneExpander {
     bool is_usable = check_kind(entity, type, path);
     if (is_usable && is_archive_type(type)) is_usable = enter_archive(path, file.span);
     if (kind_of(type) == EntityKind::scene) {
-      include(use, index, is_usable ? path : std::string());
+      include(use, index, is_usable ? first_names_.of(path) : std::string());
     } else {
       add_instance(use, index, type, path, is_usable);
     }
@@ -159,11 +160,11 @@ class SceneExpander {
     instance.use = use;
     instance.entity = index;
     instance.type = type;
-    instance.file = path;
+    instance.file = is_old_scene(type) ? first_names_.of(path) : path;
     if (!is_usable) {
       scene_.is_complete = false;
     } else if (kind_of(type) == EntityKind::model) {
-      instance.model = model_file(path, file_of(entity).span);
+      instance.model = model_file(first_names_.of(path), file_of(entity).span);
     } else if (!path.empty() && path.find(":/") == std::string::npos) {
       check_data_file(path, file_of(entity).span, type);
     }
@@ -202,17 +203,21 @@ class SceneExpander {
 
   /// Files of other types are not read. A plug-in may look for its file elsewhere.
   void check_data_file(const std::string& path, Span reference, const std::string& type) {
-    const auto [known, is_new] = data_files_.emplace(path, true);
+    const auto [known, is_new] = data_files_.emplace(first_names_.of(path), true);
     if (is_new) known->second = context_.files.is_file(path);
     if (known->second) {
       if (is_new) read_data_file(path, reference, type);
       return;
     }
-    Diagnostic& diagnostic = context_.sink.report(rules::sml5006_missing_entity_file, reference,
-                                                  "there is no file `" + path + "`");
+    const bool is_denied = context_.files.is_denied(path);
+    Diagnostic& diagnostic = context_.sink.report(
+        rules::sml5006_missing_entity_file, reference,
+        is_denied ? "cannot read `" + path + "`: " + context_.files.read(path, 0).reason
+                  : "there is no file `" + path + "`");
     if (!is_old_scene(type)) diagnostic.severity = Severity::warning;
-    if (!is_new) return;
-    if (const auto similar = similar_file(path, context_.files)) {
+    if (!is_new || is_denied) return;
+    const Rule& rule = *diagnostic.rule;
+    if (const auto similar = similar_file(path, rule, context_)) {
       diagnostic.help = "did you mean `" + *similar + "`?";
     }
   }
@@ -354,6 +359,7 @@ class SceneExpander {
   std::unordered_map<std::string, std::optional<SceneIndex>> scene_files_;
   std::unordered_map<std::string, std::optional<ModelIndex>> models_;
   std::unordered_map<std::string, bool> data_files_;
+  FirstNames first_names_{context_.files};
   std::unordered_map<std::string, ArchivedMain> archives_;
   std::unordered_set<std::string> paths_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
