@@ -191,10 +191,14 @@ ExitCode run(const LintOptions& options) {
     return no_baseline();
   }
   tools::Plan plan = make_plan(options, files);
-  confine_to_found(disk, options, plan);
   keep_shard(plan, options.shard, files);
   if (options.list_files) return list_files(options, plan);
-  Session session(files, options.limits, stamp_on_disk);
+  ConfinedFiles confined;
+  confine_to_found(confined, options, plan);
+  Session session(confined, options.limits, stamp_on_disk);
+  if (const std::string& name = plan.standard_input; !name.empty()) {
+    session.set_text(name, files.read(name, options.limits.file_bytes).text);
+  }
   const auto check = [&] { return run_check(options, plan, session); };
   Report found = check();
   if (options.generate_baseline) {
