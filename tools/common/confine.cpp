@@ -116,9 +116,11 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
   std::set<fs::path> folders;
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-") continue;
-    if (auto folder = folder_of(input)) folders.insert(*std::move(folder));
-    if (!is_shared_folder(input)) continue;
-    for (const std::string_view name : kRuleFiles) files.allow_named(std::string(name), input);
+    if (is_shared_folder(input)) {
+      for (const std::string_view name : kRuleFiles) files.allow_named(std::string(name), input);
+    } else if (auto folder = folder_of(input)) {
+      folders.insert(*std::move(folder));
+    }
   }
   for (const fs::path& folder : folders) allow_project(files, folder);
   for (const auto& [name, folder] : packages) files.allow(folder);

@@ -23,7 +23,8 @@ Option allow_outside_option(bool& allow_outside);
 /// they are repositories, home folders, and all folders above a home folder. So a project ends
 /// below the shared folders around it, and a shared current folder allows nothing. Where the input
 /// itself lies in a shared folder, only the files beside it that are not hidden are read. Where a
-/// shared folder is to be searched, confine what is found in it as inputs of their own.
+/// shared folder is to be searched, only configurations and ignore files in it are read: what is
+/// found is to be confined as inputs of their own.
 /// Everything is let be read when `allow_outside`.
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside);

@@ -120,6 +120,11 @@ ExitCode Conversion::write_reports(Report report) {
   return report.summary.errors > 0 ? kFindings : judge(report.summary, options_.threshold);
 }
 
+bool Conversion::keeps_inputs(std::vector<std::string> outputs) const {
+  for (const ReportRequest& report : options_.reports) outputs.push_back(report.file);
+  return tools::keeps_inputs(tool_, inputs_, outputs);
+}
+
 bool Conversion::report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
                                const std::string& file, bool are_refused) {
   losses = session_.finish(loaded, std::move(losses));

@@ -55,6 +55,10 @@ class Conversion {
     return write_reports(session_.check(loaded));
   }
 
+  /// Before anything is written, and when all is read: complains when one of the outputs, or a file
+  /// of --report, is an input.
+  bool keeps_inputs(std::vector<std::string> outputs) const;
+
   /// Writes the losses to `file`, when it names one. False when that fails, or when there are any
   /// and `are_refused`, in which case they are listed.
   bool report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
@@ -65,6 +69,7 @@ class Conversion {
   ExitCode fail() const { return kFailed; }
 
   const FileReader& files() const { return session_.files(); }
+  const InputFiles& inputs() const { return inputs_; }
 
  private:
   CheckSettings settings() const;
@@ -74,7 +79,8 @@ class Conversion {
   std::string_view tool_;
   const ConverterOptions& options_;
   ConfinedFiles disk_;
-  ArchiveFiles archives_{disk_, options_.limits};
+  InputFiles inputs_{disk_};
+  ArchiveFiles archives_{inputs_, options_.limits};
   MemoryFiles files_{&archives_};
   Session session_{files_, options_.limits};
   std::string path_;

@@ -10,7 +10,4 @@ namespace smurf::tools {
 /// folder when there is none. Links are resolved, as code hosts know no file by two names.
 RepositoryPath in_repository();
 
-/// Paths relative to the folder of a file; a file outside of it starts with "..".
-RepositoryPath relative_to_folder_of(const std::string& file);
-
 }  // namespace smurf::tools

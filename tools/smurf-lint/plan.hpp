@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "smurf-lint/options.hpp"
+#include "smurf/config.hpp"
 #include "smurf/file_reader.hpp"
 
 namespace smurf::tools {
@@ -42,5 +43,10 @@ void keep_shard(Plan& plan, const Shard& shard, const FileReader& files);
 /// "" when there is none.
 std::string find_config(const std::string& path, const LintOptions& options,
                         const FileReader& files);
+
+/// Whether the user named the configuration.
+inline ConfigOrigin origin_of_config(const LintOptions& options) {
+  return options.config.empty() ? ConfigOrigin::found : ConfigOrigin::named;
+}
 
 }  // namespace smurf::tools

@@ -8,6 +8,7 @@
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "common/input.hpp"
+#include "render/printable.hpp"
 #include "smurf-lint/plan.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/check.hpp"
@@ -22,7 +23,8 @@ constexpr std::size_t kOriginColumn = 30;
 using Entry = std::pair<std::string, std::string>;  ///< a value, as YAML, and its origin
 using Entries = std::vector<Entry>;
 
-std::string text_of(std::string_view text) { return yaml_like("", text); }
+/// What is escaped beyond YAML's needs is inside double quotes, where YAML knows these escapes.
+std::string text_of(std::string_view text) { return render::escape(yaml_like("", text)); }
 std::string text_of(double number) { return format_number(number); }
 std::string text_of(Severity severity) { return std::string(to_string(severity)); }
 
@@ -32,7 +34,7 @@ class Page {
 
   std::string origin(Span span) const {
     const std::uint32_t line = sources_.line_of(span.source, span.begin);
-    return sources_.path(span.source) + ":" + std::to_string(line);
+    return render::escape(sources_.path(span.source)) + ":" + std::to_string(line);
   }
 
   template <class Value>
@@ -71,7 +73,9 @@ class Page {
     }
   }
 
-  void comment(std::string_view text) { text_.append("# ").append(text).append("\n"); }
+  void comment(std::string_view text) {
+    text_.append("# ").append(render::escape(text)).append("\n");
+  }
   void raw(std::string_view text) { text_ += text; }
   const std::string& text() const { return text_; }
 
@@ -188,8 +192,9 @@ void show_run(const Config& config, const RunSettings& run, const LintOptions& o
 }  // namespace
 
 ExitCode show_config(const LintOptions& options) {
-  ConfinedFiles files;
-  confine_to_inputs(files, options);
+  ConfinedFiles disk;
+  confine_to_inputs(disk, options);
+  const InputFiles files(disk);
   std::error_code ignored;
   if (!std::filesystem::exists(options.show_config, ignored)) {
     complain(kTool, "there is no '" + options.show_config + "'");
@@ -202,7 +207,9 @@ ExitCode show_config(const LintOptions& options) {
   }
   SourceMap sources;
   DiagnosticSink reported_below;
-  const Config config = path.empty() ? Config{} : read_config(path, sources, files, reported_below);
+  const Config config = path.empty() ? Config{}
+                                     : read_config(path, sources, files, reported_below, {},
+                                                   origin_of_config(options));
   // A check of no file finds what is wrong with the configuration.
   Session session(files, options.limits);
   smurf::Plan nothing;
@@ -216,6 +223,7 @@ ExitCode show_config(const LintOptions& options) {
   show_rules(config, options, page);
   show_input(config, options, page);
   show_run(config, run, options, page);
+  if (!keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;
   if (!write_output(kTool, options.output, page.text())) return kFailed;
 
   for (const Diagnostic& one : report.diagnostics) {

@@ -69,7 +69,7 @@ CheckResult broken_off(const Job& job, const ChildOutcome& outcome, const Messag
   CheckResult result;
   StageResult failed;
   failed.stage = stage;
-  failed.verdict = Verdict::fail;
+  failed.verdict = why.empty() ? Verdict::fail : Verdict::none;
   failed.note = "broken off";
   result.stages.push_back(std::move(failed));
   result.diagnostics = sink.take();
@@ -96,6 +96,20 @@ Verdict Checked::verdict() const {
     if (stage.verdict != Verdict::skipped) worst = std::max(worst, stage.verdict);
   }
   return worst;
+}
+
+Tally tally_of(std::span<const Checked> checked) {
+  Tally tally;
+  for (const Checked& one : checked) {
+    switch (one.verdict()) {
+    case Verdict::pass: ++tally.passed; break;
+    case Verdict::warn: ++tally.warned; break;
+    case Verdict::none: ++tally.undecided; break;
+    case Verdict::fail:
+    case Verdict::skipped: ++tally.failed; break;
+    }
+  }
+  return tally;
 }
 
 std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,

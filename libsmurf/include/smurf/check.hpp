@@ -102,6 +102,9 @@ struct LoadedScene : Loaded {
   LinkedScene scene;
 };
 
+/// Whether a text is a baseline that Session::baseline_of() made.
+bool is_baseline(std::string_view text);
+
 /// What tells whether a file has changed without reading it.
 struct FileStamp {
   std::string text;         ///< empty: nothing does

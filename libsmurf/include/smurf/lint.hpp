@@ -31,8 +31,6 @@ struct RuleSelection {
   std::vector<PathRules> paths;              ///< where several cover a file, the last one wins
 
   bool is_enabled(const Rule& rule) const;
-  /// The same for what the rule finds in one file.
-  bool is_enabled(const Rule& rule, const std::string& path) const;
   /// As set, else the rule's own.
   double tolerance_of(const Rule& rule) const;
 };

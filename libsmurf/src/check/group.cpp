@@ -76,7 +76,8 @@ CheckGroups read_configurations(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     CheckGroup& group = groups.emplace_back();
     DiagnosticSink sink;
-    if (!path.empty()) group.config = read_config(path, sources, files, sink, formats);
+    const ConfigOrigin origin = settings.config.empty() ? ConfigOrigin::found : ConfigOrigin::named;
+    if (!path.empty()) group.config = read_config(path, sources, files, sink, formats, origin);
     group.found = sink.take();
   }
   return groups;

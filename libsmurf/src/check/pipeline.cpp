@@ -148,6 +148,8 @@ Report make_report(std::vector<Judged>&& found, const CheckGroups& groups, const
   return report;
 }
 
+bool is_baseline(std::string_view text) { return Baseline::is_written(text); }
+
 std::string write_baseline(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
                            const std::string& path) {
   return Baseline(relative_to_folder_of(path)).write(diagnostics, sources);

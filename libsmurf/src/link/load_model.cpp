@@ -8,7 +8,9 @@
 #include "ast/sections.hpp"
 #include "ast/urdf_reader.hpp"
 #include "base/limits.hpp"
+#include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
@@ -284,6 +286,19 @@ class ModelLoader {
       }
     }
     model_.tree = build_tree(model_);
+    check_followers();
+  }
+
+  void check_followers() {
+    for (const urdf::Joint& joint : model_.robot->joints) {
+      if (!joint.mimic || is_followable(model_, joint)) continue;
+      const Field<double>& multiplier = joint.mimic->multiplier;
+      context_.sink.report(
+          rules::sml1810_overflow_underflow,
+          multiplier.written ? multiplier.span : joint.mimic->joint.span,
+          "the multipliers of the joints that this one follows come to more than " +
+              format_rounded(kLargestQuantity));
+    }
   }
 
   LoadContext& context_;

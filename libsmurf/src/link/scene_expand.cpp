@@ -8,6 +8,7 @@
 #include "ast/scene_reader.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "link/drawn_scene.hpp"
@@ -44,7 +45,16 @@ class SceneExpander {
     const UseIndex index{static_cast<std::uint32_t>(scene_.uses.size())};
     scene_.uses.push_back(std::move(use));
     names_.add_use();
+    const SceneUse& added = scene_.uses.back();
+    inherited_.push_back(
+        added.outer ? inherited_[to_size(*added.outer)] + references_of(*scene_.entity(added)) : 0);
+    bytes_ += added.path.size();
     return index;
+  }
+
+  static std::uint64_t references_of(const Entity& entity) {
+    return (entity.parent ? entity.parent->size() : 0) +
+           (entity.anchor ? entity.anchor->size() : 0);
   }
 
   const Entity& entity(UseIndex use, std::size_t index) const {
@@ -102,17 +112,26 @@ class SceneExpander {
     if (scene_.instances.empty()) scene_.instances.reserve(count);
     for (std::size_t i = 0; i < count && !is_full_; ++i) {
       if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
-        is_full_ = true;
-        lose_scene();
-        context_.sink
-            .report(rules::sml5022_too_many_instances, place_of(entity(use, i)),
-                    "this is one entity too many: a scene holds at most " +
-                        std::to_string(context_.limits.instances) + ", nested ones included")
-            .help = raise_limit("instances");
-        return;
+        stop(entity(use, i),
+             "this is one entity too many: a scene holds at most " +
+                 std::to_string(context_.limits.instances) + ", nested ones included",
+             "instances");
+      } else if (bytes_ > context_.limits.scene_bytes) {
+        stop(entity(use, i),
+             "the entities before this one have names and references of more than " +
+                 std::to_string(context_.limits.scene_bytes) + " bytes, nested ones included",
+             "scene-bytes");
+      } else {
+        add_entity(use, i);
       }
-      add_entity(use, i);
     }
+  }
+
+  void stop(const Entity& at, std::string message, std::string_view limit) {
+    is_full_ = true;
+    lose_scene();
+    context_.sink.report(rules::sml5022_too_many_instances, place_of(at), std::move(message)).help =
+        raise_limit(limit);
   }
 
   void add_entity(UseIndex use, std::size_t index) {
@@ -168,6 +187,8 @@ class SceneExpander {
     } else if (!path.empty() && path.find(":/") == std::string::npos) {
       check_data_file(path, file_of(entity).span, type);
     }
+    bytes_ += instance.path.size() + instance.name.size() + type.size() + path.size() +
+              references_of(entity) + inherited_[to_size(use)];
     const InstanceIndex number{static_cast<std::uint32_t>(scene_.instances.size())};
     if (entity.name) names_.add(use, *entity.name, number);
     scene_.instances.push_back(std::move(instance));
@@ -250,20 +271,33 @@ class SceneExpander {
   }
 
   bool is_cyclic(UseIndex outer, const Entity& entity, const std::string& path) {
-    std::string chain = "`" + path + "`";
+    const auto known = scene_files_.find(path);
+    if (known == scene_files_.end() || !known->second) return false;
+    std::vector<SceneIndex> chain;  // from the innermost scene
     for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer) {
-      const SceneUse& use = scene_.uses[to_size(*at)];
-      const std::string& including = scene_.file(use).path;
-      chain.insert(0, "`" + including + "` includes ");
-      if (including != path) continue;
+      chain.push_back(scene_.uses[to_size(*at)].scene);
+      if (chain.back() != *known->second) continue;
       Diagnostic& diagnostic =
           context_.sink.report(rules::sml5020_cyclic_include, file_of(entity).span,
                                *at == outer ? "this scene includes itself"
-                                            : "this include leads back to `" + path + "`");
-      diagnostic.notes.push_back(chain);
+                                            : "this include leads back to " + quoted(path));
+      diagnostic.notes.push_back(describe(chain));
       return true;
     }
     return false;
+  }
+
+  /// "`a` includes `b` includes `a`"; of a long chain, its ends.
+  std::string describe(const std::vector<SceneIndex>& chain) const {
+    constexpr std::size_t kMostAtEnd = 4;
+    const auto name = [&](SceneIndex scene) { return quoted(scene_.scenes[to_size(scene)].path); };
+    std::string text;
+    for (std::size_t i = chain.size(); i-- > 0;) {
+      const bool is_shown = i < kMostAtEnd || chain.size() - i <= kMostAtEnd;
+      if (is_shown) text += name(chain[i]) + " includes ";
+      if (i == kMostAtEnd && !is_shown) text += "... includes ";
+    }
+    return text + name(chain.back());
   }
 
   bool is_too_deep(UseIndex outer, const Entity& entity) {
@@ -364,6 +398,9 @@ class SceneExpander {
   std::unordered_set<std::string> paths_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
   std::optional<SceneIndex> empty_scene_;
+  /// Of the texts of instances: a long one may be repeated in each of a nested scene.
+  std::uint64_t bytes_ = 0;
+  std::vector<std::uint64_t> inherited_;  ///< by use: of the references of the includes around it
   bool is_full_ = false;
 };
 

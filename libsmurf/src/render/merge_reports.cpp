@@ -2,6 +2,7 @@
 // Reports of the parts of a check that several machines did, as the report of one.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <tuple>
 
 #include "render/json_text.hpp"
@@ -21,6 +22,13 @@ Order order_of(const Json& diagnostic) {
           diagnostic.at("id"), diagnostic.at("message")};
 }
 
+/// Reports may come from anywhere: what is too much for a number stays at the largest.
+std::uint64_t sum(const Json& a, const Json& b) {
+  const auto first = a.get<std::uint64_t>();
+  const auto second = b.get<std::uint64_t>();
+  return second > UINT64_MAX - first ? UINT64_MAX : first + second;
+}
+
 /// The worse of two verdicts on one reader; the first place is that of the worse.
 void merge_target(Json& target, const Json& other) {
   static constexpr std::array<std::string_view, 3> kWorse = {"takes", "loses", "refuses"};
@@ -33,14 +41,14 @@ void merge_target(Json& target, const Json& other) {
     if (other.contains("first")) target["first"] = other.at("first");
   }
   for (const char* count : {"refusals", "losses"}) {
-    target[count] = target.at(count).get<std::uint64_t>() + other.at(count).get<std::uint64_t>();
+    target[count] = sum(target.at(count), other.at(count));
   }
 }
 
 void add(Json& merged, const Json& report) {
   for (const auto& [name, count] : report.at("summary").items()) {
-    Json& sum = merged["summary"][name];
-    sum = sum.get<std::uint64_t>() + count.get<std::uint64_t>();
+    Json& total = merged["summary"][name];
+    total = sum(total, count);
   }
   for (const Json& diagnostic : report.at("diagnostics"))
     merged["diagnostics"].push_back(diagnostic);
@@ -66,7 +74,7 @@ void drop_repeated(Json& merged) {
       continue;
     }
     Json& count = merged["summary"][diagnostic.at("severity").get<std::string>()];
-    count = count.get<std::uint64_t>() - 1;
+    count = std::max<std::uint64_t>(count.get<std::uint64_t>(), 1) - 1;
   }
   list = std::move(kept);
 }
