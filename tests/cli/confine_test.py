@@ -98,10 +98,10 @@ class Confine(cli.CliTest):
 
     def test_what_lies_outside_is_not_told_apart(self):
         """Neither by what is said of it, nor through a link, nor for any way to name a file."""
-        self.write("here.yml", SECRET)
-        self.write("here.stl", "solid a\nendsolid a\n")
-        self.write("here.png", "")
-        for name in ("here", "gone"):
+        self.write("away.yml", SECRET)
+        self.write("away.stl", "solid a\nendsolid a\n")
+        self.write("away.png", "")
+        for name in ("away", "gone"):
             for end in ("yml", "stl", "png"):
                 (self.project / f"{name}.{end}").symlink_to(self.folder / f"{name}.{end}")
         shape = ('<visual><geometry><mesh filename="{0}.stl"/></geometry>'
@@ -117,8 +117,8 @@ class Confine(cli.CliTest):
                 for model in ("smurf/r.smurf", "s.smurfs"):
                     yield self.run_tool("--isolated", "--format", "concise", model, cwd=self.project).stdout
 
-        for here, gone in zip(said("here"), said("gone")):
-            self.assertEqual(here.replace("here", "gone"), gone)
+        for away, gone in zip(said("away"), said("gone")):
+            self.assertEqual(away.replace("away", "gone"), gone)
             self.assertIn("outside of the project; --allow-outside", gone)
 
     def test_the_root_as_current_folder_allows_nothing(self):

@@ -43,7 +43,7 @@ struct Case {
     const LinkedModel model = load_model("robot.urdf", context);
     REQUIRE(model.robot);
     REQUIRE(sink.diagnostics().empty());
-    result = check_model(model, {files}, {}, [](Stage) {});
+    result = check_model(model, {files}, {}, [](Stage, const CheckResult&) {});
     locate(model, result.diagnostics);
     result.diagnostics = finish(std::move(result.diagnostics), sources, {});
   }

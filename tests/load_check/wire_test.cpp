@@ -113,9 +113,12 @@ TEST_CASE("numbers that JSON does not know arrive as NaN") {
 
 TEST_CASE("what a child could not finish is not lost") {
   const std::string whole = encode(some_result());
-  const Message message = decode(encode_begin(Stage::drop) + encode_fault("assertion") +
-                                 whole.substr(0, whole.size() / 2));
+  const Message message = decode(encode_begin(Stage::hang) + whole + encode_begin(Stage::drop) +
+                                 encode_fault("assertion") + whole.substr(0, whole.size() / 2));
   CHECK(message.last_stage == Stage::drop);
   CHECK(message.fault == "assertion");
+  REQUIRE(message.so_far.stages.size() == 1);
+  CHECK(message.so_far.stages[0].stage == Stage::hang);
+  CHECK(message.so_far.diagnostics.size() == 1);
   CHECK(!message.result);
 }

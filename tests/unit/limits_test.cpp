@@ -231,7 +231,7 @@ TEST_CASE("limits: every row of the table has a name of its own, a usual value a
   // Where the others are tested.
   constexpr std::string_view kElsewhere[] = {"image-pixels", "archive-bytes", "archive-files",
                                              "archive-growth", "srdf-bytes", "folder-entries",
-                                             "ignore-checks"};
+                                             "ignore-checks", "suggestions"};
   for (const LimitInfo& info : kLimits) {
     CAPTURE(info.name);
     CHECK(&info_of(info.name) == &info);

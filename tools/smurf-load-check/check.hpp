@@ -24,8 +24,8 @@ struct CheckOptions {
   bool poses = false;    ///< and the poses in them
 };
 
-/// Called before a stage begins.
-using OnStage = std::function<void(Stage)>;
+/// Called before a stage begins, with the result of those before it but their samples.
+using OnStage = std::function<void(Stage, const CheckResult& so_far)>;
 
 /// One model on its own: BUILD, POSE0, STILL, HANG, DROP. What BUILD refuses has a stand-in in the
 /// other stages; of those, one that fails is the last that is run. Precondition: the model has a

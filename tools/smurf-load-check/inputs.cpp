@@ -97,7 +97,7 @@ class Loader {
   /// A model alone counts as a scene of one entity.
   void load(const std::string& file) {
     if (!done_.insert(identity(file)).second) return;
-    DiagnosticSink sink(options_.limits.findings);
+    DiagnosticSink sink(options_.limits.findings, options_.limits.suggestions);
     LoadContext context{inputs_.sources, inputs_.files,     sink,
                         options_.limits, options_.packages, package_folders_};
     const LinkedScene& scene = inputs_.scenes.emplace_back(load_scene(file, context));

@@ -35,7 +35,7 @@ void StageRun::stage(Stage stage, const StageBody& body) {
     return;
   }
   current_ = stage;
-  on_stage_(stage);
+  on_stage_(stage, {result_.stages, result_.diagnostics, {}, {}});
   std::vector<EngineMessage> messages = attempt(body, 0, result);
   if (!messages.empty()) {
     messages = attempt(body, kStopMargin, result);

@@ -182,6 +182,9 @@ Message decode(const std::string& output) {
     if (json.is_discarded()) break;  // the child was stopped while it wrote
     if (json.contains("begin")) {
       message.last_stage = static_cast<Stage>(json["begin"].get<int>());
+      // A result that another stage follows is not the last one.
+      message.so_far = std::move(message.result).value_or(CheckResult{});
+      message.result.reset();
     } else if (json.contains("fault")) {
       message.fault = json["fault"];
     } else {

@@ -45,6 +45,11 @@ class Findings {
   Diagnostic& report(Span span, std::string message) {
     return sink_.report(rule_, span, std::move(message));
   }
+  /// As DiagnosticSink::suggest().
+  std::optional<std::string_view> suggest(std::string_view name,
+                                          std::span<const std::string_view> known) {
+    return sink_.suggest(name, known);
+  }
   /// What Rule::tolerance says, or the user's number in its place.
   double tolerance() const { return tolerance_; }
 

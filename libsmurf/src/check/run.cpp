@@ -167,7 +167,8 @@ class Run {
             Outcome& outcome) const {
     const CheckGroup& group = memory_.groups[planned.config];
     outcome.sources = memory_.sources;
-    DiagnosticSink sink(workshop_.desk.limits.findings);
+    const Limits& limits = workshop_.desk.limits;
+    DiagnosticSink sink(limits.findings, limits.suggestions);
     LoadContext context{outcome.sources,
                         files,
                         sink,

@@ -12,7 +12,6 @@
 #include "base/quoted.hpp"
 #include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
-#include "base/suggest.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/readers.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -272,7 +271,7 @@ class ConfigReader {
 
   void suggest(Diagnostic& diagnostic, std::string_view text,
                std::span<const std::string_view> known, Span place) {
-    const auto near = nearest(text, known);
+    const auto near = sink_.suggest(text, known);
     if (!near) return;
     diagnostic.help = "did you mean " + quoted(*near) + "?";
     diagnostic.fixes.push_back(

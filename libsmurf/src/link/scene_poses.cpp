@@ -7,7 +7,6 @@
 #include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
-#include "base/suggest.hpp"
 #include "link/kinematics.hpp"
 #include "link/scene_link.hpp"
 
@@ -38,7 +37,7 @@ void report_pose(const Entity& entity, const LinkedModel& model, LoadContext& co
       if (set.name) known.push_back(*set.name);
     }
   }
-  if (const auto near = nearest(*entity.pose, known)) {
+  if (const auto near = context.sink.suggest(*entity.pose, known)) {
     const std::string_view written = context.sources.text(entity.pose.span);
     diagnostic.help = "did you mean `" + std::string(*near) + "`?";
     diagnostic.fixes.push_back(

@@ -6,7 +6,6 @@
 #include "base/quoted.hpp"
 #include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
-#include "base/suggest.hpp"
 #include "lint/file_selection.hpp"
 #include "smurf/suppress.hpp"
 
@@ -121,7 +120,7 @@ void report_unknown_rule(Span span, std::string_view name, DiagnosticSink& sink)
   std::vector<std::string_view> known;
   for (const Rule* rule : all_rules()) known.push_back(rule->id);
   for (const Rule* rule : all_rules()) known.push_back(rule->name);
-  if (const auto near = nearest(name, known)) {
+  if (const auto near = sink.suggest(name, known)) {
     diagnostic.help = "did you mean `" + std::string(*near) + "`?";
     diagnostic.fixes.push_back({Applicability::unsafe, {{span, std::string(*near)}}});
   }

@@ -352,7 +352,7 @@ class Explainer {
                                              std::span<const std::string_view> known) {
     const auto most = static_cast<std::uint64_t>(std::max<std::int64_t>(steps_left_, 0));
     std::uint64_t comparisons_left = most * kComparisonsForStep;
-    const auto near = nearest(name, known);
+    const auto near = nearest(name, known, comparisons_left);
     steps_left_ = static_cast<std::int64_t>(comparisons_left / kComparisonsForStep);
     return near;
   }
