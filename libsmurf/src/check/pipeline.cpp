@@ -86,11 +86,11 @@ std::size_t apply_baseline(const std::string& path, const CheckGroup& group, con
 }
 
 /// A file that two models share is one file.
-std::size_t count_files(const SourceMap& sources, const CanonicalPaths& paths) {
+std::size_t count_files(const SourceMap& sources, const Desk& desk) {
   std::set<std::string> files;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
+  for (std::size_t i = desk.first_source; i < sources.size(); ++i) {
     const SourceId source{static_cast<std::uint32_t>(i)};
-    if (sources.is_readable(source)) files.insert(identity(sources.path(source), paths));
+    if (sources.is_readable(source)) files.insert(identity(sources.path(source), desk.paths));
   }
   return files.size();
 }
@@ -143,7 +143,7 @@ Report make_report(std::vector<Judged>&& found, const CheckGroups& groups, const
   }
   report.summary = summarize(all);
   report.summary.suppressed = suppressed;
-  report.summary.files = count_files(sources, desk.paths);
+  report.summary.files = count_files(sources, desk);
   report.targets = targets_of(groups);
   return report;
 }

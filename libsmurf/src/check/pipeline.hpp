@@ -3,6 +3,7 @@
 // place.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct Desk {
   const FileReader& files;
   const Limits& limits;
   const CanonicalPaths& paths;
+  std::size_t first_source = 0;  ///< those before it are of other reports
 };
 
 /// What is left under the settings of each configuration, with what is wrong with these. `found`

@@ -79,6 +79,7 @@ std::vector<std::string> ros_package_folders() {
 struct LoadedWith {
   CheckGroups groups;  ///< one
   MeshLibrary meshes;
+  std::size_t first_source = 0;
 
   const CheckGroup& group() const { return groups.front(); }
 };
@@ -103,12 +104,13 @@ struct Session::State {
     return stamp_of_file && !is_in_archive(path) ? stamp_of_file(path) : FileStamp{};
   }
 
-  Desk desk() const { return {*files, limits, *paths}; }
+  Desk desk(std::size_t first_source = 0) const { return {*files, limits, *paths, first_source}; }
 
   /// Where a model or scene is loaded.
   Loaded prepare(const std::string& path, const CheckSettings& settings) {
     open();
     LoadedWith& with = loaded_with.emplace_back();
+    with.first_source = loaded_sources.size();
     with.groups =
         read_configurations({config_for(path, settings, *files)}, settings, *files, loaded_sources);
     merge(settings, *paths, with.groups);
@@ -118,7 +120,8 @@ struct Session::State {
   Report report(Judged&& judged, Loaded& loaded) {
     std::vector<Judged> found;
     found.push_back(std::move(judged));
-    return make_report(std::move(found), loaded.with->groups, desk(), loaded_sources);
+    return make_report(std::move(found), loaded.with->groups, desk(loaded.with->first_source),
+                       loaded_sources);
   }
 
   Limits limits;
