@@ -262,15 +262,40 @@ class Links(StrangerTest):
             (self.project / "robot/smurf/r.smurf").unlink()
 
     def test_the_users_own_folder_and_file_may_be_links(self):
+        """Outside of a repository, and within it."""
         (self.folder / "elsewhere").mkdir()
-        (self.project / "robot").symlink_to(self.folder / "elsewhere")
-        self.expect(0, "urdf2smurf", "r.urdf", "-o", "robot")
+        (self.folder / "robot").symlink_to(self.folder / "elsewhere")
+        self.expect(0, "urdf2smurf", "r.urdf", "-o", "../robot")
         self.assertTrue((self.folder / "elsewhere/smurf/r.smurf").is_file())
-        (self.project / "w.sdf").symlink_to(self.victim / "mine")
-        self.expect(0, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "robot", "-o", "w.sdf")
+        (self.folder / "w.sdf").symlink_to(self.victim / "mine")
+        self.expect(0, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "../robot", "-o", "../w.sdf")
         self.assertTrue((self.folder / "elsewhere/r/m.stl").is_file())
-        self.assertTrue((self.project / "w.sdf").is_symlink())
+        self.assertTrue((self.folder / "w.sdf").is_symlink())
         self.assertIn("<sdf", (self.victim / "mine").read_text())
+        self.write("results/old.urdf", "old\n")
+        (self.project / "latest.urdf").symlink_to("results/old.urdf")
+        self.expect(0, "smurf2urdf", "r.urdf", "-o", "latest.urdf")
+        self.assertIn("<robot", (self.project / "results/old.urdf").read_text())
+
+    def test_links_of_a_repository_that_lead_out_of_it(self):
+        """Under the name of a report that CI writes, say."""
+        self.write(".git/hooks/pre-push", "#!/bin/sh\n")
+        before = self.texts(self.project)
+        for name, target in (("out", self.victim / "mine"), ("out", self.victim / "new"), ("out", "../victim/mine"),
+                             ("out", "a"), ("out", ".git/hooks/pre-push"), ("dir/out", None), ("robot", self.victim)):
+            (self.project / "a").symlink_to("../victim/mine")
+            link = self.project / (name if target else "dir")
+            link.symlink_to(target or self.victim)
+            jobs = [("smurf2urdf", "r.urdf", "-o", name), ("smurf-lint", "--format", f"json={name}", "r.urdf"),
+                    ("smurfs-flatten", "r.urdf", "-o", name), ("urdf2smurf", "r.urdf", "--overwrite", "-o", name)]
+            for job in jobs[3:] if name == "robot" else jobs:
+                with self.subTest(job, target=str(target)):
+                    done = self.expect(2, *job)
+                    self.assertIn("is a link that leads out of its repository", done.stderr)
+                    self.assert_unharmed()
+            link.unlink()
+            (self.project / "a").unlink()
+            self.assertEqual(self.texts(self.project), before)
 
 
 class Inputs(StrangerTest):

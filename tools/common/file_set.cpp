@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/path.hpp"
+#include "common/repository.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -27,6 +28,10 @@ FileSet::Problem problem(const std::string& path, int error) {
 }
 
 }  // namespace
+
+std::string reason_of_link(const std::string& link) {
+  return "`" + link + "` is a link that leads out of its repository; name the place itself";
+}
 
 FileSet::~FileSet() {
   for (Written& written : written_) {
@@ -62,6 +67,10 @@ std::optional<FileSet::Problem> FileSet::write(bool overwrite) {
 
 std::optional<FileSet::Problem> FileSet::prepare(const OutputFile& file, bool overwrite) {
   const std::string shown = path::join(file.folder, file.path);
+  const std::string& chosen = file.written_as.empty() ? file.folder : file.written_as;
+  if (const auto link = link_out_of_repository(chosen); !link.empty()) {
+    return Problem{shown, reason_of_link(link)};
+  }
   int folder = -1;
   if (auto found = open_folder(file, folder)) return found;
   Written& written = written_.emplace_back(folder, std::string(path::file_name(file.path)));

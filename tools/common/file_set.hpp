@@ -15,6 +15,9 @@
 
 namespace smurf::tools {
 
+/// Why nothing is written through a link of link_out_of_repository().
+std::string reason_of_link(const std::string& link);
+
 class FileSet {
  public:
   struct Problem {

@@ -18,6 +18,7 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "common/file_set.hpp"
+#include "common/repository.hpp"
 #include "render/printable.hpp"
 
 namespace smurf::tools {
@@ -109,7 +110,7 @@ OutputFile named_by_user(const std::string& path, std::string_view text) {
   std::error_code failed;
   const fs::path target = fs::canonical(path, failed);
   const std::string place = failed ? path : target.string();
-  return {std::string(path::parent(place)), std::string(path::file_name(place)), text};
+  return {std::string(path::parent(place)), std::string(path::file_name(place)), text, path};
 }
 
 bool write_output(std::string_view tool, const std::string& path, std::string_view text) {
@@ -119,6 +120,8 @@ bool write_output(std::string_view tool, const std::string& path, std::string_vi
   std::string reason;
   if (open) {
     error = write_all(*open, text);
+  } else if (const auto link = link_out_of_repository(path); !link.empty()) {
+    reason = reason_of_link(link);
   } else if (is_device_or_pipe(path)) {
     error = write_directly(path, text);
   } else {

@@ -2,6 +2,7 @@
 #include "common/repository.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 namespace smurf::tools {
@@ -9,27 +10,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path root_above(const fs::path& folder) {
+std::optional<fs::path> root_above(const fs::path& folder) {
   std::error_code ignored;
   for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
     if (fs::exists(at / ".git", ignored)) return at;
   }
-  return folder;
+  return std::nullopt;
+}
+
+bool is_inside(const fs::path& path, const fs::path& folder) {
+  const fs::path inside = path.lexically_relative(folder);
+  return !inside.empty() && *inside.begin() != "..";
+}
+
+bool leads_out(const fs::path& link, const fs::path& folder) {
+  const auto root = root_above(folder);
+  if (!root) return false;
+  std::error_code failed;
+  const fs::path target = fs::weakly_canonical(link, failed);
+  return failed || !is_inside(target, *root) || is_inside(target, *root / ".git");
 }
 
 }  // namespace
 
 RepositoryPath in_repository() {
   std::error_code error;
-  const fs::path root = root_above(fs::canonical(".", error));
+  const fs::path here = fs::canonical(".", error);
+  const fs::path root = root_above(here).value_or(here);
   return [root](const std::string& path) {
     std::error_code failed;
     const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
     if (failed) return path;
-    const fs::path inside = whole.lexically_relative(root);
-    const bool is_inside = !inside.empty() && *inside.begin() != "..";
-    return (is_inside ? inside : whole).generic_string();
+    return (is_inside(whole, root) ? whole.lexically_relative(root) : whole).generic_string();
   };
+}
+
+std::string link_out_of_repository(const std::string& path) {
+  std::error_code error;
+  fs::path at;  // without links
+  for (const fs::path& part : fs::absolute(path, error)) {
+    const fs::path next = at / part;
+    if (fs::is_symlink(next, error) && leads_out(next, at)) return next.string();
+    at = fs::weakly_canonical(next, error);
+    if (error) break;
+  }
+  return {};
 }
 
 }  // namespace smurf::tools

@@ -2,6 +2,8 @@
 // Where files stand in their repository.
 #pragma once
 
+#include <string>
+
 #include "smurf/render.hpp"
 
 namespace smurf::tools {
@@ -9,5 +11,9 @@ namespace smurf::tools {
 /// Paths from the folder that holds `.git`, sought from the current folder upward; from the current
 /// folder when there is none. Links are resolved, as code hosts know no file by two names.
 RepositoryPath in_repository();
+
+/// The first symbolic link on the way to `path` that lies in a repository and leads out of it, or to
+/// what git keeps of it: it may have come with a pull request. "" when there is none.
+std::string link_out_of_repository(const std::string& path);
 
 }  // namespace smurf::tools
