@@ -174,6 +174,7 @@ Report Session::check(const Plan& plan, const CheckSettings& settings) {
 }
 
 Report Session::check(const std::string& path, const CheckSettings& settings) {
+  state_->open();
   Plan plan;
   if (!is_readable(path, *state_->files)) {
     const std::string reason = state_->files->read(path, 0).reason;
