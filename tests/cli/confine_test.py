@@ -187,6 +187,21 @@ class Confine(cli.CliTest):
         found = self.expect(0, "--isolated", "--list-files", ".", cwd=self.project).stdout
         self.assertEqual(found, "r.urdf\nsmurf/r.smurf\n")
 
+    def test_named_links_out_of_a_repository_open_nothing(self):
+        """A hook names what a pull request brought."""
+        (self.project / ".git").mkdir()
+        self.write("a/other/x.yml", SECRET)
+        self.write("a/other/r.urdf", URDF)
+        self.write("a/other/r.smurf", "files: [r.urdf, x.yml]\n")
+        (self.project / "link.smurf").symlink_to(self.folder / "a/other/r.smurf")
+        (self.project / "folder").symlink_to(self.folder / "a/other")
+        for named in ("link.smurf", "folder/r.smurf", "folder/x.yml", "folder"):
+            done = self.run_tool("--isolated", "--format", "concise", named, cwd=self.project)
+            self.assertEqual(done.returncode, 2, named)
+            self.assertNotIn("nowhere", done.stdout + done.stderr, named)
+            done = self.run_tool("--isolated", "--format", "concise", "--allow-outside", named, cwd=self.project)
+            self.assertIn("nowhere", done.stdout, named)
+
     def test_a_search_is_bounded(self):
         for i in range(30):
             self.write(f"a/b/project/many/{i}/x.txt", "")

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "common/input.hpp"
+#include "common/repository.hpp"
 #include "smurf/config.hpp"
 
 namespace smurf::tools {
@@ -71,9 +72,12 @@ std::optional<fs::path> project_of(const fs::path& folder) {
   return project;
 }
 
-/// Where an input is; none when that cannot be told.
+/// Where an input is; none when that cannot be told. A link that leads out of its repository may have
+/// come with a pull request: where it leads is no project of the user.
 std::optional<fs::path> folder_of(const std::string& input) {
   std::error_code error;
+  const std::string link = link_out_of_repository(input);
+  if (!link.empty()) return fs::path(link).parent_path();
   const fs::path path = fs::weakly_canonical(input, error);
   if (error) return std::nullopt;
   return fs::is_directory(path, error) ? path : path.parent_path();
@@ -116,7 +120,7 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
   std::set<fs::path> folders;
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-") continue;
-    if (is_shared_folder(input)) {
+    if (is_shared_folder(input) && link_out_of_repository(input).empty()) {
       for (const std::string_view name : kRuleFiles) files.allow_named(std::string(name), input);
     } else if (auto folder = folder_of(input)) {
       folders.insert(*std::move(folder));

@@ -156,8 +156,7 @@ std::string render_plot(const Checked& checked, const Bounds& bounds) {
                     "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                     "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
                     "<text x=\"16\" y=\"24\" font-size=\"15\" font-weight=\"bold\">" +
-                    escape_xml(path::file_name(checked.job->path)) + "</text>
-<text x=\"" +
+                    escape_xml(path::file_name(checked.job->path)) + "</text>\n<text x=\"" +
                     pixels(2 * kPanelWidth - kRight) +
                     "\" y=\"24\" text-anchor=\"end\" fill=\"#666\">energy is divided by the "
                     "weight: a height</text>\n";
