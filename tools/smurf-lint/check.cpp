@@ -134,7 +134,8 @@ class Checker {
       group.diagnostics = sink.take();
       for (const Reader* target : group.settings.selection.targets) {
         auto& all = checked_.targets;
-        if (std::find(all.begin(), all.end(), target) == all.end()) all.push_back(target);
+        const auto is_it = [&](const TargetVerdict& one) { return one.reader == target; };
+        if (std::none_of(all.begin(), all.end(), is_it)) all.push_back({.reader = target});
       }
     }
     checked_.run = merge_run(groups_.front().config, options_);
@@ -168,6 +169,7 @@ class Checker {
       const RuleSelection& selection = group.settings.selection;
       std::vector<Diagnostic> found =
           finish(std::move(group.diagnostics), checked_.sources, selection);
+      judge(found);
       if (!options_.no_ignores) {
         suppressed += group.suppressions.apply(found, checked_.sources, selection);
         found = finish(std::move(found), checked_.sources, selection);
@@ -175,9 +177,11 @@ class Checker {
       append(std::move(found), all);
     }
     sort_findings(all, checked_.sources);
+    if (suppressed > 0) note_passed(all, &TargetVerdict::ignored);
     if (!options_.no_ignores && !options_.generate_baseline && !checked_.run.baseline.empty()) {
       suppressed += apply_baseline(all);
       sort_findings(all, checked_.sources);
+      note_passed(all, &TargetVerdict::in_baseline);
     }
     checked_.diagnostics = std::move(all);
     checked_.summary = summarize(checked_.diagnostics);
@@ -188,6 +192,24 @@ class Checker {
   }
 
  private:
+  /// What targets make of the findings, before any of them are let pass.
+  void judge(const std::vector<Diagnostic>& found) {
+    for (TargetVerdict& verdict : checked_.targets) {
+      verdict.add(judge_target(*verdict.reader, found));
+    }
+  }
+
+  /// Of the findings that decide a verdict, those that are not among `left` were let pass.
+  void note_passed(const std::vector<Diagnostic>& left, std::size_t TargetVerdict::*counter) {
+    for (TargetVerdict& verdict : checked_.targets) {
+      const Answer answer = verdict.answer();
+      const std::size_t known = verdict.ignored + verdict.in_baseline;
+      const std::size_t before = verdict.count(answer) - known;
+      const std::size_t after = judge_target(*verdict.reader, left).count(answer);
+      if (after < before) verdict.*counter += before - after;
+    }
+  }
+
   void take(Outcome&& outcome, Group& group) {
     const SourceShift by =
         checked_.sources.take(std::move(outcome.sources), config_sources_.size());

@@ -16,7 +16,7 @@ struct Checked {
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
   RunSettings run;
-  std::vector<const Reader*> targets;  ///< of all configurations
+  std::vector<TargetVerdict> targets;  ///< of all configurations
 };
 
 Checked check(const LintOptions& options, const Plan& plan, const FileReader& files);

@@ -47,14 +47,10 @@ ExitCode list_rules(const LintOptions& options) {
 /// `place` is where reports without a file of their own go.
 ExitCode write_reports(const LintOptions& options, const std::string& place, const Checked& checked,
                        std::string remarks) {
-  std::vector<TargetVerdict> targets;
-  for (const Reader* reader : checked.targets) {
-    targets.push_back(judge_target(*reader, checked.diagnostics));
-  }
   const Results results{.diagnostics = checked.diagnostics,
                         .sources = checked.sources,
                         .summary = checked.summary,
-                        .targets = targets,
+                        .targets = checked.targets,
                         .tool = kTool,
                         .remarks = std::move(remarks),
                         .quiet = options.quiet,

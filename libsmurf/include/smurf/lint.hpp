@@ -47,6 +47,8 @@ class Findings {
   Diagnostic& report(Span span, std::string message) {
     return sink_.report(rule_, span, std::move(message));
   }
+  /// What another rule reports at `place` is a fault of this one as well.
+  void add_consequence(Span place) { sink_.add_consequence(place, rule_); }
   /// What Rule::tolerance says, or the user's number in its place.
   double tolerance() const { return tolerance_; }
 

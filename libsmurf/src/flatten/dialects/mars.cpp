@@ -142,9 +142,10 @@ class CreationOrder {
   std::vector<std::size_t> order_;
 };
 
-class Reader {
+class EntityReader {
  public:
-  explicit Reader(const LinkedScene& scene) : scene_(scene), readings_(scene.instances.size()) {}
+  explicit EntityReader(const LinkedScene& scene)
+      : scene_(scene), readings_(scene.instances.size()) {}
 
   std::vector<EntityReading> run() {
     std::vector<Keys> uses;
@@ -325,7 +326,7 @@ class Reader {
   LinkFrames frames_;
 };
 
-std::vector<EntityReading> read(const LinkedScene& scene) { return Reader(scene).run(); }
+std::vector<EntityReading> read(const LinkedScene& scene) { return EntityReader(scene).run(); }
 
 }  // namespace
 

@@ -6,9 +6,9 @@
 namespace smurf::readings {
 namespace {
 
-class Reader {
+class EntityReader {
  public:
-  explicit Reader(const LinkedScene& scene) : scene_(scene) {}
+  explicit EntityReader(const LinkedScene& scene) : scene_(scene) {}
 
   std::vector<EntityReading> run() {
     find_stop();
@@ -92,7 +92,7 @@ class Reader {
   std::string_view why_stopped_;
 };
 
-std::vector<EntityReading> read(const LinkedScene& scene) { return Reader(scene).run(); }
+std::vector<EntityReading> read(const LinkedScene& scene) { return EntityReader(scene).run(); }
 
 }  // namespace
 

@@ -39,9 +39,9 @@ Pose pose_of(const LinkedScene& scene, const SceneUse& use, const Entity& entity
   return {entity.position.value_or({0, 0, 0}), turned.value_or(Quaternion{})};
 }
 
-class Reader {
+class EntityReader {
  public:
-  explicit Reader(const LinkedScene& scene) : scene_(scene) {}
+  explicit EntityReader(const LinkedScene& scene) : scene_(scene) {}
 
   std::vector<EntityReading> run() {
     // Outer uses come first.
@@ -181,7 +181,7 @@ class Reader {
   LinkFrames frames_;
 };
 
-std::vector<EntityReading> read(const LinkedScene& scene) { return Reader(scene).run(); }
+std::vector<EntityReading> read(const LinkedScene& scene) { return EntityReader(scene).run(); }
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -19,17 +20,20 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "merges it twice: every motor, sensor and light exists two times, under one name",
+     "smurf_parser SMURFParser.cpp:43-69, run"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml2009_file_listed_twice{
-    .id = "SML2009",
-    .name = "file-listed-twice",
-    .severity = Severity::error,
-    .summary = "`files` lists one file twice.",
-    .why = "MARS merges it twice: every motor, sensor and light exists two times, under "
-           "one name.",
-    .remedy = "List the file once.",
-    .sources = "smurf_parser SMURFParser.cpp:43-69 (run).",
-    .check_model = check};
+extern constinit const Rule sml2009_file_listed_twice{.id = "SML2009",
+                                                      .name = "file-listed-twice",
+                                                      .severity = Severity::error,
+                                                      .summary = "`files` lists one file twice.",
+                                                      .remedy = "List the file once.",
+                                                      .check_model = check,
+                                                      .facts = kFacts};
 
 }  // namespace smurf::rules

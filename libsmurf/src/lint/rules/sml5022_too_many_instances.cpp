@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml5022_too_many_instances{
+    .id = "SML5022",
+    .name = "too-many-instances",
+    .severity = Severity::error,
+    .summary = "A scene expands to more entities than the limit.",
+    .why = "Scenes that include others several times grow exponentially with their depth.",
+    .remedy = "Split the scene.",
+    .sources = "Limit of these tools."};
+
+}  // namespace smurf::rules
