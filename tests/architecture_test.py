@@ -67,7 +67,7 @@ def sources(folder):
 
 
 def is_standard(header):
-    return "/" not in header and "." not in header or header in {"fcntl.h", "unistd.h", "sys/stat.h"}
+    return "/" not in header and "." not in header or header in {"dirent.h", "fcntl.h", "unistd.h", "sys/stat.h"}
 
 
 def check_include(path, stage, bracket, header):

@@ -161,9 +161,14 @@ class Content(ConfigTest):
 
     def test_format_and_verdict(self):
         self.write("robots/.smurf-lint.yaml", "format: [concise, json=report.json]\nfail-on: warning\n")
-        done = self.expect(1, "robots")
+        done = self.expect(1, "--config", "robots/.smurf-lint.yaml", "robots")
         self.assertTrue(done.stdout.startswith("robots/scene.smurfs:2:4: warning[SML5012] "), done.stdout)
         self.assertEqual(json.loads(self.read("robots/report.json"))["summary"]["warning"], 1)
+        self.assertIn("robots/.smurf-lint.yaml:1:19: error[SML9002] a configuration that was found beside the files "
+                      "names no file to write (name it on the command line, `--format json=FILE`, or name the "
+                      "configuration with `--config`)\n", self.expect(1, "robots").stdout)
+        self.write("robots/.smurf-lint.yaml", "format: concise\nfail-on: warning\n")
+        self.assertTrue(self.expect(1, "robots").stdout.startswith("robots/scene.smurfs:2:4: warning[SML5012] "))
         self.expect(0, "--fail-on", "error", "--format", "concise", "robots")
         self.write("robots/.smurf-lint.yaml", "max-warnings: 0\n")
         self.expect(1, "robots")
@@ -183,7 +188,9 @@ class Content(ConfigTest):
     def test_baseline(self):
         self.write("robots/.smurf-lint.yaml", "baseline: known.yaml\n")
         self.assertEqual([f[1] for f in self.findings("robots")], ["SML9002", "SML5012"])
-        self.assertEqual(self.expect(0, "--generate-baseline", "robots").stdout,
+        self.expect_complaint("a configuration that was found beside the files does not choose what is written; to "
+                              "write its baseline, add --baseline 'robots/known.yaml'", "--generate-baseline", "robots")
+        self.assertEqual(self.expect(0, "--config", "robots/.smurf-lint.yaml", "--generate-baseline", "robots").stdout,
                          "let 1 finding pass in robots/known.yaml\n")
         self.assertEqual(self.findings("robots"), [])
         self.assertEqual(self.findings(".", cwd=self.folder / "robots"), [])
@@ -294,7 +301,7 @@ baseline: null                # default
         self.write(".smurf-lint.yaml", "select: SML5\nexclude: ['*.old', '!a']\nschemas: {entities: {rainbow: r.json}}\n"
                                        "format: [full, json=a b.json]\nbaseline: known.yaml\n")
         self.write("r.json", RAINBOW)
-        first = self.show("robots").stdout
+        first = self.show("robots", "--config", ".smurf-lint.yaml").stdout
         self.write("shown.yaml", first)
         again = self.show("robots", "--config", "shown.yaml").stdout
 

@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A model makes nothing be read that lies outside of its project."""
+import itertools
 import json
+import os
 import pathlib
+import shutil
+import subprocess
 import sys
+import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
@@ -71,6 +76,182 @@ class Confine(cli.CliTest):
                 done = self.run_tool("--isolated", "--format", "json", *options, "smurf/r.smurf", cwd=self.project)
                 self.assertIn(done.returncode, (0, 1), done.stderr)
                 self.assertTrue(json.loads(done.stdout)["diagnostics"], path)
+
+
+    def test_what_lies_outside_is_not_told_apart(self):
+        """Neither by what is said of it, nor through a link, nor for any way to name a file."""
+        self.write("away.yml", SECRET)
+        self.write("away.stl", "solid a\nendsolid a\n")
+        self.write("away.png", "")
+        for name in ("away", "gone"):
+            for end in ("yml", "stl", "png"):
+                (self.project / f"{name}.{end}").symlink_to(self.folder / f"{name}.{end}")
+        shape = ('<visual><geometry><mesh filename="{0}.stl"/></geometry>'
+                 '<material name="{0}"><texture filename="{0}.png"/></material></visual>')
+
+        def said(name):
+            for place in (f"../../../{name}", name, f"{self.folder}/{name}"):
+                self.write("a/b/project/r.urdf", '<robot name="r"><link name="a">' + shape.format(place) + "</link></robot>")
+                self.write("a/b/project/smurf/r.smurf", f"files: [../r.urdf, ../{place}.yml]\n"
+                           if not place.startswith("/") else f"files: [../r.urdf, {place}.yml]\n")
+                self.write("a/b/project/s.smurfs", f"smurfs:\n- {{name: e, type: object, file: {place}.png}}\n"
+                           f"- {{name: f, type: smurf, file: {place}.smurf}}\n")
+                for model in ("smurf/r.smurf", "s.smurfs"):
+                    yield self.run_tool("--isolated", "--format", "concise", model, cwd=self.project).stdout
+
+        for away, gone in zip(said("away"), said("gone")):
+            self.assertEqual(away.replace("away", "gone"), gone)
+            self.assertIn("outside of the project; --allow-outside", gone)
+
+    def test_the_root_as_current_folder_allows_nothing(self):
+        self.model("../../../../secret.yml")
+        found = self.expect(1, "--isolated", "--format", "concise", self.project / "smurf/r.smurf", cwd="/").stdout
+        self.assertIn("outside of the project", found)
+        self.assertNotIn("the_secret", found)
+
+    def test_home_folders_are_no_projects(self):
+        self.write("a/.ssh/id.yml", SECRET)
+        self.write("a/visible.yml", SECRET)
+        home = {"HOME": str(self.folder / "a")}
+        for name in ("../.ssh/id.yml", "../visible.yml"):
+            self.write("a/b/r.smurf", f"files: [{name}]\n")
+            for cwd in (self.folder / "a/b", self.folder / "a", self.folder):
+                for path in (self.folder / "a/b/r.smurf", "."):
+                    found = self.expect(1, "--isolated", "--format", "concise", path, cwd=cwd, environment=home).stdout
+                    self.assertIn("outside of the project", found)
+                    self.assertNotIn("the_secret", found)
+        # Of the files in the home folder itself, a model there reads those that are not hidden.
+        self.write("a/.hidden.yml", SECRET)
+        for name, is_read in (("visible.yml", True), (".hidden.yml", False), (".ssh/id.yml", False), ("b/r.yml", False)):
+            self.write("a/b/r.yml", SECRET)
+            self.write("a/r.smurf", f"files: [{name}]\n")
+            found = self.expect(1, "--isolated", "--format", "concise", self.folder / "a/r.smurf", cwd="/", environment=home).stdout
+            self.assertEqual("the_secret" in found, is_read, name)
+
+    def test_a_repository_at_home_is_no_project(self):
+        (self.folder / "a/.git").mkdir()
+        self.write("a/.ssh/id.yml", SECRET)
+        self.write("a/b/r.smurf", "files: [../.ssh/id.yml]\n")
+        found = self.expect(1, "--isolated", "--format", "concise", "b/r.smurf", cwd=self.folder / "a",
+                            environment={"HOME": str(self.folder / "a")}).stdout
+        self.assertIn("outside of the project", found)
+
+    def test_models_found_in_a_home_folder_have_projects_of_their_own(self):
+        self.write("a/x/y/smurf/r.smurf", "files: [../motors.yml]\n")
+        self.write("a/x/y/motors.yml", SECRET)
+        self.write("a/x/left/out/r.smurf", "nonsense: [\n")
+        self.write("a/x/left/.smurf-lintignore", "out/\n")
+        found = self.expect(1, "--isolated", "--format", "concise", ".", cwd=self.folder / "a",
+                            environment={"HOME": str(self.folder / "a")}).stdout
+        self.assertIn("the_secret", found)
+        self.assertNotIn("outside", found)
+        self.assertNotIn("left", found)
+
+    def test_show_config(self):
+        self.write("secret", "TOP SECRET LINE\n")
+        (self.project / ".git").mkdir()
+        for setting in ("schemas: {sections: {foo: ../../../secret}}", "extends: ../../../secret",
+                        f"extends: {self.folder}/secret"):
+            self.write("a/b/project/.smurf-lint.yaml", setting + "\n")
+            done = self.run_tool("--show-config", ".", cwd=self.project)
+            self.assertIn("outside of the project", done.stderr)
+            self.assertNotIn("TOP", done.stdout + done.stderr)
+            done = self.run_tool("--show-config", ".", "--allow-outside", cwd=self.project)
+            self.assertIn("TOP", done.stderr)
+
+    def test_links_that_lead_outside_are_not_searched(self):
+        self.write("elsewhere/deep/private.smurf", "files: []\n")
+        self.write("a/b/project/smurf/r.smurf", "files: [../r.urdf]\n")
+        (self.project / "out").symlink_to(self.folder / "elsewhere")
+        (self.project / "up").symlink_to("..")
+        (self.project / "same").symlink_to("smurf")
+        (self.project / "loop").symlink_to("loop")
+        found = self.expect(0, "--isolated", "--list-files", ".", cwd=self.project).stdout
+        self.assertEqual(found, "r.urdf\nsmurf/r.smurf\n")
+
+    def test_a_search_is_bounded(self):
+        for i in range(30):
+            self.write(f"a/b/project/many/{i}/x.txt", "")
+        done = self.run_tool("--isolated", "--limit", "folder-entries=20", ".", cwd=self.project)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("has more than 20 files and folders; raise the limit with `--limit folder-entries=N`", done.stderr)
+        self.assertEqual(done.stderr.count("folder-entries"), 1)
+
+    def test_links_that_change_meanwhile_lead_nowhere_else(self):
+        """A link is judged and followed in one step: see found_file.hpp."""
+        self.model("motors.yml")
+        self.write("a/b/project/smurf/inside.yml", "motors: []\n")
+        stop = threading.Event()
+
+        def flip():
+            link, other = self.project / "smurf/motors.yml", self.project / "smurf/next"
+            for target in itertools.cycle(("inside.yml", self.folder / "secret.yml")):
+                other.symlink_to(target)
+                other.rename(link)
+                if stop.is_set():
+                    return
+
+        thread = threading.Thread(target=flip)
+        thread.start()
+        try:
+            for _ in range(60):
+                self.assertNotIn("the_secret", self.run_tool("--isolated", "smurf/r.smurf", cwd=self.project).stdout)
+        finally:
+            stop.set()
+            thread.join()
+
+    def test_pipes_are_not_opened(self):
+        """Opened for reading, even for a moment, a pipe would let its writer go on."""
+        (self.project / "smurf").mkdir()
+        pipe = self.project / "smurf/motors.yml"
+        os.mkfifo(pipe)
+        self.model("motors.yml")
+        writer = subprocess.Popen(["sh", "-c", 'exec 3>"$0"; echo opened', pipe], stdout=subprocess.PIPE, text=True)
+        try:
+            for options in ((), ("--allow-outside",)):
+                self.assertIn("is not a regular file", self.lint(*options, code=1))
+            with self.assertRaises(subprocess.TimeoutExpired):
+                writer.wait(timeout=0.5)
+        finally:
+            writer.kill()
+            writer.communicate()
+
+    def test_current_folders_without_a_path_end(self):
+        self.write("deep/a.smurf", "files: []\n")
+        here = os.open(self.folder / "deep", os.O_RDONLY)
+        for _ in range(25):  # 5,000 bytes
+            os.mkdir("d" * 200, dir_fd=here)
+            inner = os.open("d" * 200, os.O_RDONLY, dir_fd=here)
+            os.close(here)
+            here = inner
+        with open(os.open("a.smurf", os.O_CREAT | os.O_WRONLY, dir_fd=here), "w") as file:
+            file.write("files: []\n")
+        done = self.run_tool("--isolated", ".", preexec_fn=lambda: os.fchdir(here))
+        os.close(here)
+        self.assertIn(done.returncode, (0, 1, 2))
+
+    def test_current_folders_below_unreadable_ones_are_searched(self):
+        self.write("closed/open/a.smurf", "modelname: a\nfiles: [r.urdf]\n")
+        self.write("closed/open/r.urdf", URDF)
+        os.chmod(self.folder, 0o755)
+        os.chmod(self.folder / "closed/open", 0o755)
+        inner = os.open(self.folder / "closed/open", os.O_RDONLY)
+        os.chmod(self.folder / "closed", 0)
+
+        def become_nobody():
+            os.fchdir(inner)
+            if os.getuid() == 0:
+                os.setgid(65534)
+                os.setuid(65534)
+
+        tool = self.folder / "smurf-lint"
+        shutil.copy(cli.TOOL, tool)
+        done = subprocess.run([tool, "--isolated", "--format", "concise", "."], capture_output=True, text=True, timeout=30,
+                              preexec_fn=become_nobody, check=False)
+        os.close(inner)
+        os.chmod(self.folder / "closed", 0o755)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        self.assertNotIn("outside", done.stdout)
 
 
 if __name__ == "__main__":

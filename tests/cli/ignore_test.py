@@ -36,6 +36,16 @@ class Files(IgnoreTest):
         self.write("robots/.gitignore", "!old/\n")
         self.assertEqual(self.listed("robots"), ["robots/c.urdf", "robots/old/d.urdf"])
 
+    def test_comparisons_with_patterns_are_bounded(self):
+        for patterns, text in ((".smurf-lintignore", "x*y\n" * 500), (".smurf-lint.yaml", "exclude:\n" + "- x*y\n" * 500)):
+            self.write(patterns, text)
+            self.assertEqual(len(self.listed()), 4)
+            done = self.run_tool("--list-files", "--limit", "ignore-checks=2000")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("more than 2000 comparisons of files with patterns; raise the limit with `--limit ignore-checks=N`",
+                          done.stderr)
+            (self.folder / patterns).unlink()
+
     def test_own_ignore_file_counts_everywhere(self):
         self.write(".smurf-lintignore", "/old\n# robots\n")
         self.assertEqual(self.listed(), ["a.urdf", "robots/c.urdf", "robots/old/d.urdf"])

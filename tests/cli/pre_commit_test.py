@@ -18,6 +18,8 @@ CONFIG = """repos:
   rev: v1
   hooks:
   - id: smurf-lint
+  - id: smurf-lint-fix
+    stages: [manual]
   - id: smurf-flatten-check
 """
 
@@ -92,6 +94,30 @@ class PreCommit(unittest.TestCase):
         done = self.try_commit()
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("error[SML1202]", done.stdout + done.stderr)
+
+    def test_fixes(self):
+        mount = '<joint name="pedestal_mount" type="fixed">'
+        self.change("arm/urdf/arm.urdf", mount, mount + "<dynamics/>")
+        self.git(self.robots, "add", "-A")
+        done = self.call(self.robots, "pre-commit", "run", "--hook-stage", "manual", "--all-files", "smurf-lint-fix")
+        self.assertIn("fixed 2 findings", done.stdout)
+        self.assertNotIn("<dynamics/>", (self.robots / "arm/urdf/arm.urdf").read_text())
+
+    def test_names_are_no_options(self):
+        """A folder of the repository that is called like an option, with a path outside in it."""
+        outside = self.folder / "outside"
+        outside.mkdir()
+        for option in ("--output=", "--config=", "--baseline=", "-o"):
+            for name in ("victim.yml", "victim.smurfs"):
+                (outside / name).write_text("mine\n")
+                place = self.robots / (option + str(outside)) / name
+                place.parent.mkdir(parents=True, exist_ok=True)
+                place.write_text((self.robots / "cell/outer.smurfs").read_text() if name.endswith("s") else "a: 1\n")
+        self.git(self.robots, "add", "-A")
+        for stage in ("pre-commit", "manual"):
+            self.call(self.robots, "pre-commit", "run", "--hook-stage", stage, "--all-files")
+        self.assertEqual({path.name: path.read_text() for path in outside.iterdir()},
+                         {"victim.yml": "mine\n", "victim.smurfs": "mine\n"})
 
     def test_a_file_of_no_model(self):
         self.change("ci.yml", "this file", "still this file")

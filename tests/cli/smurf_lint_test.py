@@ -354,7 +354,6 @@ class Usage(LintTest):
                 ("two reports go to 'a'; give one a file of its own: --format json=FILE",
                  ["--format", "full=a", "--format", "json=a"]),
                 ("standard input can be read only once", ["-", "-"]),
-                ("--generate-baseline needs --baseline FILE, the file to write", ["--generate-baseline"]),
                 ("--diff changes nothing, so it does not go with --fix", ["--diff", "--fix"]),
                 ("--unsafe-fixes goes with --fix, --fix-only or --diff", ["--unsafe-fixes"]),
                 ("cannot read '--x': No such file or directory", ["--", "--x"]),

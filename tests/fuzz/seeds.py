@@ -15,7 +15,7 @@ YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
 
 def main() -> None:
     fixtures, out = map(pathlib.Path, sys.argv[1:3])
-    for target in ("yaml", "urdf", "model", "scene", "config", "fixes", "archives"):
+    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives"):
         (out / target).mkdir(parents=True, exist_ok=True)
 
     def add(target: str, data: bytes) -> None:
@@ -27,8 +27,9 @@ def main() -> None:
             continue
         if path.suffix == ".urdf":
             add("urdf", path.read_bytes())
+            add("differential_urdf", path.read_bytes())
         elif path.suffix in YAML:
-            add("yaml", path.read_bytes())
+            add("differential_yaml", path.read_bytes())
         if path.name == ".smurf-lint.yaml":
             add("config", path.read_bytes())
         if path.suffix == ".smurf":

@@ -17,19 +17,28 @@ class Case:
     environment: dict
     make: typing.Callable
 
+    def arguments(self, size: int) -> list:
+        """Those of the tool; a part of the command may be a function of the size."""
+        return [one for part in self.command[1:] for one in (part(size) if callable(part) else [part])]
+
+    def variables(self, size: int) -> dict:
+        """Those of the environment, which may be functions of the size as well."""
+        return {name: value(size) if callable(value) else value for name, value in self.environment.items()}
+
     def write(self, size: int, folder: pathlib.Path) -> None:
         def write(name: str, text) -> None:
             path = folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(text if isinstance(text, bytes) else text.encode())
 
+        write.link = lambda name, target: (folder / name).symlink_to(target)
         self.make(size, write)
 
 
 CASES: list = []
 
 
-def grows(size: int, *command: str, **environment: str):
+def grows(size: int, *command, **environment):
     """Adds a case: `@grows(1000, "smurf-lint", "a.smurf")` above a function of (n, write)."""
 
     def add(make):
@@ -48,3 +57,254 @@ MODEL = "modelname: a\nfiles: []\n"
 @grows(500, "smurf-lint", "-q", "a.smurf")
 def markers_in_one_comment(n, write):
     write("a.smurf", MODEL + "#" + " #smurf-lint:ignore[A," * n + "]\n")
+
+
+# Files: links, folders, ignore files
+
+URDF = '<robot name="r"><link name="a"/></robot>'
+
+
+def link_spellings(n: int) -> list:
+    """Of this folder, where `l` and `m` are links to it."""
+    return ["/".join("lm"[i >> bit & 1] for bit in range(13)) for i in range(n)]
+
+
+@grows(30, "smurf-lint", "-q", "a.smurf")
+def links_in_files(n, write):
+    """The file grows as the number of its names does: read for each name, it would be quadratic."""
+    write.link("l", ".")
+    write.link("m", ".")
+    write("b.yml", "foo:\n" + "- 1\n" * 40 * n)
+    write("a.smurf", "modelname: a\nfiles:\n" + "".join(f"- {place}/b.yml\n" for place in link_spellings(n)))
+
+
+@grows(30, "smurf-lint", "-q", "s.smurfs")
+def links_in_scenes(n, write):
+    write.link("l", ".")
+    write.link("m", ".")
+    write("b.yml", "foo:\n" + "- 1\n" * 40 * n)
+    write("a.smurf", "modelname: a\nfiles: [b.yml]\n")
+    write("s.smurfs", "smurfs:\n" + "".join(
+        f"- {{name: e{i}, type: smurf, file: {place}/a.smurf}}\n" for i, place in enumerate(link_spellings(n))))
+
+
+@grows(30, "smurf-lint", "-q", "a.urdf")
+def spellings_of_a_material_library(n, write):
+    write("m.mtl", "newmtl a\n" + "map_Kd x\n" * 40 * n)
+    names = ["".join("./" if i >> bit & 1 else ".//" for bit in range(10)) + "m.mtl" for i in range(n)]
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + "".join(f"mtllib {name}\n" for name in names))
+    write("a.urdf", URDF.replace("/></robot>", '><visual><geometry><mesh filename="a.obj"/></geometry></visual></link></robot>'))
+
+
+@grows(100, "smurf-lint", "-q", "--statistics", "a.smurf")
+def missing_files_beside_many(n, write):
+    for i in range(n):
+        write(f"file_{i:05}_that_is_there.yml", "")
+    write("a.smurf", "modelname: a\nfiles:\n" + "".join(f"- file_{i:05}_that_is_gone.yml\n" for i in range(n)))
+
+
+@grows(50, "smurf-lint", "-q", "--statistics", "a.urdf",
+       ROS_PACKAGE_PATH=lambda n: ":".join(f"/nonexistent{i}" for i in range(4 * n)))
+def packages_in_many_folders(n, write):
+    write("a.urdf", URDF.replace("/></robot>", ">" + "".join(
+        f'<visual><geometry><mesh filename="package://p{i}/x"/></geometry></visual>' for i in range(n)) + "</link></robot>"))
+
+
+@grows(20, "smurf-lint", "-q", "--only-listed", lambda n: [f"x{i}.yml" for i in range(n)])
+def files_named_beside_models(n, write):
+    for i in range(n):
+        write(f"m{i}.smurf", f"modelname: a\nfiles: [x{i}.yml]\n")
+        write(f"x{i}.yml", "motors: []\n")
+
+
+@grows(20, "smurf-lint", "-q", "--only-listed", lambda n: [f"x{i}.stl" for i in range(n)])
+def meshes_named_beside_robots(n, write):
+    for i in range(n):
+        write(f"m{i}.urdf", URDF)
+        write(f"x{i}.stl", "solid\nendsolid\n")
+
+
+@grows(20, "smurf-lint", "-q", "--shard", "1/2", ".")
+def shards_of_models_and_robots(n, write):
+    for i in range(n):
+        write(f"m{i}.smurf", MODEL)
+        write(f"x{i}.urdf", URDF)
+
+
+@grows(3000, "smurf-lint", "-q", "a.smurf")
+def markers_on_one_line(n, write):
+    write("a.smurf", MODEL + "#" + " #smurf-lint:" * n + "\n")
+
+
+@grows(1500, "smurf-lint", "-q", "a.smurf")
+def comments_behind_many_values(n, write):
+    write("a.smurf", MODEL + "x: [" + "1," * 8 * n + "1]\n" + "#smurf-lint:ignore[A]\n" * n)
+
+
+@grows(1500, "smurf-lint", "-q", "a.urdf")
+def comments_behind_many_elements(n, write):
+    write("a.urdf", '<robot name="a"><link name="b"/>' + "<a/>" * 4 * n + "<!--smurf-lint:ignore[A]-->" * n + "</robot>")
+
+
+# Schemas and configurations
+
+
+def schema(write, text, section):
+    write(".smurf-lint.yaml", "schemas: {sections: {foo: s.yaml}}\n")
+    write("s.yaml", text)
+    write("a.smurf", MODEL + f"foo: {section}\n")
+
+
+@grows(400, "smurf-lint", "-q", "a.smurf")
+def a_text_and_its_pattern(n, write):
+    schema(write, "pattern: '" + "a*" * 20 + "b'\n", "a" * n)
+
+
+@grows(2000, "smurf-lint", "-q", "a.smurf")
+def required_keys_of_other_names(n, write):
+    schema(write, "required: [" + ",".join(f"a{i}" for i in range(n)) + "]\n",
+           "{" + ",".join(f"b{i}: 1" for i in range(n)) + "}")
+
+
+@grows(2000, "smurf-lint", "-q", "a.smurf")
+def values_that_are_none_of_many(n, write):
+    schema(write, "items: {enum: [" + ",".join(str(i) for i in range(n)) + "]}\n",
+           "[" + ",".join(f"a{i}" for i in range(n)) + "]")
+
+
+@grows(1000, "smurf-lint", "-q", "--statistics", "a.smurf")
+def rules_ignored_again_and_again(n, write):
+    write(".smurf-lint.yaml", "ignore:\n" + "- SML9\n" * 8 * n)
+    links = "".join(f'<link name="l{i}" x="1"/>' for i in range(n))
+    write("a.urdf", f'<robot name="r">{links}</robot>')
+    write("a.smurf", "modelname: a\nfiles: [a.urdf]\n")
+
+
+# Scenes and what is made of them
+
+ROBOT = '<robot name="r"><link name="b"/></robot>'
+ENTITY = "- {name: e%d, type: urdf, file: r.urdf%s}\n"
+
+
+def write_scene(write, entities, urdf=ROBOT):
+    write("r.urdf", urdf)
+    write("s.smurfs", "smurfs:\n" + "".join(entities))
+
+
+def star(n, part='<link name="l%d"/>'):
+    """A robot of n links around one."""
+    return '<robot name="r"><link name="b"/>' + "".join(
+        part % i + '<joint name="j%d" type="fixed"><parent link="b"/><child link="l%d"/></joint>' % (i, i)
+        for i in range(n)) + "</robot>"
+
+
+def flattens(size, *options):
+    return grows(size, "smurfs-flatten", *options, "-q", "--force", "-o", "out", "s.smurfs")
+
+
+def many_in_one_pose(n, write):
+    write("r.smurf", "modelname: r\nfiles: [r.urdf, p.yml]\n")
+    write("p.yml", "poses:\n- name: p\n  joints:\n" + "".join(f"    j{i}: 1\n" for i in range(n)))
+    write_scene(write, (f"- {{name: e{i}, type: smurf, file: r.smurf, pose: p}}\n" for i in range(n)))
+
+
+@flattens(400)
+def instances_in_one_pose(n, write):
+    many_in_one_pose(n, write)
+
+
+@grows(400, "smurf-lint", "-q", "s.smurfs")
+def instances_in_one_pose_checked(n, write):
+    many_in_one_pose(n, write)
+
+
+@flattens(400, "--dialect", "mars")
+def instances_in_one_pose_to_mars(n, write):
+    many_in_one_pose(n, write)
+
+
+@flattens(5000)
+def poses_of_one_model(n, write):
+    write("r.smurf", "modelname: r\nfiles: [r.urdf, p.yml]\n")
+    write("p.yml", "poses:\n" + "".join(f"- {{name: p{i}, joints: {{}}}}\n" for i in range(n)))
+    write_scene(write, (f"- {{name: e{i}, type: smurf, file: r.smurf, pose: p{i}}}\n" for i in range(n)))
+
+
+@flattens(1000, "--format", "svg")
+def labels_of_a_picture(n, write):
+    write_scene(write, (ENTITY % (i, f", position: [{i % 60}, {i // 60}, 0]") for i in range(n)))
+
+
+@flattens(1000, "--format", "svg")
+def labels_of_one_place(n, write):
+    write_scene(write, (ENTITY % (i, "") for i in range(n)))
+
+
+@flattens(1500, "--format", "sdf")
+def names_alike_without_their_signs(n, write):
+    signs = "!$%&()*+;<=>?@[]^{|}~"
+    names = ("".join(signs[i // 21**k % 21] for k in range(4)) for i in range(n))
+    write_scene(write, (f"- {{name: 'a{name}', type: urdf, file: r.urdf}}\n" for name in names))
+
+
+@flattens(1500, "--format", "sdf")
+def lights_of_one_name(n, write):
+    write("r.urdf", ROBOT)
+    write("s.smurfs", "smurfs:\n" + ENTITY % (0, "") + "lights:\n" + "- {name: l, position: {x: 0}}\n" * n)
+
+
+@flattens(500, "--format", "sdf")
+def anchors_on_one_robot(n, write):
+    write_scene(write, (ENTITY % (i, ', anchor: "e0::b"' if i else "") if i else
+                        "- {name: e0, type: urdf, file: big.urdf}\n" for i in range(n)))
+    write("big.urdf", star(n))
+
+
+@flattens(400, "--format", "sdf")
+def materials_of_a_robot(n, write):
+    shape = '<link name="l%d"><visual><geometry><sphere radius="1"/></geometry><material name="m"/></visual></link>'
+    materials = "".join(f'<material name="n{i}"><color rgba="1 1 1 1"/></material>' for i in range(n))
+    write_scene(write, [ENTITY % (0, "")],
+                star(n, shape).replace("</robot>", materials + '<material name="m"><color rgba="1 0 0 1"/></material></robot>'))
+
+
+def with_meshes(n, write):
+    mesh = '<link name="l%d"><visual><geometry><mesh filename="m{}.stl"/></geometry></visual></link>'
+    robot = star(n, mesh)
+    for i in range(n):
+        robot = robot.replace("{}", str(i), 1)
+    write_scene(write, [ENTITY % (0, "")], robot)
+
+
+@flattens(400, "--format", "sdf")
+def meshes_of_a_robot(n, write):
+    with_meshes(n, write)
+
+
+@flattens(400, "--format", "mjcf")
+def meshes_that_are_not_there(n, write):
+    with_meshes(n, write)
+
+
+@flattens(400, "--format", "mjcf")
+def a_chain_of_bodies(n, write):
+    write_scene(write, [ENTITY % (0, "")], '<robot name="r"><link name="l0"/>' + "".join(
+        f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="l{i - 1}"/><child link="l{i}"/></joint>'
+        for i in range(1, n)) + "</robot>")
+
+
+@flattens(100_000, "--format", "urdf")
+def dashes_in_a_comment(n, write):
+    write_scene(write, [f"- {{name: 'a{'-' * n}', type: urdf, file: r.urdf}}\n"])
+
+
+@flattens(50_000, "--format", "sdf")
+def separators_in_a_name(n, write):
+    write_scene(write, [ENTITY % (0, "")], f'<robot name="r"><link name="b{"::" * n}"/></robot>')
+
+
+@grows(1000, "smurf2urdf", "-q", "--force", "--srdf", "r.srdf", "-o", "out.urdf", "r.smurf")
+def states_of_a_robot(n, write):
+    write("r.urdf", ROBOT)
+    write("r.smurf", "modelname: r\nfiles: [r.urdf, p.yml]\n")
+    write("p.yml", "poses:\n" + "".join(f"- {{name: p{i}, joints: {{}}}}\n" for i in range(n)))

@@ -29,9 +29,9 @@ def instructions(tools: pathlib.Path, case: growth_inputs.Case, folder: pathlib.
     case.write(size, folder)
     run = subprocess.run(
         ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--trace-children=yes",
-         str(tools / case.command[0]), *case.command[1:]],
+         str(tools / case.command[0]), *case.arguments(size)],
         cwd=folder, capture_output=True, text=True, errors="replace", timeout=SECONDS,
-        env={**os.environ, **case.environment}, stdin=subprocess.DEVNULL)
+        env={**os.environ, **case.variables(size)}, stdin=subprocess.DEVNULL)
     if run.returncode not in (0, 1, 2):
         raise AssertionError(f"ended with {run.returncode}: {run.stderr[-500:]}")
     return sum(int(count) for count in re.findall(r"Collected : (\d+)", run.stderr))

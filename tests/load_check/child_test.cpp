@@ -6,9 +6,12 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <new>
 #include <vector>
+
+#include "support/temporary_folder.hpp"
 
 using namespace smurf::load_check;
 using End = ChildOutcome::End;
@@ -77,6 +80,24 @@ TEST_CASE("a child that takes all memory is told from one that crashes") {
   CHECK(outcomes[0].end == End::out_of_memory);
 }
 #endif
+
+TEST_CASE("a child writes to no file") {
+  const smurf::test::TemporaryFolder folder;
+  const std::string path = folder / "written.txt";
+  const std::vector<ChildOutcome> outcomes = run_in_children(
+      1, 1, kLimits,
+      [&](std::size_t, const Write& write) {
+        write("to the parent");
+        std::signal(SIGXFSZ, SIG_DFL);
+        std::ofstream(path) << "text" << std::flush;
+        write("never");
+      },
+      [](std::size_t) {});
+  CHECK(outcomes[0].end == End::crashed);
+  CHECK(outcomes[0].signal == SIGXFSZ);
+  CHECK(outcomes[0].output == "to the parent");
+  CHECK(std::ifstream(path).peek() == std::ifstream::traits_type::eof());
+}
 
 TEST_CASE("a long output arrives whole") {
   const std::string part(100'000, 'x');

@@ -13,6 +13,8 @@ namespace {
 
 const std::string kBall = "<collision><geometry><sphere radius=\"0.1\"/></geometry></collision>";
 
+const std::uint64_t kMostPixels = Limits{}.image_pixels;
+
 std::string written(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
   return path;
@@ -97,8 +99,9 @@ TEST_CASE("a heightfield has its columns along x and its rows along y") {
 }
 
 TEST_CASE("heights are the grey values of a PNG, from the top row on") {
-  const auto image = read_height_image(
-      std::string(SMURF_FIXTURES) + "/scenes/terrain/heightmaps/terraces.png", {DiskFiles()});
+  const auto image =
+      read_height_image(std::string(SMURF_FIXTURES) + "/scenes/terrain/heightmaps/terraces.png",
+                        {DiskFiles()}, kMostPixels);
   REQUIRE(std::holds_alternative<HeightImage>(image));
   const HeightImage& terraces = std::get<HeightImage>(image);
   REQUIRE(terraces.columns == 33);
@@ -118,7 +121,7 @@ TEST_CASE("an image of a thousand million pixels is refused before it takes memo
                            45);
   const test::TemporaryFolder folder;
   const std::string huge = written(folder / "huge.png", header);
-  const auto image = read_height_image(huge, {DiskFiles()});
+  const auto image = read_height_image(huge, {DiskFiles()}, kMostPixels);
   REQUIRE(std::holds_alternative<std::string>(image));
   CHECK(
       std::get<std::string>(image) ==
@@ -134,7 +137,7 @@ TEST_CASE("an image that is none, or is cut off, has a reason") {
   whole.read(bytes.data(), 60);
   const std::string part = written(folder / "part.png", bytes);
   for (const std::string& path : {text, part, std::string("/no/such.png")}) {
-    const auto image = read_height_image(path, {DiskFiles()});
+    const auto image = read_height_image(path, {DiskFiles()}, kMostPixels);
     REQUIRE(std::holds_alternative<std::string>(image));
     CHECK(!std::get<std::string>(image).empty());
   }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "base/rules.hpp"
 
@@ -51,6 +52,51 @@ TEST_CASE("a result arrives as it was sent") {
   CHECK(result.samples[0].X_WL[0].position[2] == 3);
 }
 
+TEST_CASE("all that a finding says arrives") {
+  // One more member does not compile here before the test looks at it.
+  const auto parts = [](const Diagnostic& diagnostic) {
+    const auto& [rule, severity, span, message, caret, pointer, named_pointer, construct, labels,
+                 notes, help, fixes, left_out] = diagnostic;
+    const auto place = [](const Span& s) { return std::tuple(s.source, s.begin, s.end); };
+    std::vector<std::string> texts = {message, caret, pointer, named_pointer, construct, help};
+    texts.insert(texts.end(), notes.begin(), notes.end());
+    std::vector<decltype(place(span))> places = {place(span)};
+    for (const Label& label : labels) {
+      texts.push_back(label.message);
+      places.push_back(place(label.span));
+    }
+    std::vector<Applicability> applicabilities;
+    for (const Fix& fix : fixes) {
+      applicabilities.push_back(fix.applicability);
+      for (const Edit& edit : fix.edits) {
+        texts.push_back(edit.text);
+        places.push_back(place(edit.span));
+      }
+    }
+    return std::tuple(rule, severity, texts, places, applicabilities, left_out);
+  };
+  const auto at = [](std::uint32_t begin) { return Span{SourceId{2}, begin, begin + 3}; };
+  const Diagnostic sent{.rule = &rules::sml6401_joint_comes_apart,
+                        .severity = Severity::info,
+                        .span = at(1),
+                        .message = "message",
+                        .caret = "caret",
+                        .pointer = "/robot",
+                        .named_pointer = "/robot/name",
+                        .construct = "construct",
+                        .labels = {{at(10), "first"}, {at(20), "second"}},
+                        .notes = {"one", "two"},
+                        .help = "help",
+                        .fixes = {{Applicability::safe, {{at(30), "edit"}, {at(40), "more"}}}},
+                        .left_out = &rules::sml6402_energy_grows};
+  CheckResult result;
+  result.diagnostics = {sent};
+  const Message message = decode(encode(result));
+  REQUIRE(message.result);
+  REQUIRE(message.result->diagnostics.size() == 1);
+  CHECK((parts(message.result->diagnostics[0]) == parts(sent)));
+}
+
 TEST_CASE("numbers that JSON does not know arrive as NaN") {
   for (const double strange : {std::numeric_limits<double>::infinity(), std::nan("")}) {
     CheckResult sent = some_result();
@@ -67,9 +113,12 @@ TEST_CASE("numbers that JSON does not know arrive as NaN") {
 
 TEST_CASE("what a child could not finish is not lost") {
   const std::string whole = encode(some_result());
-  const Message message = decode(encode_begin(Stage::drop) + encode_fault("assertion") +
-                                 whole.substr(0, whole.size() / 2));
+  const Message message = decode(encode_begin(Stage::hang) + whole + encode_begin(Stage::drop) +
+                                 encode_fault("assertion") + whole.substr(0, whole.size() / 2));
   CHECK(message.last_stage == Stage::drop);
   CHECK(message.fault == "assertion");
+  REQUIRE(message.so_far.stages.size() == 1);
+  CHECK(message.so_far.stages[0].stage == Stage::hang);
+  CHECK(message.so_far.diagnostics.size() == 1);
   CHECK(!message.result);
 }

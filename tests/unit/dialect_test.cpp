@@ -15,7 +15,7 @@ namespace {
 
 EntityReading reading(const LoadedScene& loaded, std::string_view dialect,
                       const std::string& path) {
-  const std::vector<EntityReading> readings = find_dialect(dialect)->read(loaded.scene);
+  const std::vector<EntityReading> readings = find_dialect(dialect)->read(loaded.scene).entities;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (loaded.scene.instances[i].path == path) return readings[i];
   }
@@ -45,7 +45,7 @@ using Kind = Attachment::Kind;
 TEST_CASE("spec is what was loaded") {
   LoadedScene loaded;
   loaded.load(std::string(SMURF_FIXTURES) + "/scenes/nested/outer.smurfs");
-  const auto readings = dialects().front()->read(loaded.scene);
+  const auto readings = dialects().front()->read(loaded.scene).entities;
   REQUIRE(readings.size() == loaded.scene.instances.size());
   for (std::size_t i = 0; i < readings.size(); ++i) {
     CHECK(readings[i].X_WE == loaded.scene.instances[i].X_WE);
@@ -254,7 +254,7 @@ TEST_CASE("chains are read in linear time, whatever their order") {
   for (const Dialect* dialect : dialects()) {
     CAPTURE(dialect->name);
     const auto start = std::chrono::steady_clock::now();
-    CHECK(dialect->read(loaded.scene).size() == kCount + 1);
+    CHECK(dialect->read(loaded.scene).entities.size() == kCount + 1);
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
   }
   const EntityReading last = reading(loaded, "mars", "e0");

@@ -240,7 +240,7 @@ TEST_CASE("MARS leaves models out of drawings, MARS 2 and Phobos read none") {
   CHECK(loaded.briefs() == "SML5012 page.svg:2:11\nSML5012 page.svg:4:8\nSML5044 page.svg:4:8\n");
   const auto loads = [&](std::string_view dialect) {
     std::string text;
-    for (const EntityReading& reading : find_dialect(dialect)->read(loaded.scene)) {
+    for (const EntityReading& reading : find_dialect(dialect)->read(loaded.scene).entities) {
       text += reading.X_WE ? '1' : '0';
     }
     return text;

@@ -61,10 +61,8 @@ Demand of_yaml_nodes(std::uint64_t nodes) {
   return {"r.smurf", text};
 }
 
-/// The mapping, two lists, an entry and what the aliases repeat.
 Demand of_expanded_nodes(std::uint64_t nodes) {
-  return {"r.smurf", "a: &a [x]\nb: [" + repeat("*a, ", (nodes - 4) / 2) +
-                         ((nodes - 4) % 2 == 0 ? "" : "y") + "]\n"};
+  return {"r.smurf", "a: &a x\nb: [" + repeat("*a, ", nodes) + "]\n"};
 }
 
 Demand of_xml_depth(std::uint64_t depth) {
@@ -108,6 +106,13 @@ Demand of_instances(std::uint64_t instances) {
   return demand;
 }
 
+/// Of the name, the path, the type and the file of the first entity.
+Demand of_scene_bytes(std::uint64_t bytes) {
+  const std::string file = repeat("x", bytes - std::string_view("aaurdf.urdf").size()) + ".urdf";
+  return {"s.smurfs", "entities: [{name: a, type: urdf, file: " + file +
+                          "}, {name: b, type: urdf, file: r.urdf}]\n"};
+}
+
 Demand of_findings(std::uint64_t findings) { return {"r.smurf", repeat("x: y\n", findings + 1)}; }
 
 struct LimitCase {
@@ -129,6 +134,7 @@ const LimitCase kCases[] = {{"file-bytes", 100, of_file},
                             {"urdf-parts", 20, of_urdf_parts},
                             {"include-depth", 20, of_include_depth},
                             {"instances", 20, of_instances},
+                            {"scene-bytes", 100, of_scene_bytes},
                             {"findings", 20, of_findings}};
 
 /// The findings of a rule.
@@ -208,6 +214,13 @@ TEST_CASE("limits: those of archives") {
   limits.archive_bytes = 9;
   CHECK(read_zip(bytes, limits).reason ==
         "unpacks to more than 9 bytes; raise the limit with `--limit archive-bytes=N`");
+  limits.archive_bytes = 10'000'000;
+  limits.archive_growth = 0;
+  const std::string large = test::zip({{"a", repeat("x", 8'000'001)}});
+  CHECK(read_zip(large, limits).reason ==
+        "unpacks to more than 8000000 bytes; raise the limit with `--limit archive-growth=N`");
+  limits.archive_growth = 1;
+  CHECK(read_zip(large, limits).reason == "");
   limits.archive_bytes = 10;
   limits.archive_files = 1;
   CHECK(read_zip(bytes, limits).reason ==
@@ -216,7 +229,9 @@ TEST_CASE("limits: those of archives") {
 
 TEST_CASE("limits: every row of the table has a name of its own, a usual value and a test") {
   // Where the others are tested.
-  constexpr std::string_view kElsewhere[] = {"image-pixels", "archive-bytes", "archive-files"};
+  constexpr std::string_view kElsewhere[] = {"image-pixels", "archive-bytes", "archive-files",
+                                             "archive-growth", "srdf-bytes", "folder-entries",
+                                             "ignore-checks", "suggestions"};
   for (const LimitInfo& info : kLimits) {
     CAPTURE(info.name);
     CHECK(&info_of(info.name) == &info);

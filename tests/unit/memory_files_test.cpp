@@ -86,6 +86,7 @@ TEST_CASE("files: confined to a folder") {
   for (const char* name : {"in/a", "out", "inside"}) std::ofstream(folder / name) << name;
   std::filesystem::create_symlink(folder / "out", folder / "in/link");
   std::filesystem::create_symlink(folder / "in/loop", folder / "in/loop");
+  std::filesystem::create_symlink("../gone", folder / "in/dead");
   ConfinedFiles files;
   CHECK(files.read(folder / "in/a", 99).status == ReadStatus::denied);
   files.allow(folder / "in");
@@ -95,11 +96,54 @@ TEST_CASE("files: confined to a folder") {
   for (const char* name : {"out", "inside", "in/../out", "in/link"}) {
     CAPTURE(name);
     CHECK(files.read(folder / name, 99).status == ReadStatus::denied);
-    CHECK(files.is_file(folder / name));
+    CHECK(!files.is_file(folder / name));
+    CHECK(files.is_denied(folder / name));
+  }
+  for (const char* name : {"gone", "in/../gone", "in/dead", "in/link/inner"}) {
+    CAPTURE(name);
+    CHECK(files.read(folder / name, 99).reason == files.read(folder / "out", 99).reason);
+    CHECK(files.is_denied(folder / name));
   }
   CHECK(files.read(folder / "in/loop", 99).status != ReadStatus::ok);
-  CHECK(files.list(folder / "in") == Names{"a", "link", "loop"});
+  CHECK(files.list(folder / "in") == Names{"a", "dead", "link", "loop"});
   CHECK(files.list(folder / ".").empty());
   files.allow("/");
   CHECK(files.read(folder / "out", 99).text == "out");
+}
+
+TEST_CASE("files: confined to the files in a folder, and to those of a name") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "home/work/deep");
+  for (const char* name : {"home/a", "home/.b", "home/work/a", "home/work/deep/rules", "rules"}) {
+    std::ofstream(folder / name) << name;
+  }
+  ConfinedFiles files;
+  files.allow_files_in(folder / "home");
+  CHECK(files.read(folder / "home/a", 99).text == "home/a");
+  CHECK(files.list(folder / "home") == Names{"a", "work"});
+  for (const char* name : {"home/.b", "home/work/a", "home/work/deep/rules", "rules"}) {
+    CHECK(files.read(folder / name, 99).status == ReadStatus::denied);
+  }
+  CHECK(files.list(folder / "home/work").empty());
+  files.allow_named("rules", folder / "home");
+  CHECK(files.read(folder / "home/work/deep/rules", 99).status == ReadStatus::ok);
+  CHECK(files.read(folder / "rules", 99).status == ReadStatus::denied);
+}
+
+TEST_CASE("files: all names of a file have one identity") {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "a") << "text";
+  std::ofstream(folder / "b") << "text";
+  std::filesystem::create_symlink(".", folder / "l");
+  ConfinedFiles confined;
+  confined.allow(folder / ".");
+  const DiskFiles disk;
+  for (const FileReader* files :
+       {static_cast<const FileReader*>(&confined), static_cast<const FileReader*>(&disk)}) {
+    CHECK(files->identity(folder / "a") == files->identity(folder / "l/l/a"));
+    CHECK(files->identity(folder / "a") != files->identity(folder / "b"));
+    CHECK(files->identity(folder / "x/../gone") == files->identity(folder / "gone"));
+    CHECK(MemoryFiles(files).identity(folder / "l/a") == files->identity(folder / "a"));
+  }
+  CHECK(MemoryFiles().identity("x/../a") == "a");
 }

@@ -16,6 +16,8 @@ inline std::uint64_t seed() {
 
 class Random {
  public:
+  explicit Random(std::uint64_t start = seed()) : engine_(start) {}
+
   std::uint64_t bits() { return engine_(); }
   /// 0 <= result < size
   std::size_t below(std::size_t size) { return static_cast<std::size_t>(engine_() % size); }
@@ -25,7 +27,7 @@ class Random {
   }
 
  private:
-  std::mt19937_64 engine_{seed()};
+  std::mt19937_64 engine_;
 };
 
 }  // namespace smurf::test

@@ -58,7 +58,8 @@ TEST_CASE("the documented scene has its documented poses") {
   check_pose(loaded, "Lazy Bob", rotation_z(radians(15)));
   check_pose(loaded, "rainbow1", translation(1500, 300, 270) * rotation_z(radians(37.5)));
   CHECK(loaded.at("Lazy Bob").placement.anchor.kind == Attachment::Kind::world);
-  CHECK(loaded.at("Lazy Bob").joint_positions == JointPositions{{"shoulder", std::acos(-1.0) / 4}});
+  CHECK(loaded.scene.joint_positions(loaded.at("Lazy Bob")) ==
+        JointPositions{{"shoulder", std::acos(-1.0) / 4}});
   CHECK(loaded.scene.models.size() == 2);
 }
 
@@ -208,7 +209,7 @@ TEST_CASE("joint pose sets of the entity come before those of the model") {
 - {name: A, file: crane.smurf, pose: up, poses: [{name: up, joints: {boom_joint: 0.25}}]}
 - {name: B, file: crane.smurf, pose: default}
 )");
-  CHECK(loaded.at("A").joint_positions == JointPositions{{"boom_joint", 0.25}});
+  CHECK(loaded.scene.joint_positions(loaded.at("A")) == JointPositions{{"boom_joint", 0.25}});
   REQUIRE(loaded.diagnostics.size() == 1);
   CHECK(loaded.diagnostics[0].rule->name == "unknown-pose");
   CHECK(loaded.diagnostics[0].severity == Severity::info);  // Phobos 0.7 writes it always

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/rules.hpp"
 #include "unit/random.hpp"
 
 using namespace smurf;
@@ -92,4 +93,30 @@ TEST_CASE("suggest: the nearest name") {
   CHECK(nearest("joint_c", ties) == "joint_a");
   CHECK(!nearest("a", {}));
   CHECK(!nearest(std::string(100000, 'a'), known));
+}
+
+TEST_CASE("suggest: one bound for all suggestions of a sink, and a finding that tells of it") {
+  const std::vector<std::string_view> known = {"elbow", "shoulder"};
+  DiagnosticSink sink(10'000, 1000);
+  int suggested = 0;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    sink.report(rules::sml0010_yaml_syntax, {SourceId{0}, i, i}, "a name is misspelt");
+    if (sink.suggest("elbwo", known)) ++suggested;
+  }
+  CHECK(suggested > 1);
+  CHECK(suggested < 100);
+  const std::vector<Diagnostic> all = sink.take();
+  REQUIRE(all.size() == 101);
+  CHECK(all.back().rule->id == "SML0002");
+  CHECK(all.back().severity == Severity::info);
+  CHECK(all.back().help == "raise the limit with `--limit suggestions=N`");
+}
+
+TEST_CASE("suggest: nothing for a finding that is left out") {
+  const std::vector<std::string_view> known = {"elbow"};
+  DiagnosticSink sink(1);
+  for (const bool is_kept : {true, false}) {
+    sink.report(rules::sml0010_yaml_syntax, {}, "a name is misspelt");
+    CHECK(sink.suggest("elbwo", known).has_value() == is_kept);
+  }
 }

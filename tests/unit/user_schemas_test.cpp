@@ -161,9 +161,9 @@ TEST_CASE("a broken schema is reported in the schema, and checks nothing") {
       {R"({"minimum": low})", "`minimum` takes a number, not the text `low`"},
       {R"({"maxItems": -1})", "`maxItems` takes a whole number from 0, not `-1`"},
       {R"({"required": a})", "`required` takes a list of names, not the text `a`"},
-      {R"({"pattern": "("})", "`(` is no regular expression, or one with references back"},
+      {R"({"pattern": "("})", "`(` is no regular expression: a group is not closed"},
       {R"({"pattern": "(a)\\1"})",
-       "`(a)\\1` is no regular expression, or one with references back"},
+       "`(a)\\1` is no regular expression: references back are not supported"},
       {R"({"$ref": "other.json#/a"})", "`other.json#/a` leads to no schema of this file"},
       {R"({"$ref": "#/title", "title": "x"})", "`#/title` leads to no schema of this file"},
       {R"({"$ref": "#"})", "this schema applies itself to the same value again, without end"},
@@ -199,8 +199,12 @@ TEST_CASE("hostile schemas and data end in a finding, soon") {
   CHECK(deep.messages() == "this is too large to be checked by its schema\n");
 
   CHECK(Rainbow(R"({"pattern": "^(a+)+$"})", repeat("a", 5000) + "b").found.size() == 1);
-  CHECK(Rainbow(R"({"pattern": "^(a|a)*$"})", repeat("a", 50000)).messages() ==
+  CHECK(Rainbow(R"({"pattern": "^(a|a)*$"})", repeat("a", 50000)).messages() == "");
+  CHECK(Rainbow("pattern: '" + repeat("a*", 140) + "b'", repeat("a", 50000)).messages() ==
         "this is too large to be checked by its schema\n");
+  CHECK(Rainbow(R"({"patternProperties": {"^.*z$": {}}})", "{? " + repeat("a", 30000) + " : 1}")
+            .messages() == "this is too large to be checked by its schema\n");
+  CHECK(!Rainbow("pattern: (a{300}){300}", "{}").is_registered);
   CHECK(!Rainbow(R"({"patternProperties": {"^(a+)+$": {}}})", "{}").is_registered);
   CHECK(Rainbow(R"({"uniqueItems": true})", "[" + repeat("1, ", 50000) + "1]").found.size() == 1);
   CHECK(!Rainbow(repeat("{\"not\": ", 90) + "{}" + repeat("}", 90), "3").is_registered);

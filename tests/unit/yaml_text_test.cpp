@@ -116,8 +116,8 @@ TEST_CASE("block style, comments, and things that belong together on one line") 
 }
 
 TEST_CASE("a comment stays on its line") {
-  CHECK(yaml_text(number_value("a", 1, "two\nlines\x01")) == "a: 1  # two?lines?\n");
+  CHECK(yaml_text(number_value("a", 1, "two\nlines\x01")) == "a: 1  # \"two\\nlines\\u0001\"\n");
   NewValue list = list_value("a", {text_value({}, "b", "x\ny")});
-  CHECK(yaml_text(list) == "a:\n# x?y\n- b\n");
+  CHECK(yaml_text(list) == "a:\n# \"x\\ny\"\n- b\n");
   CHECK(yaml_comment("one\ntwo") == "# one\n# two\n");
 }

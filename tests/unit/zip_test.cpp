@@ -40,6 +40,31 @@ TEST_CASE("the limit is that of all files together") {
   CHECK(archive.files.empty());
 }
 
+TEST_CASE("the limit is that of all archives together") {
+  ArchiveBudget budget(at_most(10));
+  CHECK(read_zip(zip({{"a", "12345"}}), budget).reason == "");
+  CHECK(read_zip(zip({{"a", "12345"}}), budget).reason == "");
+  CHECK(read_zip(zip({{"a", "1"}}), budget).reason.starts_with("unpacks to more than 10 bytes"));
+}
+
+TEST_CASE("files do not share their bytes") {
+  std::string noise;
+  std::mt19937 dice(1);
+  for (int i = 0; i < 5000; ++i) noise += static_cast<char>(dice());
+  const std::string one = zip({{"a", noise}});
+  CHECK(read_zip(one, at_most(100'000)).reason == "");
+  // The list of files names it twice; its trailer has the number of files and the bytes of the
+  // list.
+  const std::size_t list = one.find("PK\x01\x02");
+  const std::size_t trailer = one.find("PK\x05\x06");
+  const std::string entry = one.substr(list, trailer - list);
+  std::string twice = one.substr(0, trailer) + entry + one.substr(trailer);
+  const std::size_t moved = trailer + entry.size();
+  twice[moved + 8] = twice[moved + 10] = 2;
+  twice[moved + 12] = static_cast<char>(2 * entry.size());
+  CHECK(read_zip(twice, at_most(100'000)).reason == "holds files that share their bytes");
+}
+
 TEST_CASE("names stay inside") {
   for (const char* name : {"../a", "a/../../b", "/a", "a\\b"}) {
     CAPTURE(name);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/confine.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -18,19 +21,54 @@ bool has(const fs::path& folder, std::string_view name) {
   return fs::exists(folder / name, ignored);
 }
 
-/// The repository or package around a folder; without one, the two folders above it, but never the
-/// whole machine.
-fs::path project_of(const fs::path& folder) {
+bool is_repository(const fs::path& folder) {
+  return has(folder, ".git") || has(folder, ".hg") || has(folder, ".svn");
+}
+
+/// `folder` or above it?
+bool is_around(const fs::path& around, const fs::path& folder) {
+  const auto [end, other] =
+      std::mismatch(around.begin(), around.end(), folder.begin(), folder.end());
+  return end == around.end();
+}
+
+bool is_home(const fs::path& folder) {
+  const fs::path above = folder.parent_path();
+  if (above == "/home" || above == "/Users" || folder == "/root") return true;
+  static const fs::path home = [] {
+    const char* variable = std::getenv("HOME");
+    std::error_code error;
+    const fs::path found = fs::weakly_canonical(variable == nullptr ? "" : variable, error);
+    return error ? fs::path() : found;
+  }();
+  return home.has_relative_path() && is_around(folder, home);
+}
+
+/// As confine() says. What is above a shared folder is shared.
+bool is_shared(const fs::path& folder) {
+  if (!folder.has_relative_path() || is_home(folder)) return true;
+  return !folder.parent_path().has_relative_path() && !is_repository(folder);
+}
+
+/// Where the project would end if no folder were shared.
+fs::path widest_project_of(const fs::path& folder) {
   fs::path package;
   for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
-    if (has(at, ".git") || has(at, ".hg") || has(at, ".svn")) return at;
+    if (is_repository(at) && !is_home(at)) return at;
     if (package.empty() && has(at, "package.xml")) package = at;
   }
-  if (package.empty()) package = folder.parent_path();
-  for (const fs::path& wide : {package.parent_path(), package}) {
-    if (wide.has_relative_path()) return wide;
+  return package.empty() ? folder.parent_path().parent_path() : package.parent_path();
+}
+
+/// None when the folder itself is shared.
+std::optional<fs::path> project_of(const fs::path& folder) {
+  const fs::path widest = widest_project_of(folder);
+  std::optional<fs::path> project;
+  for (fs::path at = folder; !is_shared(at); at = at.parent_path()) {
+    project = at;
+    if (at == widest) break;
   }
-  return folder;
+  return project;
 }
 
 /// Where an input is; none when that cannot be told.
@@ -41,13 +79,20 @@ std::optional<fs::path> folder_of(const std::string& input) {
   return fs::is_directory(path, error) ? path : path.parent_path();
 }
 
+constexpr std::array<std::string_view, 3> kRuleFiles = {".gitignore", ".smurf-lintignore",
+                                                        kConfigName};
+
 /// The project around a folder and, above it, the files that say what is checked and how.
 void allow_project(ConfinedFiles& files, const fs::path& folder) {
-  const fs::path project = project_of(folder);
-  files.allow(project.string());
-  for (fs::path at = project.parent_path(); at.has_relative_path(); at = at.parent_path()) {
-    for (const std::string_view name :
-         std::initializer_list<std::string_view>{".gitignore", ".smurf-lintignore", kConfigName}) {
+  const auto project = project_of(folder);
+  if (project) {
+    files.allow(project->string());
+  } else {
+    files.allow_files_in(folder.string());
+  }
+  for (fs::path at = project ? project->parent_path() : folder; at.has_relative_path();
+       at = at.parent_path()) {
+    for (const std::string_view name : kRuleFiles) {
       if (has(at, name)) files.allow((at / name).string());
     }
   }
@@ -66,16 +111,26 @@ Option allow_outside_option(bool& allow_outside) {
 
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside) {
-  files.allow(allow_outside ? "/" : ".");
-  if (allow_outside) return;
+  if (allow_outside) return files.allow("/");
+  if (!is_shared_folder(".")) files.allow(".");
   std::set<fs::path> folders;
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-") continue;
-    if (auto folder = folder_of(input)) folders.insert(*std::move(folder));
+    if (is_shared_folder(input)) {
+      for (const std::string_view name : kRuleFiles) files.allow_named(std::string(name), input);
+    } else if (auto folder = folder_of(input)) {
+      folders.insert(*std::move(folder));
+    }
   }
   for (const fs::path& folder : folders) allow_project(files, folder);
   for (const auto& [name, folder] : packages) files.allow(folder);
   for (const std::string& folder : package_folders_of_environment()) files.allow(folder);
+}
+
+bool is_shared_folder(const std::string& path) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(path, error);
+  return !error && fs::is_directory(folder, error) && is_shared(folder);
 }
 
 }  // namespace smurf::tools

@@ -135,6 +135,11 @@ ExitCode Conversion::write_reports(std::vector<Diagnostic> diagnostics, std::siz
   return summary.errors > 0 ? kFindings : judge(summary, options_.threshold);
 }
 
+bool Conversion::keeps_inputs(std::vector<std::string> outputs) const {
+  for (const ReportRequest& report : options_.reports) outputs.push_back(report.file);
+  return tools::keeps_inputs(tool_, inputs_, outputs);
+}
+
 bool Conversion::report_losses(const LinkedModel& model, std::vector<Diagnostic> losses,
                                const std::string& file, bool are_refused) {
   locate(model, losses);

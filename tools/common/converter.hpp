@@ -53,6 +53,10 @@ class Conversion {
   ExitCode report(const LinkedModel& model);
   ExitCode report(const LinkedScene& scene);
 
+  /// Before anything is written, and when all is read: complains when one of the outputs, or a file
+  /// of --report, is an input.
+  bool keeps_inputs(std::vector<std::string> outputs) const;
+
   /// Writes the losses to `file`, when it names one. False when that fails, or when there are any
   /// and `are_refused`, in which case they are listed.
   bool report_losses(const LinkedModel& model, std::vector<Diagnostic> losses,
@@ -64,6 +68,7 @@ class Conversion {
 
   const SourceMap& sources() const { return sources_; }
   const FileReader& files() const { return files_; }
+  const InputFiles& inputs() const { return inputs_; }
   DiagnosticSink& sink() { return sink_; }
 
  private:
@@ -82,10 +87,11 @@ class Conversion {
   std::string_view tool_;
   const ConverterOptions& options_;
   ConfinedFiles disk_;
-  ArchiveFiles archives_{disk_, options_.limits};
+  InputFiles inputs_{disk_};
+  ArchiveFiles archives_{inputs_, options_.limits};
   MemoryFiles files_{&archives_};
   SourceMap sources_;
-  DiagnosticSink sink_{options_.limits.findings};
+  DiagnosticSink sink_{options_.limits.findings, options_.limits.suggestions};
   std::string path_;
 };
 

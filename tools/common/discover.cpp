@@ -10,14 +10,13 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
 
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/input.hpp"
-#include "smurf/load.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -39,9 +38,11 @@ Entry kind_of_entry(const std::filesystem::directory_entry& entry) {
 
 class Search {
  public:
-  explicit Search(const LeftOut& is_left_out) : is_left_out_(is_left_out) {}
+  Search(const Limits& limits, const LeftOut& is_left_out)
+      : is_left_out_(is_left_out), most_entries_(limits.folder_entries) {}
 
   Found run(const std::string& folder) {
+    root_ = identity(folder);
     walk(folder);
     // Links come last, so that a file is known by its own path if that is inside the folder.
     for (std::size_t i = 0; i < links_.size(); ++i) follow(std::string(links_[i]));
@@ -65,6 +66,17 @@ class Search {
     found_.unreadable.push_back("'" + path + "': " + std::generic_category().message(error));
   }
 
+  /// True from the one entry too many on.
+  bool is_full() {
+    if (entries_ < most_entries_) return false;
+    if (entries_++ == most_entries_) {
+      found_.unreadable.push_back("'" + root_ + "': it has more than " +
+                                  std::to_string(most_entries_) + " files and folders; " +
+                                  raise_limit("folder-entries"));
+    }
+    return true;
+  }
+
   void walk(const std::string& folder) {
     struct stat status {};
     if (::stat(folder.c_str(), &status) != 0) return fail(folder, errno);
@@ -73,6 +85,8 @@ class Search {
     std::map<std::string, Entry> entries;
     std::filesystem::directory_iterator entry(folder, error);
     for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+      if (is_full()) return;
+      ++entries_;
       entries.emplace(entry->path().filename().string(), kind_of_entry(*entry));
     }
     if (error) fail(folder, error.value());
@@ -93,9 +107,19 @@ class Search {
     }
   }
 
+  bool is_outside(const std::string& link) const {
+    const std::string place = identity(link);
+    if (root_ == "/" || place == root_ || place.starts_with(root_ + "/")) return false;
+    return place != path::normalize(link);  // then it cannot be told, as in a loop
+  }
+
+  /// What lies outside of the folder is not looked at, not even to see whether it is there. A link
+  /// that is called like a model may lead to one elsewhere in the project: whoever reads it tells.
   void follow(const std::string& link) {
     struct stat status {};
-    if (::stat(link.c_str(), &status) != 0) {
+    if (is_outside(link)) {
+      if (is_sought(link) && ::lstat(link.c_str(), &status) == 0) add(link, status);
+    } else if (::stat(link.c_str(), &status) != 0) {
       if (is_sought(link)) fail(link, errno);
     } else if (S_ISDIR(status.st_mode)) {
       // To git a link is a file, whatever it leads to.
@@ -110,116 +134,18 @@ class Search {
   }
 
   const LeftOut& is_left_out_;
+  const std::uint64_t most_entries_;
+  std::uint64_t entries_ = 0;
+  std::string root_;  ///< with all links followed
   Found found_;
   std::vector<std::string> links_;
   std::set<std::pair<dev_t, ino_t>> seen_;
 };
 
-/// What a file may demand that is only looked at to find out whether it uses another one: whoever
-/// names a file has not asked for the ones around it. A robot of 5,000 links is within.
-constexpr Limits kNeighbour{
-    .file_bytes = 8U << 20U, .yaml_nodes = 50'000, .xml_elements = 100'000, .findings = 0};
-
-/// Shows the loader one file and notes which others it asks for: they are what the file lists,
-/// resolved as the loader resolves them.
-class OnlyMainFile final : public FileReader {
- public:
-  OnlyMainFile(const FileReader& files, const std::string& main)
-      : files_(files), main_(path::normalize(main)) {}
-
-  FileContent read(const std::string& path, std::uint64_t max_bytes) const override {
-    if (path::normalize(path) == main_) return files_.read(path, max_bytes);
-    asked_.push_back(path);
-    return {};
-  }
-  bool is_file(const std::string&) const override { return false; }
-  std::vector<std::string> list(const std::string&) const override { return {}; }
-
-  bool was_asked_for(const std::string& wanted) const {
-    return std::any_of(asked_.begin(), asked_.end(),
-                       [&](const std::string& path) { return identity(path) == wanted; });
-  }
-
- private:
-  const FileReader& files_;
-  std::string main_;
-  mutable std::vector<std::string> asked_;
-};
-
-bool lists(const std::string& model, const std::string& wanted, const FileReader& files) {
-  const OnlyMainFile only(files, model);
-  SourceMap sources;
-  DiagnosticSink ignored(kNeighbour.findings);
-  LoadContext context{sources, only, ignored, kNeighbour, {}};
-  load_model(model, context);
-  return only.was_asked_for(wanted);
-}
-
-/// The URDF of a model that uses the file `wanted`, by its identity.
-std::optional<std::string> urdf_of_user(const std::string& model, const std::string& wanted,
-                                        const FileReader& files) {
-  SourceMap sources;
-  DiagnosticSink ignored(kNeighbour.findings);
-  LoadContext context{sources, files, ignored, kNeighbour, {}};
-  const LinkedModel loaded = load_model(model, context);
-  const bool is_user =
-      std::any_of(loaded.meshes.begin(), loaded.meshes.end(), [&](const MeshReference& mesh) {
-        return mesh.exists && identity(mesh.path) == wanted;
-      });
-  if (!is_user) return std::nullopt;
-  return identity(loaded.urdf_path);
-}
-
 }  // namespace
 
-Found find_inputs(const std::string& folder, const LeftOut& is_left_out) {
-  return Search(is_left_out).run(folder);
-}
-
-std::vector<std::string> models_listing(const std::string& path, const FileReader& files) {
-  const std::string folder = path::normalize(path::parent(path));
-  const std::string wanted = identity(path);
-  const std::string above = path::join(folder, "..");
-  std::vector<std::string> models;
-  std::set<std::string> seen;
-  for (const std::string& place :
-       {folder, path::join(folder, "smurf"), above, path::join(above, "smurf")}) {
-    for (const std::string& name : files.list(place)) {
-      const std::string model = path::join(place, name);
-      if (kind_of(model) != InputKind::model || !seen.insert(identity(model)).second) continue;
-      if (lists(model, wanted, files)) models.push_back(model);
-    }
-  }
-  std::sort(models.begin(), models.end());
-  return models;
-}
-
-std::vector<std::string> models_using(const std::string& path, const FileReader& files) {
-  const std::string wanted = identity(path);
-  std::vector<std::string> models;
-  std::vector<std::string> robots;
-  std::set<std::string> seen, listed_urdfs;
-  std::string folder = path::normalize(path::parent(path));
-  for (int level = 0; level <= 3; ++level, folder = path::join(folder, "..")) {
-    for (const std::string& place :
-         {folder, path::join(folder, "smurf"), path::join(folder, "urdf")}) {
-      for (const std::string& name : files.list(place)) {
-        const std::string candidate = path::join(place, name);
-        const InputKind kind = kind_of(candidate);
-        if (kind != InputKind::model && kind != InputKind::urdf) continue;
-        if (!seen.insert(identity(candidate)).second) continue;
-        const auto urdf = urdf_of_user(candidate, wanted, files);
-        if (!urdf) continue;
-        (kind == InputKind::model ? models : robots).push_back(candidate);
-        if (kind == InputKind::model) listed_urdfs.insert(*urdf);
-      }
-    }
-  }
-  for (const std::string& robot : robots) {
-    if (!listed_urdfs.contains(identity(robot))) models.push_back(robot);
-  }
-  std::sort(models.begin(), models.end());
-  return models;
+Found find_inputs(const std::string& folder, const Limits& limits, const LeftOut& is_left_out) {
+  return Search(limits, is_left_out).run(folder);
 }
 
 }  // namespace smurf::tools

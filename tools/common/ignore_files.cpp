@@ -11,8 +11,9 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = 1U << 20U;
 
-/// What is below `folder` of an absolute path in it.
+/// What is below `folder` of a path in it. "" is the folder that relative paths start at.
 std::string_view below(std::string_view path, std::string_view folder) {
+  if (folder.empty()) return path;
   return path.substr(folder == "/" ? 1 : folder.size() + 1);
 }
 
@@ -23,7 +24,8 @@ const IgnoreFiles::Level& IgnoreFiles::level_of(const std::string& folder) {
   Level& level = place->second;
   if (!is_new) return level;
   level.folder = folder;
-  if (folder != "/") level.above = &level_of(std::string(path::parent(folder)));
+  const std::string above(path::parent(folder));
+  if (above != folder) level.above = &level_of(above);
   std::error_code ignored;
   level.is_repository = std::filesystem::exists(path::join(folder, ".git"), ignored);
   level.is_in_repository =
@@ -38,9 +40,16 @@ const IgnoreFiles::Level& IgnoreFiles::level_of(const std::string& folder) {
   return level;
 }
 
+bool IgnoreFiles::may_check(std::size_t patterns) {
+  is_exhausted_ = is_exhausted_ || patterns > checks_left_;
+  if (!is_exhausted_) checks_left_ -= patterns;
+  return !is_exhausted_;
+}
+
 bool IgnoreFiles::leaves_out(const std::string& path, bool is_folder) {
   const Level* first = &level_of(std::string(path::parent(path)));
   for (const Level* level = first; level != nullptr; level = level->above) {
+    if (!may_check(level->of_lint.size() + level->of_git.size())) return true;
     const PathVerdict verdict = level->of_lint.judge(below(path, level->folder), is_folder);
     if (verdict != PathVerdict::unmentioned) return verdict == PathVerdict::excluded;
   }

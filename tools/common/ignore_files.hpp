@@ -2,6 +2,8 @@
 // What .gitignore and .smurf-lintignore files leave out.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -15,9 +17,18 @@ namespace smurf::tools {
 /// counts everywhere, and more.
 class IgnoreFiles {
  public:
-  explicit IgnoreFiles(const FileReader& files) : files_(files) {}
+  /// `most_checks` is how often a path is compared with a pattern.
+  IgnoreFiles(const FileReader& files, std::uint64_t most_checks)
+      : files_(files), checks_left_(most_checks) {}
 
-  /// Of the path alone, without what is said of the folders above it. `path` is absolute.
+  /// Have there been more checks than that? Everything is left out then.
+  bool is_exhausted() const { return is_exhausted_; }
+  /// Checks of patterns that are not in ignore files are of the same number. False when they are
+  /// too many.
+  bool may_check(std::size_t patterns);
+
+  /// Of the path alone, without what is said of the folders above it. `path` is absolute, unless
+  /// the current folder has no path that can be told.
   bool leaves_out(const std::string& path, bool is_folder);
   /// Is a file left out, itself or with a folder that it lies in?
   bool leaves_out_with_folders(const std::string& path);
@@ -33,6 +44,8 @@ class IgnoreFiles {
   const Level& level_of(const std::string& folder);
 
   const FileReader& files_;
+  std::uint64_t checks_left_;
+  bool is_exhausted_ = false;
   std::map<std::string, Level> levels_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/input.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -103,6 +104,58 @@ std::vector<std::string> package_folders_of_environment() {
   append_entries("ROS_PACKAGE_PATH", ".", folders);
   append_entries("AMENT_PREFIX_PATH", "share", folders);
   return folders;
+}
+
+std::optional<std::string> current_folder(std::string_view tool) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::current_path(error);
+  if (!error) return folder.generic_string();
+  complain(tool, "cannot tell the current folder: " + error.message());
+  return std::nullopt;
+}
+
+InputFiles::InputFiles(const FileReader& behind) : behind_(behind) {
+  struct stat status {};
+  if (::fstat(0, &status) == 0 && S_ISREG(status.st_mode)) {
+    known_.insert({status.st_dev, status.st_ino});
+  }
+}
+
+FileContent InputFiles::read(const std::string& path, std::uint64_t max_bytes) const {
+  FileContent content = behind_.read(path, max_bytes);
+  if (content.status == ReadStatus::ok || content.status == ReadStatus::too_large) add(path);
+  return content;
+}
+
+bool InputFiles::is_file(const std::string& path) const {
+  if (!behind_.is_file(path)) return false;
+  add(path);
+  return true;
+}
+
+void InputFiles::add(const std::string& path) const {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return;
+  const std::lock_guard lock(mutex_);
+  known_.insert({status.st_dev, status.st_ino});
+}
+
+bool InputFiles::contains(const std::string& path) const {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return false;
+  const std::lock_guard lock(mutex_);
+  return known_.contains({status.st_dev, status.st_ino});
+}
+
+bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
+                  std::span<const std::string> outputs) {
+  for (const std::string& output : outputs) {
+    if (output.empty() || output == "-" || !inputs.contains(output)) continue;
+    complain(tool, "'" + output + "' is an input of this run and would be lost; " +
+                       "write to another file; nothing was written");
+    return false;
+  }
+  return true;
 }
 
 std::string identity(const std::string& path) {

@@ -2,9 +2,14 @@
 // Standard input and what files are, by their names.
 #pragma once
 
+#include <cstdint>
+#include <mutex>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "smurf/file_reader.hpp"
@@ -30,6 +35,39 @@ std::optional<std::string> why_unreadable(const std::string& path, const FileRea
 
 /// Where ROS keeps packages on this machine: ROS_PACKAGE_PATH, then share/ of AMENT_PREFIX_PATH.
 std::vector<std::string> package_folders_of_environment();
+
+/// Where the run was started. Complains when that folder is gone.
+std::optional<std::string> current_folder(std::string_view tool);
+
+/// In front of a reader: remembers the files of the machine that were read or found, and what
+/// standard input is, since no output may take the place of an input.
+class InputFiles final : public FileReader {
+ public:
+  explicit InputFiles(const FileReader& behind);
+
+  FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
+  bool is_file(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override {
+    return behind_.list(folder);
+  }
+  bool is_denied(const std::string& path) const override { return behind_.is_denied(path); }
+  std::string identity(const std::string& path) const override { return behind_.identity(path); }
+
+  void add(const std::string& path) const;
+  /// By whatever name.
+  bool contains(const std::string& path) const;
+
+ private:
+  using Identity = std::pair<std::uint64_t, std::uint64_t>;  ///< device and inode
+
+  const FileReader& behind_;
+  mutable std::mutex mutex_;
+  mutable std::set<Identity> known_;
+};
+
+/// Complains when one of the files to write ("" and "-": none) was read.
+bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
+                  std::span<const std::string> outputs);
 
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path);

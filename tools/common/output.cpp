@@ -9,84 +9,67 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
+#include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "common/file_set.hpp"
 #include "render/printable.hpp"
 
 namespace smurf::tools {
 namespace {
 
-/// 0 or an errno.
-int write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(descriptor, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && errno == EAGAIN) {  // someone made the shared terminal or pipe non-blocking
-      pollfd ready{descriptor, POLLOUT, 0};
-      ::poll(&ready, 1, -1);
-      continue;
-    }
-    if (count < 0) return errno;
-    text.remove_prefix(static_cast<std::size_t>(count));
+namespace fs = std::filesystem;
+
+/// "/dev/stdout", and "/dev/fd/63" for what a shell made of ">(command)": these are open already,
+/// and opening what is behind them would be another thing.
+std::optional<int> open_descriptor(std::string_view path) {
+  if (path == "/dev/stdout") return 1;
+  if (path == "/dev/stderr") return 2;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    const auto number = parse_integer(path.substr(folder.size()));
+    if (number && *number >= 0 && *number <= INT_MAX) return static_cast<int>(*number);
   }
-  return 0;
+  return std::nullopt;
 }
 
-}  // namespace
-
-int open_beside(const std::string& path, std::string& temporary) {
-  const std::string folder = path.substr(0, path.size() - path::file_name(path).size());
-  for (int attempt = 0; attempt < 1000; ++attempt) {
-    temporary =
-        folder + ".smurf-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
-    const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) return descriptor;
-  }
-  return -1;
-}
-
-int write_and_close(int descriptor, std::string_view text, bool sync) {
-  int error = write_all(descriptor, text);
-  if (error == 0 && sync && ::fsync(descriptor) != 0 && errno != EINVAL) error = errno;
-  if (::close(descriptor) != 0 && error == 0) error = errno;
-  return error;
-}
-
-namespace {
-
+/// A device or pipe. A pipe without a reader would be waited for without end; one that is just
+/// being started gets a moment.
 int write_directly(const std::string& path, std::string_view text) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-  return descriptor < 0 ? errno : write_and_close(descriptor, text, false);
-}
-
-int replace_file(const std::string& path, std::string_view text, std::optional<mode_t> mode) {
-  std::string temporary;
-  const int descriptor = open_beside(path, temporary);
-  if (descriptor < 0) return errno;
-  int error = 0;
-  if (mode && ::fchmod(descriptor, *mode & 07777U) != 0) error = errno;
-  const int written = write_and_close(descriptor, text, true);
-  if (error == 0) error = written;
-  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error != 0) ::unlink(temporary.c_str());
-  return error;
-}
-
-int write_file(const std::string& path, std::string_view text) {
-  if (path.ends_with('/')) return EISDIR;
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) {
-    return errno == ENOENT ? replace_file(path, text, std::nullopt) : errno;
+  constexpr int kMoments = 100;
+  constexpr int kMoment = 10;  // ms
+  Descriptor file;
+  for (int i = 0; i <= kMoments && !file.is_open(); ++i) {
+    if (i > 0) ::poll(nullptr, 0, kMoment);
+    file.reset(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
+    if (!file.is_open() && errno != ENXIO) return errno;
   }
-  if (S_ISDIR(status.st_mode)) return EISDIR;
-  if (!S_ISREG(status.st_mode)) return write_directly(path, text);
-  std::error_code failed;
-  const std::filesystem::path target = std::filesystem::canonical(path, failed);
-  return replace_file(failed ? path : target.string(), text, status.st_mode);
+  return file.is_open() ? write_all(file.number(), text) : ENXIO;
+}
+
+std::string reason_of(int error) {
+  if (error == ENXIO) return "it is a pipe that nobody reads";
+  return std::generic_category().message(error);
+}
+
+bool is_device_or_pipe(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+/// Why it cannot be done; "" when it is.
+std::string replace_file(const std::string& path, std::string_view text) {
+  std::error_code ignored;
+  if (path.ends_with('/') || fs::is_directory(path, ignored)) return reason_of(EISDIR);
+  const std::vector<OutputFile> files{named_by_user(path, text)};
+  FileSet set(files, FileSet::MissingFolders::refuse);
+  const auto problem = set.write(true);
+  return problem ? problem->reason : "";
 }
 
 bool is_set(const char* variable) {
@@ -110,13 +93,42 @@ void complain(std::string_view tool, std::string_view message) {
 
 void write_error(std::string_view text) { write_all(2, text); }
 
+std::string safe_name(std::string_view name) {
+  constexpr std::string_view kUnsafe = "/\\\"'`$&|;<>*?";
+  std::string safe;
+  for (const char c : render::escape(name)) {
+    safe += kUnsafe.find(c) == std::string_view::npos ? c : '_';
+  }
+  constexpr std::string_view kUnsafeFirst = "-. ";
+  if (safe.empty() || kUnsafeFirst.find(safe.front()) != std::string_view::npos)
+    safe.insert(0, 1, '_');
+  return safe;
+}
+
+OutputFile named_by_user(const std::string& path, std::string_view text) {
+  std::error_code failed;
+  const fs::path target = fs::canonical(path, failed);
+  const std::string place = failed ? path : target.string();
+  return {std::string(path::parent(place)), std::string(path::file_name(place)), text};
+}
+
 bool write_output(std::string_view tool, const std::string& path, std::string_view text) {
   const bool is_standard = path.empty() || path == "-";
-  const int error = is_standard ? write_all(1, text) : write_file(path, text);
-  if (error == 0) return true;
+  const std::optional<int> open = is_standard ? 1 : open_descriptor(path);
+  int error = 0;
+  std::string reason;
+  if (open) {
+    error = write_all(*open, text);
+  } else if (is_device_or_pipe(path)) {
+    error = write_directly(path, text);
+  } else {
+    reason = replace_file(path, text);
+  }
   if (error == EPIPE) return false;
+  if (error != 0) reason = reason_of(error);
+  if (reason.empty()) return true;
   const std::string where = is_standard ? "standard output" : "'" + path + "'";
-  complain(tool, "cannot write " + where + ": " + std::generic_category().message(error));
+  complain(tool, "cannot write " + where + ": " + reason);
   return false;
 }
 

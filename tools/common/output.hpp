@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "smurf/new_model.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf::tools {
@@ -20,21 +19,27 @@ void write_error(std::string_view text);
 /// Writes the whole text to standard output (`path` "" or "-") or to a file, and complains if it
 /// cannot; a reader that closes its end of a pipe is no news to the user, so that is not said.
 /// A file is written beside its place and renamed, with the mode of the file it replaces, so that a
-/// failed run leaves the old one; links are followed; devices and pipes are written directly.
+/// failed run leaves the old one; links are followed, as the user names the file. Devices and pipes
+/// are written directly; a pipe that nobody reads is an error.
 bool write_output(std::string_view tool, const std::string& path, std::string_view text);
 
-/// Makes a file in the folder of `path` under a name that is not taken, which goes to `temporary`.
-/// Returns -1 with errno set when it cannot. Whoever is killed before renaming it leaves it behind.
-int open_beside(const std::string& path, std::string& temporary);
+/// A file that is to be written below a folder.
+struct OutputFile {
+  std::string folder;  ///< the user's choice: links in it are followed
+  std::string path;    ///< from there: made of names that others chose, so no link is followed
+  std::string_view text;
+};
 
-/// Writes to an open file and closes it; 0 or an errno. A full disk may be noticed as late as at
-/// the end.
-int write_and_close(int descriptor, std::string_view text, bool sync);
+/// A name for a file or folder, made of one that others chose: neither hidden nor an option, "." or
+/// "..", and without '/', control characters and what means something to shells.
+std::string safe_name(std::string_view name);
 
-/// Writes all files or none, and complains if it cannot. Paths start from `folder`; folders that
-/// are missing are made. Existing files are an error unless `overwrite`.
-bool write_files(std::string_view tool, const std::string& folder,
-                 const std::vector<TextFile>& files, bool overwrite);
+/// A file that the user named.
+OutputFile named_by_user(const std::string& path, std::string_view text);
+
+/// Writes all files or none, and complains if it cannot. Folders that are missing are made.
+/// Existing files are an error unless `overwrite`.
+bool write_files(std::string_view tool, const std::vector<OutputFile>& files, bool overwrite);
 
 enum class ColorChoice { automatic, always, never };
 

@@ -60,7 +60,7 @@ class Worker {
   Outcome check(const std::string& path, const Group& group, const SourceMap& sources) {
     Outcome outcome;
     outcome.sources = sources;
-    DiagnosticSink sink(limits_.findings);
+    DiagnosticSink sink(limits_.findings, limits_.suggestions);
     LoadContext context{outcome.sources,         files_,           sink,     limits_,
                         group.settings.packages, package_folders_, &meshes_, &group.config.schemas};
     const InputKind kind = kind_of(path);
@@ -128,7 +128,8 @@ class Checker {
       Group& group = groups_.emplace_back();
       DiagnosticSink sink;
       if (!path.empty()) {
-        group.config = read_config(path, checked_.sources, files_, sink, formats);
+        group.config =
+            read_config(path, checked_.sources, files_, sink, formats, origin_of_config(options_));
       }
       group.settings = merge(group.config, options_);
       group.diagnostics = sink.take();

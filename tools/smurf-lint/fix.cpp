@@ -4,9 +4,13 @@
 #include <dtl/dtl.hpp>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
+#include "base/path.hpp"
+#include "common/confine.hpp"
+#include "render/printable.hpp"
 #include "smurf/fix.hpp"
 
 namespace smurf::tools {
@@ -15,6 +19,8 @@ namespace {
 constexpr std::string_view kTool = "smurf-lint";
 /// A fix may uncover the next fault, but not for ever.
 constexpr int kRounds = 10;
+/// With those that only fix what was left out before, because there were too many findings.
+constexpr int kMostRounds = 100;
 
 std::string counted(std::size_t number, std::string_view noun) {
   return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
@@ -32,7 +38,7 @@ std::vector<std::string> lines_of(std::string_view text) {
 }
 
 std::string diff_line(char mark, const std::string& line) {
-  std::string text = mark + line;
+  std::string text = mark + render::escape_lines(line);
   if (!text.ends_with('\n')) text += "\n\\ No newline at end of file\n";
   return text;
 }
@@ -50,8 +56,9 @@ std::string diff_of(const std::string& path, const Change& change) {
   diff.compose();
   diff.composeUnifiedHunks();
   const bool is_relative = !path.starts_with('/');
-  std::string text = "--- " + (is_relative ? "a/" + path : path) + "\n";
-  text += "+++ " + (is_relative ? "b/" + path : path) + "\n";
+  const std::string name = render::escape(path);
+  std::string text = "--- " + (is_relative ? "a/" + name : name) + "\n";
+  text += "+++ " + (is_relative ? "b/" + name : name) + "\n";
   for (const auto& hunk : diff.getUniHunks()) {
     text += "@@ -" + diff_range(hunk.a, hunk.b) + " +" + diff_range(hunk.c, hunk.d) + " @@\n";
     for (const auto& [line, info] : hunk.common[0]) text += diff_line(' ', line);
@@ -64,13 +71,27 @@ std::string diff_of(const std::string& path, const Change& change) {
   return text;
 }
 
+/// A link that comes with the files does not choose what is written.
+bool leads_outside(const std::string& path, const LintOptions& options) {
+  const std::string folder(path::parent(path));
+  ConfinedFiles project;
+  confine(project, std::array{folder.empty() ? std::string(".") : folder}, options.packages,
+          options.allow_outside);
+  return project.read(path, 0).status == ReadStatus::denied;
+}
+
 }  // namespace
 
 Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, Checked checked) {
   const Applicability most = options.unsafe_fixes ? Applicability::unsafe : Applicability::safe;
   Fixed fixed;
   fixed.checked = std::move(checked);
-  for (int round = 0; round < kRounds; ++round) {
+  int counted = 0;
+  for (int round = 0; counted < kRounds && round < kMostRounds; ++round) {
+    const auto& all = fixed.checked.diagnostics;
+    const bool is_partial = std::any_of(
+        all.begin(), all.end(), [](const Diagnostic& one) { return one.left_out != nullptr; });
+    if (!is_partial) ++counted;
     AppliedFixes applied = apply_fixes(fixed.checked.diagnostics, fixed.checked.sources, most);
     if (applied.texts.empty()) return fixed;
     fixed.count += applied.count;
@@ -89,8 +110,15 @@ Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, 
   return fixed;
 }
 
-bool write_changes(const Fixed& fixed, const Plan& plan) {
+bool write_changes(const Fixed& fixed, const Plan& plan, const LintOptions& options) {
   bool is_written = true;
+  for (const auto& [path, change] : fixed.changes) {
+    if (path == plan.standard_input || !leads_outside(path, options)) continue;
+    complain(kTool, "cannot fix '" + path +
+                        "': it is a link that leads out of its project; name "
+                        "the file itself, or add --allow-outside; nothing was fixed");
+    return false;
+  }
   for (const auto& [path, change] : fixed.changes) {
     if (path != plan.standard_input) is_written &= write_output(kTool, path, change.after);
   }

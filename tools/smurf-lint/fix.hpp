@@ -28,10 +28,11 @@ struct Fixed {
 Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, Checked checked);
 
 /// Writes every changed file but standard input. False when one could not be written, which was
-/// said.
-bool write_changes(const Fixed& fixed, const Plan& plan);
+/// said; nothing is written when one is a link out of its project.
+bool write_changes(const Fixed& fixed, const Plan& plan, const LintOptions& options);
 
-/// The changes as `diff -u` shows them, with `git apply`'s a/ and b/ before relative paths.
+/// The changes as `diff -u` shows them, with `git apply`'s a/ and b/ before relative paths. Control
+/// characters, which no sound file has, are escaped: it is text for people first.
 std::string unified_diff(const std::map<std::string, Change>& changes);
 
 /// "fixed 2 findings" and "3 fixable with --fix ...", a line each; "" when there is nothing to say.

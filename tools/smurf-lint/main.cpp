@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-lint: checks SMURF models and scenes.
 #include <algorithm>
-#include <array>
+#include <optional>
+#include <span>
 
-#include "common/confine.hpp"
 #include "common/input.hpp"
 #include "common/process.hpp"
 #include "common/repository.hpp"
+#include "render/printable.hpp"
 #include "smurf-lint/check.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
@@ -20,6 +21,15 @@ using namespace smurf::tools;
 namespace {
 
 constexpr std::string_view kTool = "smurf-lint";
+/// Where --generate-baseline writes when neither the command line nor --config names a file.
+constexpr std::string_view kBaselineName = ".smurf-lint-baseline.yaml";
+
+/// For a command that a user may copy.
+std::string shell_word(std::string_view text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
 
 TextStyle style_of(const LintOptions& options, const std::string& file) {
   if (file.empty() || file == "-") return style_for(Stream::output, options.color);
@@ -86,7 +96,7 @@ ExitCode fix(const LintOptions& options, const Plan& plan, MemoryFiles& files, C
     return kFailed;
   }
   if (options.diff) return show_diff(options, fixed);
-  if (!write_changes(fixed, plan)) return kFailed;
+  if (!write_changes(fixed, plan, options)) return kFailed;
   if (!plan.standard_input.empty()) {
     const std::string text = files.read(plan.standard_input, options.limits.file_bytes).text;
     if (!write_output(kTool, "-", text)) return kFailed;
@@ -94,40 +104,80 @@ ExitCode fix(const LintOptions& options, const Plan& plan, MemoryFiles& files, C
   return options.fix_only ? kDone : report(options, plan, fixed.checked, fixed.count);
 }
 
-ExitCode no_baseline() {
-  complain(kTool, "--generate-baseline needs --baseline FILE, the file to write");
-  return kFailed;
+/// Where the baseline is written, which no configuration that came with the files decides.
+/// None when that one names another place; that has been said.
+std::optional<std::string> baseline_to_write(const LintOptions& options, const Checked& checked) {
+  const std::string& known = checked.run.baseline;
+  const bool is_chosen = !options.baseline.empty() || (!options.config.empty() && !known.empty());
+  if (is_chosen) return known;
+  std::string usual(kBaselineName);
+  if (known.empty() || identity(known) == identity(usual)) return usual;
+  complain(kTool, "a configuration that was found beside the files does not choose what is "
+                  "written; to write its baseline, add --baseline " +
+                      shell_word(known));
+  return std::nullopt;
+}
+
+/// What is overwritten has to be a baseline.
+bool may_be_overwritten(const std::string& path, const LintOptions& options) {
+  const FileContent old = DiskFiles().read(path, options.limits.file_bytes);
+  if (old.status == ReadStatus::not_found) return true;
+  if (old.status == ReadStatus::ok && Baseline::is_written(old.text)) return true;
+  const std::string reason =
+      old.status == ReadStatus::ok ? "it is no baseline that smurf-lint has written" : old.reason;
+  complain(kTool, "cannot write '" + path + "': " + reason);
+  return false;
 }
 
 ExitCode write_baseline(const LintOptions& options, const Checked& checked) {
-  const std::string& path = checked.run.baseline;
-  if (path.empty()) return no_baseline();
-  const Baseline baseline(relative_to_folder_of(path));
+  const auto path = baseline_to_write(options, checked);
+  if (!path || !may_be_overwritten(*path, options)) return kFailed;
+  const Baseline baseline(relative_to_folder_of(*path));
   const std::string text = baseline.write(checked.diagnostics, checked.sources);
-  if (!write_output(kTool, path, text)) return kFailed;
+  const bool is_usual = *path == kBaselineName;
+  const bool is_written =
+      is_usual ? write_files(kTool, {{".", *path, text}}, true) : write_output(kTool, *path, text);
+  if (!is_written) return kFailed;
   if (options.quiet) return kDone;
   const std::size_t count = checked.diagnostics.size();
-  return write_text(options, "let " + std::to_string(count) +
-                                 (count == 1 ? " finding" : " findings") + " pass in " + path +
-                                 "\n");
+  std::string done = "let " + std::to_string(count) + (count == 1 ? " finding" : " findings") +
+                     " pass in " + render::escape(*path);
+  if (checked.run.baseline.empty()) done += "; from now on, add --baseline " + *path;
+  return write_text(options, done + "\n");
 }
 
-ExitCode list_files(const LintOptions& options, const Plan& plan) {
+bool keeps_inputs(const LintOptions& options, const Checked& checked, const InputFiles& inputs) {
+  std::vector<std::string> outputs{options.output};
+  if (options.generate_baseline) {
+    outputs.push_back(options.baseline);
+  } else {
+    for (const ReportRequest& report : checked.run.reports) outputs.push_back(report.file);
+  }
+  return tools::keeps_inputs(kTool, inputs, outputs);
+}
+
+ExitCode list_files(const LintOptions& options, const Plan& plan, const InputFiles& inputs) {
   std::vector<std::string> paths;
   for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
     for (const PlannedFile& file : *planned) paths.push_back(file.path);
   }
   std::sort(paths.begin(), paths.end());
   std::string text;
-  for (const std::string& path : paths) text += path + "\n";
+  for (const std::string& path : paths) {
+    text += render::escape(path) + "\n";
+    inputs.add(path);
+  }
+  if (!tools::keeps_inputs(kTool, inputs, std::span(&options.output, 1))) return kFailed;
   const ExitCode code = write_text(options, text);
   return plan.has_failed ? kFailed : code;
 }
 
 ExitCode merge_reports(const LintOptions& options) {
+  const DiskFiles disk;
+  const InputFiles inputs(disk);
   std::vector<NamedText> reports;
   for (const std::string& path : options.paths) {
-    FileContent content = DiskFiles().read(path, options.limits.file_bytes);
+    FileContent content = inputs.read(path, options.limits.file_bytes);
     if (content.status != ReadStatus::ok) {
       complain(kTool, "cannot read '" + path + "': " + content.reason);
       return kFailed;
@@ -139,19 +189,16 @@ ExitCode merge_reports(const LintOptions& options) {
     complain(kTool, merged.problem);
     return kFailed;
   }
+  if (!tools::keeps_inputs(kTool, inputs, std::span(&options.output, 1))) return kFailed;
   const ExitCode code = write_text(options, merged.json);
   return code == kDone ? judge(merged.summary, options.threshold) : code;
 }
 
 ExitCode run(const LintOptions& options) {
   ConfinedFiles disk;
-  const std::vector<std::string> here{"."};
-  confine(disk, options.paths.empty() ? here : options.paths, options.packages,
-          options.allow_outside);
-  confine(disk, std::array{options.stdin_filename, options.config}, {}, options.allow_outside);
-  disk.allow(options.config);
-  disk.allow(options.baseline);
-  const ArchiveFiles archives(disk, options.limits);
+  confine_to_inputs(disk, options);
+  const InputFiles inputs(disk);
+  const ArchiveFiles archives(inputs, options.limits);
   MemoryFiles files(&archives);
   if (!options.baseline.empty() && !options.generate_baseline) {
     if (const auto reason = why_unreadable(options.baseline, files)) {
@@ -159,15 +206,12 @@ ExitCode run(const LintOptions& options) {
       return kFailed;
     }
   }
-  const std::string first = options.paths.empty() ? "." : options.paths.front();
-  if (options.generate_baseline && options.baseline.empty() &&
-      find_config(first, options, files).empty()) {
-    return no_baseline();
-  }
   Plan plan = make_plan(options, files);
+  confine_to_found(disk, options, plan);
   keep_shard(plan, options.shard, files);
-  if (options.list_files) return list_files(options, plan);
+  if (options.list_files) return list_files(options, plan, inputs);
   Checked checked = check(options, plan, files);
+  if (!keeps_inputs(options, checked, inputs)) return kFailed;
   if (options.generate_baseline) {
     return plan.has_failed ? kFailed : write_baseline(options, checked);
   }

@@ -165,7 +165,9 @@ std::vector<Option> ignore_options(LintOptions& options) {
        .set = set_text(options.baseline)},
       {.group = "What may pass",
        .name = "generate-baseline",
-       .help = "Write all of today's findings to the baseline; those that are mended go.",
+       .help = "Write all of today's findings to the baseline; those that are mended go. It is the "
+               "FILE of --baseline, else that of a configuration named by --config, else "
+               ".smurf-lint-baseline.yaml in the current folder.",
        .set = set_flag(options.generate_baseline)},
       {.group = "What may pass",
        .name = "no-ignores",

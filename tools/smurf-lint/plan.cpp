@@ -2,16 +2,20 @@
 #include "smurf-lint/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <map>
 #include <set>
 
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/path_patterns.hpp"
+#include "common/confine.hpp"
 #include "common/discover.hpp"
 #include "common/ignore_files.hpp"
 #include "common/input.hpp"
+#include "common/models_around.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/config.hpp"
 
@@ -61,6 +65,12 @@ struct Exclusions {
     is_forced = is_forced || (read.force_exclude && read.force_exclude->value);
   }
 
+  std::size_t size() const {
+    std::size_t count = 0;
+    for (const Patterns& one : all) count += one.patterns.size();
+    return count;
+  }
+
   template <class Judge>
   bool any(const std::string& path, const Judge& judge) const {
     return std::any_of(all.begin(), all.end(), [&](const Patterns& one) {
@@ -70,14 +80,22 @@ struct Exclusions {
   }
 };
 
+std::vector<std::string> searched_or_named(const LintOptions& options) {
+  if (!options.show_config.empty()) return {options.show_config};
+  return options.paths.empty() ? std::vector<std::string>{"."} : options.paths;
+}
+
 class Planner {
  public:
   Planner(const LintOptions& options, MemoryFiles& files)
-      : options_(options), files_(files), current_folder_(identity(".")), ignore_files_(files) {}
+      : options_(options),
+        files_(files),
+        current_folder_(identity(".")),
+        ignore_files_(files, options.limits.ignore_checks),
+        models_(files) {}
 
   Plan run() {
-    std::vector<std::string> paths = options_.paths;
-    if (paths.empty()) paths.emplace_back(".");
+    const std::vector<std::string> paths = searched_or_named(options_);
     if (const auto reason = why_no_config()) {
       fail("cannot read '" + options_.config + "': " + *reason);
     }
@@ -95,6 +113,11 @@ class Planner {
       } else {
         add_named(path);
       }
+    }
+    if (ignore_files_.is_exhausted()) {
+      fail("cannot tell what is left out: there are more than " +
+           std::to_string(options_.limits.ignore_checks) + " comparisons of files with patterns; " +
+           raise_limit("ignore-checks"));
     }
     return std::move(plan_);
   }
@@ -144,8 +167,10 @@ class Planner {
 
   /// Whether a folder is searched, the configuration around it says, not the one in it.
   bool is_left_out(const std::string& path, bool folder) {
-    const bool is_excluded = exclusions_[config_of_entry(path)].any(
-        path, [&](const PathPatterns& patterns, const std::string& inside) {
+    const Exclusions& exclusions = exclusions_[config_of_entry(path)];
+    if (!ignore_files_.may_check(exclusions.size())) return true;
+    const bool is_excluded =
+        exclusions.any(path, [&](const PathPatterns& patterns, const std::string& inside) {
           return patterns.judge(inside, folder) == PathVerdict::excluded;
         });
     if (is_excluded || options_.no_ignore_files) return is_excluded;
@@ -156,6 +181,7 @@ class Planner {
   bool is_left_out_by_force(const std::string& path) {
     const Exclusions& exclusions = exclusions_[config_of_entry(path)];
     if (!exclusions.is_forced) return false;
+    if (!ignore_files_.may_check(exclusions.size())) return true;
     const bool is_excluded =
         exclusions.any(path, [](const PathPatterns& patterns, const std::string& inside) {
           return patterns.excludes(inside);
@@ -181,10 +207,12 @@ class Planner {
   }
 
   void add_folder(const std::string& folder) {
-    const Found found = find_inputs(
-        folder, [&](const std::string& path, bool is_one) { return is_left_out(path, is_one); });
+    const Found found =
+        find_inputs(folder, options_.limits, [&](const std::string& path, bool is_one) {
+          return is_left_out(path, is_one);
+        });
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
-    if (found.files.empty() && found.unreadable.empty()) {
+    if (found.files.empty() && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
       const std::string left_out =
           found.left_out == 0 ? "" : " (" + std::to_string(found.left_out) + " left out)";
       fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'" + left_out);
@@ -223,14 +251,14 @@ class Planner {
   }
 
   void add_part(const std::string& path) {
-    const std::vector<std::string> models = models_listing(path, files_);
+    const std::vector<std::string> models = models_.listing(path);
     for (const std::string& model : models) add(plan_.models, model);
     const bool is_passed_over = options_.only_listed && kind_of(path) == InputKind::annotation;
     if (models.empty() && !is_passed_over) add(plan_.strays, path);
   }
 
   void add_resource(const std::string& path) {
-    const std::vector<std::string> models = models_using(path, files_);
+    const std::vector<std::string> models = models_.using_resource(path);
     for (const std::string& model : models) add(plan_.models, model);
     if (models.empty() && !options_.only_listed) fail("no model near '" + path + "' uses it");
   }
@@ -243,6 +271,7 @@ class Planner {
   std::map<std::string, std::size_t> by_folder_, configs_;
   std::deque<Exclusions> exclusions_;  ///< of each configuration
   IgnoreFiles ignore_files_;
+  ModelsAround models_;
 };
 
 }  // namespace
@@ -251,8 +280,9 @@ void keep_shard(Plan& plan, const Shard& shard, const FileReader& files) {
   if (shard.count <= 1) return;
   std::set<std::string> models;
   for (const PlannedFile& model : plan.models) models.insert(identity(model.path));
+  ModelsAround around(files);
   std::erase_if(plan.strays, [&](const PlannedFile& stray) {
-    const std::vector<std::string> users = models_listing(stray.path, files);
+    const std::vector<std::string> users = around.listing(stray.path);
     return std::any_of(users.begin(), users.end(),
                        [&](const std::string& user) { return models.contains(identity(user)); });
   });
@@ -268,6 +298,23 @@ std::string find_config(const std::string& path, const LintOptions& options,
   if (options.isolated) return {};
   if (!options.config.empty()) return options.config;
   return nearest_config(is_folder(path) ? path : std::string(path::parent(path)), files);
+}
+
+void confine_to_inputs(ConfinedFiles& files, const LintOptions& options) {
+  confine(files, searched_or_named(options), options.packages, options.allow_outside);
+  confine(files, std::array{options.stdin_filename, options.config}, {}, options.allow_outside);
+  files.allow(options.config);
+  files.allow(options.baseline);
+}
+
+void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Plan& plan) {
+  const std::vector<std::string> paths = searched_or_named(options);
+  if (options.allow_outside || std::none_of(paths.begin(), paths.end(), is_shared_folder)) return;
+  std::vector<std::string> found;
+  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
+    for (const PlannedFile& file : *planned) found.push_back(file.path);
+  }
+  confine(files, found, {}, false);
 }
 
 Plan make_plan(const LintOptions& options, MemoryFiles& files) {

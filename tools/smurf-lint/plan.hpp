@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "smurf-lint/options.hpp"
+#include "smurf/config.hpp"
 #include "smurf/file_reader.hpp"
 
 namespace smurf::tools {
@@ -25,6 +26,11 @@ struct Plan {
   bool has_failed = false;           ///< something could not be read; it was said
 };
 
+/// Lets be read what the command line names and what belongs to it: common/confine.hpp.
+void confine_to_inputs(ConfinedFiles& files, const LintOptions& options);
+/// The same for what a search of shared folders has found.
+void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Plan& plan);
+
 /// Standard input, if it is read, goes to `files`.
 Plan make_plan(const LintOptions& options, MemoryFiles& files);
 
@@ -35,5 +41,10 @@ void keep_shard(Plan& plan, const Shard& shard, const FileReader& files);
 /// "" when there is none.
 std::string find_config(const std::string& path, const LintOptions& options,
                         const FileReader& files);
+
+/// Whether the user named the configuration.
+inline ConfigOrigin origin_of_config(const LintOptions& options) {
+  return options.config.empty() ? ConfigOrigin::found : ConfigOrigin::named;
+}
 
 }  // namespace smurf::tools

@@ -8,6 +8,7 @@
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "common/input.hpp"
+#include "render/printable.hpp"
 #include "smurf-lint/plan.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/config.hpp"
@@ -21,7 +22,8 @@ constexpr std::size_t kOriginColumn = 30;
 using Entry = std::pair<std::string, std::string>;  ///< a value, as YAML, and its origin
 using Entries = std::vector<Entry>;
 
-std::string text_of(std::string_view text) { return yaml_like("", text); }
+/// What is escaped beyond YAML's needs is inside double quotes, where YAML knows these escapes.
+std::string text_of(std::string_view text) { return render::escape(yaml_like("", text)); }
 std::string text_of(double number) { return format_number(number); }
 std::string text_of(Severity severity) { return std::string(to_string(severity)); }
 
@@ -31,7 +33,7 @@ class Page {
 
   std::string origin(Span span) const {
     const std::uint32_t line = sources_.line_of(span.source, span.begin);
-    return sources_.path(span.source) + ":" + std::to_string(line);
+    return render::escape(sources_.path(span.source)) + ":" + std::to_string(line);
   }
 
   template <class Value>
@@ -70,7 +72,9 @@ class Page {
     }
   }
 
-  void comment(std::string_view text) { text_.append("# ").append(text).append("\n"); }
+  void comment(std::string_view text) {
+    text_.append("# ").append(render::escape(text)).append("\n");
+  }
   void raw(std::string_view text) { text_ += text; }
   const std::string& text() const { return text_; }
 
@@ -187,7 +191,9 @@ void show_run(const Config& config, const LintOptions& options, Page& page) {
 }  // namespace
 
 ExitCode show_config(const LintOptions& options) {
-  const DiskFiles files;
+  ConfinedFiles disk;
+  confine_to_inputs(disk, options);
+  const InputFiles files(disk);
   std::error_code ignored;
   if (!std::filesystem::exists(options.show_config, ignored)) {
     complain(kTool, "there is no '" + options.show_config + "'");
@@ -201,12 +207,15 @@ ExitCode show_config(const LintOptions& options) {
   SourceMap sources;
   DiagnosticSink sink;
   const std::vector<std::string_view> formats = report_format_names();
-  const Config config = path.empty() ? Config{} : read_config(path, sources, files, sink, formats);
+  const Config config =
+      path.empty() ? Config{}
+                   : read_config(path, sources, files, sink, formats, origin_of_config(options));
   Page page(sources);
   page.comment("for " + options.show_config + ": " + (path.empty() ? "no configuration" : path));
   show_rules(config, options, page);
   show_input(config, options, page);
   show_run(config, options, page);
+  if (!keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;
   if (!write_output(kTool, options.output, page.text())) return kFailed;
 
   std::vector<Diagnostic> found = sink.take();

@@ -33,6 +33,13 @@ double triangle_excess(const std::array<double, 3>& moments) {
   return (moments[2] - moments[1] - moments[0]) / moments[2];
 }
 
+constexpr std::string_view kNoMass =
+    "ODE refuses a body without positive mass; MARS invents a gram or less, and the joints tear";
+constexpr std::string_view kNoInertia = "ODE refuses a body whose inertia is not positive definite";
+constexpr std::string_view kTooLarge =
+    "ODE does not test it: the body gains energy when it turns fast";
+constexpr std::string_view kNoAxis = "ODE and MARS stop at a joint without direction";
+
 class BodyCheck {
  public:
   BodyCheck(const Plan& plan, const Bounds& bounds, DiagnosticSink& sink)
@@ -47,8 +54,8 @@ class BodyCheck {
   std::vector<Figure> run() {
     if (is_drawing()) {
       const LinkedModel& model = *plan_.models.front().model;
-      sink_.report(rules::sml6101_body_without_mass, place_of(model),
-                   "no link of this robot has a mass");
+      report(rules::sml1502_no_inertial_anywhere, place_of(model),
+             "no link of this robot has an inertial", kNoMass);
       return {};
     }
     for (std::size_t i = 0; i < plan_.bodies.size(); ++i) check_body(i);
@@ -90,8 +97,8 @@ class BodyCheck {
 
   void report_massless(std::size_t index) {
     const Named body = name_of_body(plan_, index);
-    Diagnostic& diagnostic = sink_.report(rules::sml6101_body_without_mass, body.place,
-                                          body.name + " moves and has no mass");
+    Diagnostic& diagnostic = report(rules::sml1501_moving_link_without_inertial, body.place,
+                                    body.name + " moves and has no mass", kNoMass);
     const auto above = joint_above_.find(index);
     if (above == joint_above_.end()) return;
     const Named joint = name_of(plan_, plan_.joints[above->second]);
@@ -100,33 +107,47 @@ class BodyCheck {
 
   void report_bad_mass(const LinkPlan& link, double mass) {
     const urdf::Inertial& inertial = *plan_.link(link).inertial;
-    const Span place =
-        inertial.mass ? inertial.mass.span : tag_name(plan_.model_of(link), inertial.element);
-    sink_
-        .report(rules::sml6101_body_without_mass, place,
-                "ODE takes no body with the mass of " + title(plan_.link(link)))
-        .caret = format_rounded(mass) + " kg";
+    const Span tag = tag_name(plan_.model_of(link), inertial.element);
+    if (!inertial.mass.written) {
+      report(rules::sml1504_mass_missing, tag,
+             "the inertial of " + title(plan_.link(link)) + " has no mass", kNoMass);
+      return;
+    }
+    const Rule& rule = mass < 0 ? rules::sml1509_mass_negative : rules::sml1508_mass_zero;
+    report(rule, inertial.mass ? inertial.mass.span : tag,
+           "the mass of " + title(plan_.link(link)) + " is " + format_rounded(mass) + " kg",
+           kNoMass);
   }
 
   void check_inertia(std::size_t index, const LinkPlan& heaviest) {
-    constexpr double kRounding = 1e-2;  // flat parts printed with few digits stay below
-    const std::array<double, 3> moments = principal_moments(plan_.bodies[index].mass.inertia);
-    const bool is_positive = is_positive_definite(moments);
-    if (is_positive && triangle_excess(moments) <= kRounding) return;
+    const Eigen::Matrix3d& inertia = plan_.bodies[index].mass.inertia;
+    const std::optional<InertiaFault> fault = fault_of(inertia);
+    if (!fault) return;
     const LinkPlan& link = culprit(index, heaviest);
-    const Rule& rule =
-        is_positive ? rules::sml6103_inertia_impossible : rules::sml6102_inertia_refused;
-    std::string message =
-        is_positive ? "no body can have the inertia of " : "ODE takes no body with the inertia of ";
-    message += title(plan_.link(link));
-    Diagnostic& diagnostic = sink_.report(
-        rule, inertia_place(plan_.model_of(link), *plan_.link(link).inertial), std::move(message));
-    diagnostic.caret = moments_text(moments);
+    const std::string whose = "the inertia of " + title(plan_.link(link));
+    const Span place = inertia_place(plan_.model_of(link), *plan_.link(link).inertial);
+    Diagnostic& diagnostic = inertia.isZero()
+                                 ? report(rules::sml1511_inertia_all_zero, place,
+                                          whose + " is zero, its mass is not", kNoInertia)
+                             : *fault == InertiaFault::refused
+                                 ? report(rules::sml1512_not_positive_definite, place,
+                                          whose + " is not that of any body", kNoInertia)
+                                 : report(rules::sml1513_triangle_violated, place,
+                                          whose + " is not physically possible", kTooLarge);
+    diagnostic.caret = moments_text(principal_moments(inertia));
     if (members_[index].size() > 1) {
       diagnostic.notes.push_back("the moments are those of " +
                                  std::to_string(members_[index].size()) +
                                  " links that are fixed to each other");
     }
+  }
+
+  /// Whatever the linter makes of it in general: here it is in the way of a simulation.
+  Diagnostic& report(const Rule& rule, Span place, std::string message, std::string_view ode) {
+    Diagnostic& diagnostic = sink_.report(rule, place, std::move(message));
+    diagnostic.severity = Severity::error;
+    diagnostic.notes.emplace_back(ode);
+    return diagnostic;
   }
 
   /// The link whose own inertia is as bad, else the heaviest.
@@ -145,8 +166,8 @@ class BodyCheck {
   void check_axis(const JointPlan& plan, Figure& figure) {
     const urdf::Joint& joint = plan_.joint(plan);
     if (plan.kind == JointKind::universal && plan.axis2_W.isZero()) {
-      sink_.report(rules::sml6105_axis_zero, plan.form_place,
-                   name_of(plan_, plan).name + " has no second axis to turn about");
+      report(rules::sml6105_axis_zero, plan.form_place,
+             name_of(plan_, plan).name + " has no second axis to turn about", kNoAxis);
     }
     if (!joint.axis || joint.type == urdf::JointType::floating) return;
     const double length = axis_length(joint);
@@ -158,13 +179,14 @@ class BodyCheck {
       figure.place = joint.axis.span;
     }
     if (length == 0) {
-      sink_.report(rules::sml6105_axis_zero, joint.axis.span,
-                   named.name + (plan.kind == JointKind::slider ? " slides along no axis"
-                                                                : " turns about no axis"));
+      report(rules::sml1421_axis_zero, joint.axis.span,
+             "the axis of " + named.name + " has no direction", kNoAxis);
     } else if (error > figure.limit) {
-      Diagnostic& diagnostic = sink_.report(rules::sml6104_axis_not_unit, joint.axis.span,
-                                            "the axis of " + named.name + " is no unit vector");
-      diagnostic.caret = "length " + format_rounded(length);
+      Diagnostic& diagnostic = report(
+          rules::sml1422_axis_not_unit, joint.axis.span,
+          "the axis of " + named.name + " has the length " + format_rounded(length) + ", not 1",
+          "ODE scales it to 1; other readers multiply the joint's position with the length");
+      diagnostic.severity = Severity::warning;
     }
   }
 
@@ -182,8 +204,11 @@ class BodyCheck {
     }
     if (ratio <= figure.limit) return;
     Diagnostic& diagnostic =
-        sink_.report(rules::sml6106_mass_ratio, joint.place,
-                     joint.name + " connects masses that are too far apart for ODE");
+        report(rules::sml1525_mass_ratio, joint.place,
+               joint.name + " connects masses that are too far apart for ODE",
+               "its equations lose as many digits as the masses differ: the light body trembles "
+               "or is torn off");
+    diagnostic.severity = Severity::warning;
     diagnostic.caret = format_rounded(parent) + " kg above, " + format_rounded(child) + " kg below";
   }
 
@@ -195,6 +220,14 @@ class BodyCheck {
 };
 
 }  // namespace
+
+std::optional<InertiaFault> fault_of(const Eigen::Matrix3d& inertia) {
+  constexpr double kRounding = 1e-2;  // flat parts printed with few digits stay below
+  const std::array<double, 3> moments = principal_moments(inertia);
+  if (!is_positive_definite(moments)) return InertiaFault::refused;
+  if (triangle_excess(moments) > kRounding) return InertiaFault::impossible;
+  return std::nullopt;
+}
 
 std::vector<Figure> check_bodies(const Plan& plan, const Bounds& bounds, DiagnosticSink& sink) {
   return BodyCheck(plan, bounds, sink).run();

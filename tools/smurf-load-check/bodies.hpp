@@ -8,8 +8,13 @@
 
 namespace smurf::load_check {
 
+/// What is wrong with an inertia.
+enum class InertiaFault : std::uint8_t { refused, impossible };
+/// `refused` when ODE takes no such body, `impossible` when it does although no body is like that.
+std::optional<InertiaFault> fault_of(const Eigen::Matrix3d& inertia);
+
 /// Reports bodies without mass or with an inertia that cannot be, joints without axis, and masses
-/// too far apart.
+/// too far apart: under the rules of the linter that find the same, with what ODE makes of it.
 std::vector<Figure> check_bodies(const Plan& plan, const Bounds& bounds, DiagnosticSink& sink);
 
 /// The body's link that is nearest to the root, and for a joint itself: "joint `a`", at its name.

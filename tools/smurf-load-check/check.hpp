@@ -16,6 +16,7 @@ namespace smurf::load_check {
 struct CheckOptions {
   std::set<Stage> stages{Stage::build, Stage::pose0, Stage::still,
                          Stage::hang,  Stage::drop,  Stage::anchor};  ///< BUILD is always run
+  std::string pose;                                                   ///< named; empty: near zero
   std::optional<double> time;                                         ///< s, of every timed stage
   std::optional<double> step;                                         ///< s
   Bounds bounds;
@@ -23,11 +24,12 @@ struct CheckOptions {
   bool poses = false;    ///< and the poses in them
 };
 
-/// Called before a stage begins.
-using OnStage = std::function<void(Stage)>;
+/// Called before a stage begins, with the result of those before it but their samples.
+using OnStage = std::function<void(Stage, const CheckResult& so_far)>;
 
-/// One model on its own: BUILD, POSE0, STILL, HANG, DROP. A stage that fails is the last that is
-/// run. Precondition: the model has a robot with one root.
+/// One model on its own: BUILD, POSE0, STILL, HANG, DROP. What BUILD refuses has a stand-in in the
+/// other stages; of those, one that fails is the last that is run. Precondition: the model has a
+/// robot with one root.
 CheckResult check_model(const LinkedModel& model, const ShapeFiles& files,
                         const CheckOptions& options, const OnStage& on_stage);
 

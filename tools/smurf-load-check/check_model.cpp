@@ -2,12 +2,16 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
+#include "link/kinematics.hpp"
 #include "lint/queries.hpp"
 #include "smurf-load-check/bodies.hpp"
 #include "smurf-load-check/check.hpp"
 #include "smurf-load-check/shapes.hpp"
 #include "smurf-load-check/stage_run.hpp"
+#include "smurf-load-check/stand_ins.hpp"
+#include "smurf-load-check/start.hpp"
 
 namespace smurf::load_check {
 namespace {
@@ -19,12 +23,16 @@ constexpr double kHangTime = 0.25;
 constexpr double kDropTime = 0.5;
 constexpr double kDropHeight = 1e-3;  // m, above the ground
 constexpr double kStep = 1e-3;        // s
+const char* const kNoMasses = "no link has a mass";
 
 class ModelCheck {
  public:
   ModelCheck(const LinkedModel& model, const ShapeFiles& files, const CheckOptions& options,
              const OnStage& on_stage)
-      : model_(model), files_(files), run_(options, on_stage) {}
+      : model_(model),
+        files_(files),
+        run_(options, on_stage, [this] { return suspect(); }),
+        given_(joint_positions(model, options.pose).value_or(JointPositions{})) {}
 
   CheckResult run() {
     run_.stage(Stage::build, [&](StageResult& result) { build(result); });
@@ -39,6 +47,7 @@ class ModelCheck {
   Plan plan_on(Base::Kind base) const {
     PlacedModel placed;
     placed.model = &model_;
+    placed.positions = start_positions(model_, given_);
     placed.base.kind = base;
     return make_plan({placed});
   }
@@ -46,7 +55,13 @@ class ModelCheck {
   WorldSetup setup() const {
     WorldSetup setup;
     setup.step = run_.options().step.value_or(kStep);
+    setup.stop_margin = run_.stop_margin();
     return setup;
+  }
+
+  Named suspect() const {
+    const JointPlan* joint = joint_at_stop(fixed_);
+    return joint != nullptr ? name_of(fixed_, *joint) : Named{"", place_of(model_)};
   }
 
   void build(StageResult& result) {
@@ -56,6 +71,10 @@ class ModelCheck {
     is_free_ = free.bodies.front().mass.mass > 0;
     whole_ = is_free_ ? std::move(free) : fixed_;
     result.figures = check_bodies(whole_, run_.options().bounds, run_.sink());
+    has_masses_ = std::any_of(model_.robot->links.begin(), model_.robot->links.end(),
+                              [](const urdf::Link& link) { return link.inertial.has_value(); });
+    add_stand_ins(fixed_);
+    stand_ins_ = add_stand_ins(whole_);
     result.note = summary(add_shapes(whole_, files_, run_.sink()));
   }
 
@@ -69,9 +88,10 @@ class ModelCheck {
     if (count.missing_meshes > 0) {
       text += "; " + count_of(count.missing_meshes, "mesh", "meshes") + " missing";
     }
+    if (stand_ins_ > 0) text += "; " + count_of(stand_ins_, "stand-in", "stand-ins");
     if (fixed_.unbounded_joints > 0) {
-      text += "; " + count_of(fixed_.unbounded_joints, "hinge", "hinges") +
-              " beyond half a turn, without stops";
+      text += "; " + count_of(fixed_.unbounded_joints, "joint limit", "joint limits") +
+              " ignored (ODE has no stops beyond 180 degrees)";
     }
     return text;
   }
@@ -99,6 +119,8 @@ class ModelCheck {
   }
 
   void keep_still(StageResult& result) {
+    report_limits();
+    if (!has_masses_) return StageRun::skip(result, kNoMasses);
     WorldSetup weightless = setup();
     weightless.gravity.setZero();
     World world(fixed_, weightless);
@@ -111,40 +133,54 @@ class ModelCheck {
         run_.note_worst(figure, way, [&] { return name_of(fixed_, fixed_.links[i]); });
       }
     });
-    if (is_finite && !figure.is_within()) report_motion(figure);
     result.figures.push_back(figure);
-  }
-
-  void report_motion(Figure& figure) {
-    bool is_explained = false;
-    for (const JointPlan& joint : fixed_.joints) {
-      if (!joint.stops) continue;
-      const auto [lower, upper] = *joint.stops;
-      if (lower <= joint.start && joint.start <= upper) continue;
-      is_explained = true;
-      const urdf::Limit& limit = *fixed_.joint(joint).limit;
-      const bool is_below = lower > joint.start;
-      const Field<double>& bound = is_below ? limit.lower : limit.upper;
-      const Named named = name_of(fixed_, joint);
-      // A joint that mimics another one starts at its offset.
-      const bool is_at_zero = joint.start == 0;
-      Diagnostic& diagnostic = run_.sink().report(
-          rules::sml6301_zero_outside_limits, bound.written ? bound.span : limit.span,
-          is_at_zero ? "the zero position of " + named.name + " is outside its limits"
-                     : named.name + " starts outside its limits");
-      diagnostic.caret = std::string("all positions are ") + (is_below ? "above " : "below ") +
-                         format_rounded(joint.start, 3);
-      diagnostic.notes.push_back("without gravity, " + figure.worst + " moves by " +
-                                 format_rounded(figure.value, 3) + " m");
-    }
-    if (is_explained) return;
+    // What jumps to its stops is explained by the findings about the limits.
+    const bool is_explained = std::any_of(fixed_.joints.begin(), fixed_.joints.end(), is_outside);
+    if (!is_finite || figure.is_within() || is_explained) return;
     run_.sink()
         .report(rules::sml6302_moves_at_rest, figure.place,
                 figure.worst + " moves although nothing pulls at it")
         .caret = "by " + format_rounded(figure.value, 3) + " m";
   }
 
+  static bool is_outside(const JointPlan& joint) { return outside_limits(joint) > 0; }
+
+  /// Joints that cannot be at zero, or that start outside their limits in spite of all.
+  void report_limits() {
+    for (const JointPlan& joint : fixed_.joints) {
+      if (!joint.limits) continue;
+      const auto [lower, upper] = *joint.limits;
+      const double zero = position_of(model_, fixed_.joint(joint), given_);
+      if (!is_outside(joint) && lower <= zero && zero <= upper) continue;
+      const double excluded = is_outside(joint) ? joint.start : zero;
+      const bool is_below = excluded < lower;
+      const urdf::Limit& limit = *fixed_.joint(joint).limit;
+      const Field<double>& bound = is_below ? limit.lower : limit.upper;
+      const Named named = name_of(fixed_, joint);
+      Diagnostic& diagnostic =
+          run_.sink().report(rules::sml6301_zero_outside_limits,
+                             bound.written ? bound.span : limit.span, limits_message(joint, named));
+      diagnostic.caret = std::string("all positions are ") + (is_below ? "above " : "below ") +
+                         format_rounded(excluded, 3);
+      if (!is_outside(joint)) {
+        diagnostic.notes.push_back("the check starts it at the nearest allowed position, " +
+                                   format_rounded(joint.start, 3));
+      }
+    }
+  }
+
+  std::string limits_message(const JointPlan& joint, const Named& named) const {
+    if (given_.contains(fixed_.joint(joint).name.value_or(""))) {
+      return "pose " + quoted(run_.options().pose) + " has " + named.name + " outside its limits";
+    }
+    if (fixed_.joint(joint).mimic) {
+      return named.name + " is outside its limits because of the joint that it mimics";
+    }
+    return "the zero position of " + named.name + " is outside its limits";
+  }
+
   void hang(StageResult& result) {
+    if (!has_masses_) return StageRun::skip(result, kNoMasses);
     World world(fixed_, setup());
     Figure gap = run_.figure("gap");
     Figure twist = run_.figure("twist");
@@ -172,18 +208,36 @@ class ModelCheck {
   }
 
   void report(const Rule& rule, const Figure& figure, const std::string& what) {
-    run_.sink().report(rule, figure.place, figure.worst + what).caret =
-        format_rounded(figure.value, 3) + " " + std::string(bound_info(figure.bound).unit) +
-        ", at most " + format_rounded(figure.limit, 3);
+    Diagnostic& diagnostic = run_.sink().report(rule, figure.place, figure.worst + what);
+    diagnostic.caret = format_rounded(figure.value, 3) + " " +
+                       std::string(bound_info(figure.bound).unit) + ", at most " +
+                       format_rounded(figure.limit, 3);
+    add_causes(diagnostic);
+  }
+
+  /// What is known to throw a robot about, whichever of its parts is the fastest.
+  void add_causes(Diagnostic& diagnostic) const {
+    for (const JointPlan& joint : fixed_.joints) {
+      if (!is_outside(joint)) continue;
+      const std::string unit = joint.kind == JointKind::slider ? " m" : " rad";
+      diagnostic.notes.push_back(name_of(fixed_, joint).name + " starts " +
+                                 format_rounded(outside_limits(joint), 3) + unit +
+                                 " outside its limits, which is the likely cause");
+    }
+    if (stand_ins_ > 0) {
+      diagnostic.notes.push_back(count_of(stand_ins_, "body or joint is", "bodies and joints are") +
+                                 " not as written, because ODE refuses them: see BUILD");
+    }
   }
 
   void drop(StageResult& result) {
-    if (!is_free_) return run_.skip(result, "the root has no mass: it is a fixed base");
+    if (!has_masses_) return StageRun::skip(result, kNoMasses);
+    if (!is_free_) return StageRun::skip(result, "the root has no mass: it is a fixed base");
     WorldSetup with_contacts = setup();
     with_contacts.contacts = true;
     World world(whole_, with_contacts);
     const std::optional<double> lowest = world.lowest_point();
-    if (!lowest) return run_.skip(result, "there is no shape that could touch the ground");
+    if (!lowest) return StageRun::skip(result, "there is no shape that could touch the ground");
     world.add_ground(*lowest - kDropHeight);
     Figure energy = run_.figure("drop-energy");
     const double start = world.energy();
@@ -207,6 +261,7 @@ class ModelCheck {
       diagnostic.labels.push_back({second.place, "overlaps with this one"});
       diagnostic.notes.push_back("dropped, the robot gains the energy of a fall from " +
                                  format_rounded(energy.value, 3) + " m");
+      add_causes(diagnostic);
       return;
     }
     report(rules::sml6501_contact_explodes, energy, " is flung away when the robot is dropped");
@@ -215,9 +270,12 @@ class ModelCheck {
   const LinkedModel& model_;
   const ShapeFiles& files_;
   StageRun run_;
-  Plan fixed_;  ///< the root held, without shapes
-  Plan whole_;  ///< with shapes; the root free when it can be
+  JointPositions given_;  ///< of the named pose
+  Plan fixed_;            ///< the root held, without shapes
+  Plan whole_;            ///< with shapes; the root free when it can be
   bool is_free_ = false;
+  bool has_masses_ = true;
+  std::size_t stand_ins_ = 0;
   std::optional<Overlap> deepest_;
 };
 

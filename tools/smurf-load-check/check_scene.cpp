@@ -9,6 +9,8 @@
 #include "smurf-load-check/environment.hpp"
 #include "smurf-load-check/shapes.hpp"
 #include "smurf-load-check/stage_run.hpp"
+#include "smurf-load-check/stand_ins.hpp"
+#include "smurf-load-check/start.hpp"
 #include "smurf/flatten.hpp"
 
 namespace smurf::load_check {
@@ -28,7 +30,10 @@ class SceneCheck {
  public:
   SceneCheck(const LinkedScene& scene, const SourceMap& sources, const ShapeFiles& files,
              const CheckOptions& options, const OnStage& on_stage)
-      : scene_(scene), flat_(flatten(scene, sources, {})), files_(files), run_(options, on_stage) {}
+      : scene_(scene),
+        flat_(flatten(scene, sources, {})),
+        files_(files),
+        run_(options, on_stage, [this] { return suspect(); }) {}
 
   CheckResult run() {
     run_.stage(Stage::build, [&](StageResult& result) { build(result); });
@@ -46,7 +51,14 @@ class SceneCheck {
     setup.cfm = physics.cfm.value_or(setup.cfm);
     setup.erp = physics.erp.value_or(setup.erp);
     setup.contacts = true;
+    setup.stop_margin = run_.stop_margin();
     return setup;
+  }
+
+  Named suspect() const {
+    const JointPlan* joint = joint_at_stop(plan_);
+    return joint != nullptr ? name_of(plan_, *joint)
+                            : Named{"", {scene_.scenes.front().source, 0, 0}};
   }
 
   void build(StageResult& result) {
@@ -59,16 +71,17 @@ class SceneCheck {
     DiagnosticSink of_models;
     result.figures = check_bodies(plan_, run_.options().bounds, of_models);
     add_shapes(plan_, files_, of_models);
-    if (of_models.has_errors()) {
-      result.verdict = Verdict::fail;
-      result.note = "a model cannot be built; see its own check";
-      return;
-    }
+    if (of_models.has_errors()) result.verdict = Verdict::fail;
+    const std::size_t stand_ins = add_stand_ins(plan_);
     const std::size_t left_out = add_environment(scene_, flat_, plan_, files_, run_.sink());
     result.note = count_of(plan_.models.size(), "model", "models") + ", " +
                   count_of(plan_.bodies.size(), "moving body", "moving bodies") + ", " +
                   count_of(plan_.shapes.size(), "shape", "shapes");
     if (left_out > 0) result.note += "; " + count_of(left_out, "entity", "entities") + " left out";
+    if (stand_ins > 0) {
+      result.note +=
+          "; " + count_of(stand_ins, "stand-in", "stand-ins") + ", see the checks of the models";
+    }
   }
 
   std::vector<PlacedModel> placed_models() {
@@ -80,7 +93,8 @@ class SceneCheck {
       if (model == nullptr || !model->robot || !instance.X_WE) continue;
       number_of[i] = placed.size();
       instance_of_.push_back(i);
-      placed.push_back({model, instance.path, *instance.X_WE, instance.joint_positions, {}});
+      placed.push_back(
+          {model, instance.path, *instance.X_WE, scene_.joint_positions(instance), {}});
     }
     for (std::size_t i = 0; i < placed.size(); ++i) {
       const Attachment& anchor = scene_.instances[instance_of_[i]].placement.anchor;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
 #include <limits>
 #include <new>
 
@@ -32,6 +33,13 @@ void limit(int resource, std::uint64_t most) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &both);
 }
 
+/// Bytes that this process has taken so far.
+std::uint64_t address_space() {
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
 void write_all(int descriptor, const std::string& text) {
   std::size_t done = 0;
   while (done < text.size()) {
@@ -44,12 +52,14 @@ void write_all(int descriptor, const std::string& text) {
 [[noreturn]] void run_child(std::size_t index, int descriptor, const ChildLimits& limits,
                             const ChildTask& task) {
   limit(RLIMIT_CORE, 0);
+  const rlimit nothing{0, 0};
+  ::setrlimit(RLIMIT_FSIZE, &nothing);  // the pipe to the parent is no file
   limit(RLIMIT_CPU, static_cast<std::uint64_t>(limits.seconds));
   // A child that waits for ever takes no processor time; loaded machines deserve patience.
   constexpr std::int64_t kPatience = 20;
   constexpr std::int64_t kLongest = std::numeric_limits<int>::max();
   ::alarm(static_cast<unsigned>(std::min(kPatience * limits.seconds, kLongest)));
-  if (kHasMemoryLimit) limit(RLIMIT_AS, limits.memory_bytes);
+  if (kHasMemoryLimit) limit(RLIMIT_AS, address_space() + limits.memory_bytes);
   std::set_new_handler([] { ::_exit(kOutOfMemory); });
   try {
     task(index, [descriptor](const std::string& text) { write_all(descriptor, text); });

@@ -11,8 +11,8 @@
 namespace smurf::load_check {
 
 struct ChildLimits {
-  int seconds = 10;  ///< of processor time
-  std::uint64_t memory_bytes = 2ULL << 30U;
+  int seconds = 10;                            ///< of processor time
+  std::uint64_t memory_bytes = 160ULL << 20U;  ///< above what the parent has
 };
 
 struct ChildOutcome {
@@ -22,7 +22,8 @@ struct ChildOutcome {
   std::string output;  ///< what was written before the end
 };
 
-/// Runs in a child; what it passes to `write` is the output. It may throw std::bad_alloc.
+/// Runs in a child, which can write to no file; what it passes to `write` is the output. It may
+/// throw std::bad_alloc.
 using ChildTask =
     std::function<void(std::size_t task, const std::function<void(const std::string&)>& write)>;
 

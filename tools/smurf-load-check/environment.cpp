@@ -72,8 +72,11 @@ class EnvironmentBuilder {
   }
 
   std::optional<Shape> heights(const FlatHeightmap& map, const Instance& instance) {
-    const auto image = read_height_image(instance.file, files_);
-    if (const auto* found = std::get_if<HeightImage>(&image)) return to_heightfield(map, *found);
+    const auto image = read_height_image(instance.file, files_, pixels_left_);
+    if (const auto* found = std::get_if<HeightImage>(&image)) {
+      pixels_left_ -= found->heights.size();
+      return to_heightfield(map, *found);
+    }
     const Entity& entity = scene_.entity(instance);
     sink_
         .report(rules::sml6107_shape_not_buildable,
@@ -87,6 +90,7 @@ class EnvironmentBuilder {
   Plan& plan_;
   const ShapeFiles& files_;
   DiagnosticSink& sink_;
+  std::uint64_t pixels_left_ = files_.limits.image_pixels;  ///< of all images of the scene
 };
 
 }  // namespace

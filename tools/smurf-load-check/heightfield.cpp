@@ -80,18 +80,19 @@ bool read_grey(Reading& reading) {
 
 }  // namespace
 
-std::variant<HeightImage, std::string> read_height_image(const std::string& path,
-                                                         const ShapeFiles& from) {
+std::variant<HeightImage, std::string>
+read_height_image(const std::string& path, const ShapeFiles& from, std::uint64_t most) {
   const FileContent content = from.files.read(path, from.limits.mesh_bytes);
   if (content.status != ReadStatus::ok) return content.reason;
-  const std::uint64_t most = from.limits.image_pixels;
   Reading reading(content.text, most);
   if (!read_grey(reading)) {
     const std::uint64_t pixels =
         std::uint64_t{png_get_image_width(reading.png, reading.info)} * rows_of(reading);
     if (pixels <= most) return reading.fault;
-    return "it has " + std::to_string(pixels) + " pixels, more than " + std::to_string(most) +
-           "; " + raise_limit("image-pixels");
+    const std::uint64_t all = from.limits.image_pixels;
+    return "it has " + std::to_string(pixels) + " pixels, more than " +
+           (most < all ? "are left of " : "") + std::to_string(all) + "; " +
+           raise_limit("image-pixels");
   }
   HeightImage image;
   image.columns = png_get_image_width(reading.png, reading.info);

@@ -15,8 +15,8 @@ struct HeightImage {
   std::vector<float> heights;         ///< from the top row on; black 0, white 1
 };
 
-/// The grey values of a PNG file, or why there are none.
-std::variant<HeightImage, std::string> read_height_image(const std::string& path,
-                                                         const ShapeFiles& from);
+/// The grey values of a PNG file, or why there are none. It may have `most` pixels.
+std::variant<HeightImage, std::string>
+read_height_image(const std::string& path, const ShapeFiles& from, std::uint64_t most);
 
 }  // namespace smurf::load_check

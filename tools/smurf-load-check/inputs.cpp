@@ -22,7 +22,9 @@ constexpr std::string_view kTool = "smurf-load-check";
 /// The linter's rules whose faults leave no robot that could be built.
 RuleSelection building_rules() {
   RuleSelection selection;
-  selection.select = {"SML10", "SML1115", "SML12", "SML1301", "SML1302", "SML1401", "SML2003"};
+  for (const Rule* rule : all_rules()) {
+    if (rule->blocks_building) selection.select.emplace_back(rule->id);
+  }
   return selection;
 }
 
@@ -72,7 +74,10 @@ class Loader {
       inputs_.has_failed = inputs_.has_failed || !name;
       if (name) files.push_back(*name);
     } else if (std::filesystem::is_directory(path, ignored)) {
-      const Found found = find_inputs(path);
+      const Found found = find_inputs(path, options_.limits);
+      if (is_shared_folder(path)) {
+        confine(inputs_.disk, found.files, options_.packages, options_.allow_outside);
+      }
       for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
       if (found.files.empty() && found.unreadable.empty()) {
         fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + path + "'");
@@ -94,7 +99,7 @@ class Loader {
   /// A model alone counts as a scene of one entity.
   void load(const std::string& file) {
     if (!done_.insert(identity(file)).second) return;
-    DiagnosticSink sink(options_.limits.findings);
+    DiagnosticSink sink(options_.limits.findings, options_.limits.suggestions);
     LoadContext context{inputs_.sources, inputs_.files,     sink,
                         options_.limits, options_.packages, package_folders_};
     const LinkedScene& scene = inputs_.scenes.emplace_back(load_scene(file, context));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/input.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/linked.hpp"
@@ -29,7 +30,8 @@ struct Inputs {
   Limits limits;
   SourceMap sources;
   ConfinedFiles disk;
-  ArchiveFiles archives{disk, limits};
+  tools::InputFiles read{disk};
+  ArchiveFiles archives{read, limits};
   MemoryFiles files{&archives};
   std::deque<LinkedScene> scenes;  ///< what the jobs point into
   std::vector<Job> jobs;

@@ -2,6 +2,7 @@
 // smurf-load-check: whether models and scenes stand, hang and drop in ODE.
 #include <iterator>
 
+#include "base/suggest.hpp"
 #include "common/process.hpp"
 #include "common/progress.hpp"
 #include "smurf-load-check/options.hpp"
@@ -25,6 +26,27 @@ Summary summary_of(const Inputs& inputs, std::span<const Diagnostic> diagnostics
   }
   for (const Job& job : inputs.jobs) ++(job.model != nullptr ? summary.models : summary.scenes);
   return summary;
+}
+
+/// False when a model has no pose of the name that the user asks for; that has been said.
+bool have_pose(const Inputs& inputs, const std::string& name) {
+  bool has_all = true;
+  for (const Job& job : inputs.jobs) {
+    if (job.model == nullptr || !job.obstacles.empty() || joint_positions(*job.model, name)) {
+      continue;
+    }
+    std::vector<std::string_view> known;
+    for (const JointPoseSet& pose : job.model->annotations.poses) {
+      if (pose.name) known.push_back(*pose.name);
+    }
+    std::string message = "'" + job.path + "' has no pose '" + name + "'";
+    if (const auto near = nearest(name, known)) {
+      message += "; did you mean '" + std::string(*near) + "'?";
+    }
+    complain(kTool, message);
+    has_all = false;
+  }
+  return has_all;
 }
 
 bool write_curves(const Options& options, std::span<const Checked> checked) {
@@ -54,6 +76,12 @@ bool write_reports(const Options& options, const Report& report) {
   return is_written;
 }
 
+std::vector<std::string> outputs_of(const Options& options) {
+  std::vector<std::string> outputs{options.output, options.trace, options.plot};
+  for (const ReportRequest& request : options.reports) outputs.push_back(request.file);
+  return outputs;
+}
+
 std::vector<Diagnostic> all_diagnostics(std::span<const Checked> checked,
                                         const SourceMap& sources) {
   std::vector<Diagnostic> all;
@@ -80,6 +108,8 @@ int main(int argc, char** argv) {
     complain(kTool, "--plot takes one model or scene, not " + std::to_string(inputs.jobs.size()));
     return kFailed;
   }
+  if (!options.check.pose.empty() && !have_pose(inputs, options.check.pose)) return kFailed;
+  if (!keeps_inputs(kTool, inputs.read, outputs_of(options))) return kFailed;
   options.check.poses = !options.trace.empty();
   options.check.samples = options.check.poses || !options.plot.empty();
   const RunOptions run{options.check, options.limits, options.jobs.value_or(1)};

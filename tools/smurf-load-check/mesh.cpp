@@ -7,9 +7,17 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <array>
+#include <assimp/BaseImporter.h>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <memory>
+#include <set>
+#include <variant>
+
+#include "base/path.hpp"
+#include "mesh/mesh_reader.hpp"
+#include "smurf/mesh_triangles.hpp"
 
 namespace smurf::load_check {
 namespace {
@@ -36,11 +44,30 @@ class ReadableFiles final : public Assimp::IOSystem {
   const ShapeFiles& from_;
 };
 
-}  // namespace
+/// Only what URDFs use and nothing else here reads: assimp has sixty more readers, some of which
+/// crash or never end on a broken file.
+void keep_importers(Assimp::Importer& importer) {
+  constexpr std::array<const char*, 3> kKept = {"dae", "gltf", "glb"};
+  std::vector<Assimp::BaseImporter*> others;
+  for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
+    Assimp::BaseImporter* const reader = importer.GetImporter(i);
+    std::set<std::string> extensions;
+    reader->GetExtensionList(extensions);
+    const bool is_kept = std::any_of(kKept.begin(), kKept.end(), [&](const char* extension) {
+      return extensions.contains(extension);
+    });
+    if (!is_kept) others.push_back(reader);
+  }
+  for (Assimp::BaseImporter* const reader : others) {
+    importer.UnregisterLoader(reader);
+    delete reader;  // no longer the importer's
+  }
+}
 
-std::variant<TriangleShape, std::string> read_mesh(const std::string& path,
-                                                   const ShapeFiles& from) {
+std::variant<TriangleShape, std::string> read_by_assimp(const std::string& path,
+                                                        const ShapeFiles& from) {
   Assimp::Importer importer;
+  keep_importers(importer);
   importer.SetIOHandler(new ReadableFiles(from));  // which the importer deletes
   // Points and lines become meshes of their own, which are then left out.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
@@ -68,6 +95,35 @@ std::variant<TriangleShape, std::string> read_mesh(const std::string& path,
   }
   if (shape.triangles.empty()) return std::string("it has no triangles");
   return shape;
+}
+
+TriangleShape to_shape(const MeshTriangles& mesh) {
+  TriangleShape shape;
+  shape.points.reserve(mesh.points.size());
+  for (const auto& [x, y, z] : mesh.points) shape.points.emplace_back(x, y, z);
+  shape.triangles.reserve(mesh.indices.size() / 3);
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    shape.triangles.push_back({mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
+  }
+  return shape;
+}
+
+}  // namespace
+
+MeshReading read_mesh(const std::string& path, const ShapeFiles& from) {
+  const FileContent content = from.files.read(path, from.limits.mesh_bytes);
+  if (content.status == ReadStatus::denied) return {{}, content.reason, true};
+  if (content.status != ReadStatus::ok) return {{}, content.reason, false};
+  const std::string_view extension = path::extension(path);
+  const MeshFormat format = smurf::read_mesh(content.text, extension).format;
+  if (format == MeshFormat::collada || format == MeshFormat::gltf) {
+    auto read = read_by_assimp(path, from);
+    if (auto* reason = std::get_if<std::string>(&read)) return {{}, std::move(*reason), false};
+    return {std::get<TriangleShape>(std::move(read)), {}, false};
+  }
+  const MeshTriangles mesh = read_triangles(content.text, extension);
+  if (!mesh.reason.empty()) return {{}, "it " + mesh.reason, false};
+  return {to_shape(mesh), {}, false};
 }
 
 }  // namespace smurf::load_check

@@ -23,8 +23,10 @@ Pose pose_of(dBodyID body) {
   return {{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}};
 }
 
-OdeJoint::OdeJoint(dWorldID world, const JointPlan& plan, dBodyID parent, dBodyID child)
+OdeJoint::OdeJoint(dWorldID world, const JointPlan& plan, dBodyID parent, dBodyID child,
+                   double stop_margin)
     : plan_(plan),
+      stop_margin_(stop_margin),
       world_(world),
       parent_(parent),
       child_(child),
@@ -42,8 +44,12 @@ OdeJoint::OdeJoint(dWorldID world, const JointPlan& plan, dBodyID parent, dBodyI
 
 void OdeJoint::set_stops(void (*set)(dJointID, int, dReal)) const {
   if (!plan_.stops) return;
-  set(joint_, dParamLoStop, plan_.stops->first - plan_.start);
-  set(joint_, dParamHiStop, plan_.stops->second - plan_.start);
+  double lower = plan_.stops->first - plan_.start;
+  double upper = plan_.stops->second - plan_.start;
+  if (std::fabs(lower) < stop_margin_) lower = -stop_margin_;
+  if (std::fabs(upper) < stop_margin_) upper = stop_margin_;
+  set(joint_, dParamLoStop, lower);
+  set(joint_, dParamHiStop, upper);
 }
 
 void OdeJoint::make_hinge() {

@@ -15,8 +15,9 @@ Pose pose_of(dBodyID body);
 class OdeJoint {
  public:
   /// The bodies stand where the plan has them; a null parent is the world. The plan must outlive
-  /// the joint.
-  OdeJoint(dWorldID world, const JointPlan& plan, dBodyID parent, dBodyID child);
+  /// the joint. `stop_margin` as in WorldSetup.
+  OdeJoint(dWorldID world, const JointPlan& plan, dBodyID parent, dBodyID child,
+           double stop_margin);
 
   /// Call it before every step of the world, which has the length `step` (s).
   void prepare(double step) const;
@@ -37,6 +38,7 @@ class OdeJoint {
   Eigen::Vector3d apart() const;
 
   const JointPlan& plan_;
+  double stop_margin_;
   dWorldID world_;
   dBodyID parent_, child_;
   dJointID joint_ = nullptr;  ///< none: floating

@@ -58,6 +58,15 @@ Setter set_time_limit(int& seconds) {
   };
 }
 
+Setter set_memory_limit(std::uint64_t& bytes) {
+  return [&bytes](std::string_view text) -> std::optional<std::string> {
+    std::optional<int> number;
+    if (auto wrong = tools::set_number(number, 1)(text)) return wrong;
+    bytes = static_cast<std::uint64_t>(*number) << 20U;
+    return std::nullopt;
+  };
+}
+
 std::string_view bounds_help() {
   static const std::string help = [] {
     std::string text = "Other bounds than the usual ones, separated by commas:";
@@ -81,6 +90,12 @@ std::vector<Option> check_options(Options& options) {
        .help = "Only these stages: pose0, still, hang, drop, anchor. BUILD is always run.",
        .set = set_stages(options.check.stages)},
       {.group = "Check",
+       .name = "pose",
+       .metavar = "NAME",
+       .help = "Start models in this pose of theirs. Other joints start at zero, or where that is "
+               "outside their limits at the nearest position within.",
+       .set = tools::set_text(options.check.pose)},
+      {.group = "Check",
        .name = "time",
        .metavar = "S",
        .help = "Seconds that each stage simulates: 0.5 usually, 0.25 for HANG. After more, the "
@@ -102,6 +117,11 @@ std::vector<Option> check_options(Options& options) {
        .metavar = "S",
        .help = "Seconds of processor time that one check may take; 10 usually.",
        .set = set_time_limit(options.limits.seconds)},
+      {.group = "Check",
+       .name = "memory-limit",
+       .metavar = "MB",
+       .help = "Megabytes that one check may take beside the files; 160 usually.",
+       .set = set_memory_limit(options.limits.memory_bytes)},
   };
 }
 
@@ -142,7 +162,9 @@ tools::Command command_of(Options& options) {
       "models and scenes; '.' unless given. Every model is checked on its own: BUILD makes bodies, joints and shapes; "
       "POSE0 looks for shapes inside each other; STILL, without gravity, sees whether anything "
       "moves; HANG holds the root link; DROP lets the model fall by a millimetre. In a scene, "
-      "ANCHOR sees whether anchors hold. A stage that fails is the last one. Meshes that stand still "
+      "ANCHOR sees whether anchors hold. What BUILD refuses has a stand-in, so that the rest is "
+      "checked; another stage that fails is the last one. Where ODE's solver gives up, there is no "
+      "verdict, which is no pass. Meshes that stand still "
       "are triangles; those that move are boxes around them, which touch the ground and the "
       "surroundings only, as ODE may crash where two meshes of triangles cross.";
   for (auto& group : {check_options(options), output_options(options)}) {

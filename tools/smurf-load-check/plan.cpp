@@ -15,16 +15,6 @@ bool is_within_turn(const std::pair<double, double>& stops, double start) {
   return stops.first - start >= -std::numbers::pi && stops.second - start <= std::numbers::pi;
 }
 
-/// The limits of the URDF, which are those of its own kind of joint.
-std::optional<std::pair<double, double>> limits_of(const urdf::Joint& joint, JointKind kind) {
-  const bool is_limited = (joint.type == urdf::JointType::revolute && kind == JointKind::hinge) ||
-                          (joint.type == urdf::JointType::prismatic && kind == JointKind::slider);
-  if (!joint.limit || !is_limited) return std::nullopt;
-  const std::pair limits{joint.limit->lower.value_or(0), joint.limit->upper.value_or(0)};
-  if (limits.first > limits.second) return std::nullopt;
-  return limits;
-}
-
 class Planner {
  public:
   explicit Planner(std::vector<PlacedModel> models) { plan_.models = std::move(models); }
@@ -64,7 +54,8 @@ class Planner {
       std::size_t body = above ? body_below(instance, *above) : base_body(placed.base);
       if (body == kNew) {
         body = plan_.bodies.size();
-        plan_.bodies.push_back({.first_link = plan_.links.size(), .mass = {}});
+        plan_.bodies.push_back(
+            {.first_link = plan_.links.size(), .mass = {}, .is_stand_in = false});
       }
       body_of_[instance][to_size(link)] = body;
       plan_.links.push_back({instance, link, body, X_WL});
@@ -113,7 +104,7 @@ class Planner {
     if (joint.has_one_axis()) {
       plan.start = position_of(model, joint, plan_.models[instance].positions);
     }
-    plan.stops = limits_of(joint, form.kind);
+    plan.limits = plan.stops = limits_of(joint, form.kind);
     if (plan.stops && form.kind == JointKind::hinge && !is_within_turn(*plan.stops, plan.start)) {
       plan.stops.reset();
       ++plan_.unbounded_joints;
@@ -135,6 +126,15 @@ Eigen::Vector3d to_eigen(const Vector3& vector) { return {vector[0], vector[1], 
 
 Eigen::Vector3d to_world(const Pose& X_WA, const Eigen::Vector3d& p_A) {
   return to_eigen(X_WA.position) + to_eigen(rotate(X_WA.orientation, {p_A[0], p_A[1], p_A[2]}));
+}
+
+std::optional<std::pair<double, double>> limits_of(const urdf::Joint& joint, JointKind kind) {
+  const bool is_limited = (joint.type == urdf::JointType::revolute && kind == JointKind::hinge) ||
+                          (joint.type == urdf::JointType::prismatic && kind == JointKind::slider);
+  if (!joint.limit || !is_limited) return std::nullopt;
+  const std::pair limits{joint.limit->lower.value_or(0), joint.limit->upper.value_or(0)};
+  if (limits.first > limits.second) return std::nullopt;
+  return limits;
 }
 
 double axis_length(const urdf::Joint& joint) {

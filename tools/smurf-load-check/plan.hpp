@@ -50,6 +50,7 @@ struct LinkPlan {
 struct BodyPlan {
   std::size_t first_link = 0;  ///< in Plan::links: the one nearest to the root
   MassProperties mass;         ///< in the world frame, at the start
+  bool is_stand_in = false;    ///< the mass is not the written one, which ODE refuses
 };
 
 struct JointPlan {
@@ -62,7 +63,8 @@ struct JointPlan {
   Eigen::Vector3d axis2_W = Eigen::Vector3d::Zero();  ///< universal; turns with the child
   Span form_place;                                    ///< as in JointForm
   double start = 0;                                   ///< position at the start; rad or m
-  std::optional<std::pair<double, double>> stops;     ///< rad or m
+  std::optional<std::pair<double, double>> limits;    ///< of the URDF; rad or m
+  std::optional<std::pair<double, double>> stops;     ///< the limits where ODE can express them
 };
 
 struct BoxShape {
@@ -128,6 +130,9 @@ Plan make_plan(std::vector<PlacedModel> models);
 
 Eigen::Vector3d to_eigen(const Vector3& vector);
 Eigen::Vector3d to_world(const Pose& X_WA, const Eigen::Vector3d& p_A);
+/// The limits of the URDF (rad or m), which are those of its own kind of joint; none when they
+/// contradict each other.
+std::optional<std::pair<double, double>> limits_of(const urdf::Joint& joint, JointKind kind);
 /// Length of the joint's axis as written; 1 when it is left out.
 double axis_length(const urdf::Joint& joint);
 

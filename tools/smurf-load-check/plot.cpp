@@ -3,7 +3,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/edits.hpp"
 #include "base/numbers.hpp"
+#include "base/path.hpp"
 #include "smurf-load-check/trace.hpp"
 
 namespace smurf::load_check {
@@ -16,19 +18,6 @@ constexpr double kLeft = 84;
 constexpr double kRight = 16;
 constexpr double kTop = 46;
 constexpr double kBottom = 28;
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 std::string pixels(double value) { return format_number(std::round(value * 100) / 100); }
 
@@ -119,7 +108,7 @@ class Panel {
   static std::string label(double x, double y, std::string_view anchor, std::string_view text,
                            std::string_view color) {
     return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" +
-           std::string(anchor) + "\" fill=\"" + std::string(color) + "\">" + escaped(text) +
+           std::string(anchor) + "\" fill=\"" + std::string(color) + "\">" + escape_xml(text) +
            "</text>\n";
   }
 
@@ -167,7 +156,8 @@ std::string render_plot(const Checked& checked, const Bounds& bounds) {
                     "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                     "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
                     "<text x=\"16\" y=\"24\" font-size=\"15\" font-weight=\"bold\">" +
-                    escaped(checked.job->path) + "</text>\n<text x=\"" +
+                    escape_xml(path::file_name(checked.job->path)) + "</text>
+<text x=\"" +
                     pixels(2 * kPanelWidth - kRight) +
                     "\" y=\"24\" text-anchor=\"end\" fill=\"#666\">energy is divided by the "
                     "weight: a height</text>\n";

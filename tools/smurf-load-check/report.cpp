@@ -7,7 +7,9 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "common/command.hpp"
+#include "render/json_text.hpp"
 #include "render/printable.hpp"
+#include "smurf-load-check/stage_run.hpp"
 
 namespace smurf::load_check {
 namespace {
@@ -32,7 +34,7 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string painted(Verdict verdict, std::string_view text, const TextStyle& style) {
   if (!style.color) return std::string(text);
-  const char* codes[] = {"\x1b[32m", "\x1b[33m", "\x1b[31m", "\x1b[2m"};
+  const char* codes[] = {"\x1b[32m", "\x1b[33m", "\x1b[33m", "\x1b[31m", "\x1b[2m"};
   return codes[static_cast<std::size_t>(verdict)] + std::string(text) + "\x1b[0m";
 }
 
@@ -48,7 +50,7 @@ std::vector<std::string> figure_lines(const Figure& figure, const SourceMap& sou
   std::string line = padded(figure.bound, 13) + padded(with_unit(figure.value, unit), 14) +
                      "at most " + with_unit(figure.limit, unit);
   if (figure.worst.empty()) return {line};
-  const std::string worst = figure.worst + ", " + place_text(figure.place, sources);
+  const std::string worst = render::escape(figure.worst) + ", " + place_text(figure.place, sources);
   constexpr std::size_t kWorstColumn = 46;
   if (indent + kWorstColumn + worst.size() <= kLineWidth) {
     return {padded(line, kWorstColumn) + worst};
@@ -60,7 +62,7 @@ std::vector<std::string> figure_lines(const Figure& figure, const SourceMap& sou
 /// figure and nothing to say takes one line.
 std::string stage_text(const StageResult& stage, const SourceMap& sources, const TextStyle& style) {
   std::vector<std::string> lines;
-  if (!stage.note.empty()) lines.push_back(stage.note);
+  if (!stage.note.empty()) lines.push_back(render::escape(stage.note));
   for (const Figure& figure : stage.figures) {
     for (std::string& line : figure_lines(figure, sources, kStageWidth + kVerdictWidth)) {
       lines.push_back(std::move(line));
@@ -77,11 +79,35 @@ std::string stage_text(const StageResult& stage, const SourceMap& sources, const
   return out;
 }
 
+std::string_view headline_of(const Checked& checked, Verdict verdict) {
+  if (checked.result.stages.empty()) {
+    const bool is_read = checked.job->model == nullptr || checked.job->model->robot;
+    return is_read ? "not run: its files have errors" : "not run: its URDF cannot be read";
+  }
+  return verdict == Verdict::none ? "no verdict" : to_string(verdict);
+}
+
+/// "51 models: 37 passed, 3 with warnings, 9 failed, 2 without verdict".
+std::string tally_text(const Report& report) {
+  const Tally tally = tally_of(report.checked);
+  std::vector<std::string> kinds;
+  if (report.summary.models > 0)
+    kinds.push_back(count_of(report.summary.models, "model", "models"));
+  if (report.summary.scenes > 0)
+    kinds.push_back(count_of(report.summary.scenes, "scene", "scenes"));
+  std::string text;
+  for (const std::string& kind : kinds) text += (text.empty() ? "" : ", ") + kind;
+  text += ": " + std::to_string(tally.passed) + " passed";
+  if (tally.warned > 0) text += ", " + std::to_string(tally.warned) + " with warnings";
+  if (tally.failed > 0) text += ", " + std::to_string(tally.failed) + " failed";
+  if (tally.undecided > 0) text += ", " + std::to_string(tally.undecided) + " without verdict";
+  return text + "\n";
+}
+
 std::string check_text(const Checked& checked, const SourceMap& sources, const TextStyle& style) {
   const Verdict verdict = checked.verdict();
-  const std::string word =
-      checked.result.stages.empty() ? "not run" : std::string(to_string(verdict));
-  std::string out = render::escape(checked.job->path) + ": " + painted(verdict, word, style) + "\n";
+  std::string out = render::escape(checked.job->path) + ": " +
+                    painted(verdict, headline_of(checked, verdict), style) + "\n";
   for (const StageResult& stage : checked.result.stages) out += stage_text(stage, sources, style);
   return out + "\n";
 }
@@ -130,7 +156,9 @@ std::string render_text(const Report& report, const TextStyle& style) {
   for (const Diagnostic& diagnostic : report.diagnostics) {
     out += render_full(diagnostic, report.sources, style);
   }
-  return report.quiet ? out : out + render_summary(report.summary, style);
+  if (report.quiet) return out;
+  out += render_summary(report.summary, style);
+  return report.checked.size() > 1 ? out + tally_text(report) : out;
 }
 
 std::string render_json(const Report& report) {
@@ -138,8 +166,13 @@ std::string render_json(const Report& report) {
                                              {"smurf-load-check", tools::kVersion}));
   Json checks = Json::array();
   for (const Checked& checked : report.checked) checks.push_back(to_json(checked, report.sources));
+  const Tally tally = tally_of(report.checked);
+  json["verdicts"] = {{"pass", tally.passed},
+                      {"warn", tally.warned},
+                      {"fail", tally.failed},
+                      {"none", tally.undecided}};
   json["checks"] = checks;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return render::dump(json);
 }
 
 }  // namespace smurf::load_check

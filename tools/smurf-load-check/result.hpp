@@ -19,9 +19,10 @@ inline std::string_view to_string(Stage stage) {
   return kStageNames[static_cast<std::size_t>(stage)];
 }
 
-/// `skipped`: it does not apply, or an earlier stage failed.
-enum class Verdict : std::uint8_t { pass, warn, fail, skipped };
-inline constexpr std::array<std::string_view, 4> kVerdictNames = {"pass", "warn", "fail",
+/// `none`: nobody can tell, as the engine gave up on its own numbers or was broken off. `skipped`:
+/// it does not apply, or an earlier stage failed. A later one is worse.
+enum class Verdict : std::uint8_t { pass, warn, none, fail, skipped };
+inline constexpr std::array<std::string_view, 5> kVerdictNames = {"pass", "warn", "none", "fail",
                                                                   "skipped"};
 inline std::string_view to_string(Verdict verdict) {
   return kVerdictNames[static_cast<std::size_t>(verdict)];

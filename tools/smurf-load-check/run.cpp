@@ -26,7 +26,9 @@ void run_job(const Job& job, const Inputs& inputs, const CheckOptions& options,
              const Write& write) {
   fault_output = &write;
   start_engine(on_fault);
-  const auto on_stage = [&](Stage stage) { write(encode_begin(stage)); };
+  const auto on_stage = [&](Stage stage, const CheckResult& so_far) {
+    write(encode(so_far) + encode_begin(stage));
+  };
   const ShapeFiles files{inputs.files, inputs.limits};
   write(encode(job.model != nullptr
                    ? check_model(*job.model, files, options, on_stage)
@@ -66,25 +68,26 @@ CheckResult broken_off(const Job& job, const ChildOutcome& outcome, const Messag
     diagnostic.caret = message.fault.empty() ? "killed by signal " + std::to_string(outcome.signal)
                                              : message.fault;
   }
-  CheckResult result;
+  CheckResult result = message.so_far;
   StageResult failed;
   failed.stage = stage;
-  failed.verdict = Verdict::fail;
+  failed.verdict = why.empty() ? Verdict::fail : Verdict::none;
   failed.note = "broken off";
   result.stages.push_back(std::move(failed));
-  result.diagnostics = sink.take();
+  for (Diagnostic& diagnostic : sink.take()) result.diagnostics.push_back(std::move(diagnostic));
   return result;
 }
 
 CheckResult result_of(const Job& job, const ChildOutcome& outcome, const ChildLimits& limits) {
   Message message = decode(outcome.output);
-  if (!message.result) return broken_off(job, outcome, message, limits);
+  CheckResult result =
+      message.result ? std::move(*message.result) : broken_off(job, outcome, message, limits);
   if (job.model != nullptr) {
-    locate(*job.model, message.result->diagnostics);
+    locate(*job.model, result.diagnostics);
   } else {
-    locate(*job.scene, message.result->diagnostics);
+    locate(*job.scene, result.diagnostics);
   }
-  return std::move(*message.result);
+  return result;
 }
 
 }  // namespace
@@ -96,6 +99,20 @@ Verdict Checked::verdict() const {
     if (stage.verdict != Verdict::skipped) worst = std::max(worst, stage.verdict);
   }
   return worst;
+}
+
+Tally tally_of(std::span<const Checked> checked) {
+  Tally tally;
+  for (const Checked& one : checked) {
+    switch (one.verdict()) {
+    case Verdict::pass: ++tally.passed; break;
+    case Verdict::warn: ++tally.warned; break;
+    case Verdict::none: ++tally.undecided; break;
+    case Verdict::fail:
+    case Verdict::skipped: ++tally.failed; break;
+    }
+  }
+  return tally;
 }
 
 std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,

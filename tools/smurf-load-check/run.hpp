@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "smurf-load-check/check.hpp"
 #include "smurf-load-check/child.hpp"
@@ -18,6 +19,12 @@ struct Checked {
   /// The worst of its stages; `fail` when it could not be run.
   Verdict verdict() const;
 };
+
+/// How many checks ended how.
+struct Tally {
+  std::size_t passed = 0, warned = 0, failed = 0, undecided = 0;
+};
+Tally tally_of(std::span<const Checked> checked);
 
 struct RunOptions {
   CheckOptions check;

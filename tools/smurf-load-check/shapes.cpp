@@ -25,14 +25,49 @@ class ShapeBuilder {
       : plan_(plan), files_(files), sink_(sink) {}
 
   ShapeCount run() {
+    std::size_t left = kMostShapes;
     for (const LinkPlan& link : plan_.links) {
       const std::size_t count = plan_.link(link).collisions.size();
+      if (count > left) {
+        report_too_many(link);
+        break;
+      }
+      left -= count;
       for (std::size_t i = 0; i < count; ++i) add(link, i);
     }
+    report_denied();
     return count_;
   }
 
  private:
+  /// Each shape may touch each other one; robots made of spheres have a few hundred.
+  static constexpr std::size_t kMostShapes = 1000;
+
+  struct Denied {
+    Span place;
+    std::string reason;
+  };
+
+  void report_too_many(const LinkPlan& link) {
+    const Field<std::string>& name = plan_.link(link).name;
+    sink_.report(rules::sml6002_no_verdict,
+                 name ? name.span : tag_name(plan_.model_of(link), plan_.link(link).element),
+                 "the model has more than " + std::to_string(kMostShapes) +
+                     " collision shapes; those from " + title(plan_.link(link)) +
+                     " on are left out");
+  }
+
+  /// Once, at the first of them.
+  void report_denied() {
+    if (denied_.empty()) return;
+    const std::string meshes =
+        denied_.size() == 1 ? "a mesh was" : std::to_string(denied_.size()) + " meshes were";
+    Diagnostic& diagnostic = sink_.report(rules::sml6107_shape_not_buildable, denied_.front().place,
+                                          meshes + " not looked at");
+    diagnostic.severity = Severity::warning;
+    diagnostic.notes.push_back(denied_.front().reason);
+  }
+
   void add(const LinkPlan& link, std::size_t index) {
     const LinkedModel& model = plan_.model_of(link);
     const urdf::Collision& collision = plan_.link(link).collisions[index];
@@ -128,18 +163,23 @@ class ShapeBuilder {
       ++count_.missing_meshes;
       return false;
     }
-    const auto& read = read_once(path);
-    if (const auto* reason = std::get_if<std::string>(&read)) {
+    const MeshReading& read = read_once(path);
+    if (read.is_denied) {
+      denied_.push_back({mesh.filename.span, read.reason});
+      return false;
+    }
+    if (!read.reason.empty()) {
       sink_
           .report(rules::sml6107_shape_not_buildable, mesh.filename.span,
                   "the mesh of " + plan.name + " cannot be read")
-          .caret = *reason;
+          .caret = read.reason;
       return false;
     }
-    TriangleShape triangles = std::get<TriangleShape>(read);
+    TriangleShape triangles = read.shape;
     const Eigen::Vector3d scale = to_eigen(mesh.scale.value_or({1, 1, 1}));
     for (Eigen::Vector3d& point : triangles.points) point = point.cwiseProduct(scale);
-    if (plan.body == kWorld) {
+    if (plan.body == kWorld && triangles.triangles.size() <= triangles_left_) {
+      triangles_left_ -= triangles.triangles.size();
       plan.shape = std::move(triangles);
     } else {
       stand_in(triangles, plan);
@@ -147,7 +187,8 @@ class ShapeBuilder {
     return true;
   }
 
-  /// The box around the points: ODE's triangle meshes are fragile against each other.
+  /// The box around the points, for what moves and for what is too much: ODE's triangle meshes are
+  /// fragile against each other.
   void stand_in(const TriangleShape& triangles, ShapePlan& plan) {
     constexpr double kThinnest = 1e-4;  // m; flat meshes are no boxes
     Eigen::Vector3d low = triangles.points.front();
@@ -168,7 +209,7 @@ class ShapeBuilder {
     return found != meshes.end() && found->second->exists ? found->second->path : "";
   }
 
-  const std::variant<TriangleShape, std::string>& read_once(const std::string& path) {
+  const MeshReading& read_once(const std::string& path) {
     const auto known = meshes_.find(path);
     if (known != meshes_.end()) return known->second;
     return meshes_.emplace(path, read_mesh(path, files_)).first->second;
@@ -178,7 +219,9 @@ class ShapeBuilder {
   const ShapeFiles& files_;
   DiagnosticSink& sink_;
   ShapeCount count_;
-  std::map<std::string, std::variant<TriangleShape, std::string>> meshes_;
+  std::size_t triangles_left_ = 1'000'000;  ///< each takes about 100 bytes in ODE
+  std::map<std::string, MeshReading> meshes_;
+  std::vector<Denied> denied_;
   std::unordered_map<const LinkedModel*, Lookup> lookups_;
 };
 

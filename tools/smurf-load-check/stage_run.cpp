@@ -8,8 +8,24 @@
 #include "base/rules.hpp"
 
 namespace smurf::load_check {
+namespace {
 
-void StageRun::stage(Stage stage, const std::function<void(StageResult&)>& body) {
+/// ODE's solver can give up where a joint is exactly at a stop, as grippers that start closed are;
+/// within this it does not.
+constexpr double kStopMargin = 1e-9;  // rad or m
+
+std::string words_of(const std::vector<EngineMessage>& messages) {
+  std::string text;
+  for (const EngineMessage& message : messages) {
+    text += (text.empty() ? "" : "; ") + message.text;
+    if (message.count > 1) text += ", " + std::to_string(message.count) + " times";
+  }
+  return text;
+}
+
+}  // namespace
+
+void StageRun::stage(Stage stage, const StageBody& body) {
   if (stage != Stage::build && !options_.stages.contains(stage)) return;
   StageResult result;
   result.stage = stage;
@@ -19,15 +35,66 @@ void StageRun::stage(Stage stage, const std::function<void(StageResult&)>& body)
     return;
   }
   current_ = stage;
-  on_stage_(stage);
-  body(result);
+  on_stage_(stage, {result_.stages, result_.diagnostics, {}, {}});
+  std::vector<EngineMessage> messages = attempt(body, 0, result);
+  if (!messages.empty()) {
+    messages = attempt(body, kStopMargin, result);
+    if (!result.note.empty()) result.note += "; ";
+    result.note += "started 1e-09 inside the stops, for ODE's solver";
+  }
+  if (!messages.empty()) give_no_verdict(messages, result);
+  keep_findings(result);
+  // What BUILD refuses has stand-ins, with which the rest is looked at.
+  has_failed_ = stage != Stage::build && result.verdict == Verdict::fail;
+  result_.stages.push_back(std::move(result));
+}
+
+std::vector<EngineMessage> StageRun::attempt(const StageBody& body, double stop_margin,
+                                             StageResult& result) {
+  const std::size_t samples = result_.samples.size();
+  sink_.take();
+  withdrawn_ = nullptr;
+  stop_margin_ = stop_margin;
+  take_engine_messages();
+  StageResult attempted;
+  attempted.stage = result.stage;
+  body(attempted);
+  std::vector<EngineMessage> messages = take_engine_messages();
+  if (!messages.empty() && stop_margin == 0) result_.samples.resize(samples);
+  result = std::move(attempted);
+  return messages;
+}
+
+/// Figures that come from a solver that gave up say nothing, whether they are within their bounds
+/// or not.
+void StageRun::give_no_verdict(const std::vector<EngineMessage>& messages, StageResult& result) {
+  sink_.take();
+  withdrawn_ = nullptr;
+  result.figures.clear();
+  result.note = "ODE's solver gives up";
+  const Named suspect = suspect_();
+  Diagnostic& diagnostic =
+      sink_.report(rules::sml6002_no_verdict, suspect.place,
+                   "there is no verdict of stage " + std::string(to_string(current_)) +
+                       ": ODE's solver gives up");
+  diagnostic.notes.push_back("ODE: " + words_of(messages));
+  if (!suspect.name.empty()) {
+    diagnostic.notes.push_back(suspect.name + " starts at a stop, which is the likely cause");
+  }
+}
+
+void StageRun::keep_findings(StageResult& result) {
+  if (withdrawn_ != nullptr) {
+    std::erase_if(result_.diagnostics,
+                  [&](const Diagnostic& diagnostic) { return diagnostic.rule == withdrawn_; });
+  }
   for (Diagnostic& diagnostic : sink_.take()) {
-    const Verdict verdict = diagnostic.severity == Severity::error ? Verdict::fail : Verdict::warn;
+    Verdict verdict = diagnostic.severity == Severity::error ? Verdict::fail : Verdict::warn;
+    if (diagnostic.severity == Severity::info) verdict = Verdict::pass;
+    if (diagnostic.rule == &rules::sml6002_no_verdict) verdict = Verdict::none;
     result.verdict = std::max(result.verdict, verdict);
     result_.diagnostics.push_back(std::move(diagnostic));
   }
-  has_failed_ = result.verdict == Verdict::fail;
-  result_.stages.push_back(std::move(result));
 }
 
 CheckResult StageRun::finish() { return std::move(result_); }
@@ -42,11 +109,6 @@ Figure StageRun::figure(std::string_view bound) const {
 void StageRun::skip(StageResult& result, std::string why) {
   result.verdict = Verdict::skipped;
   result.note = std::move(why);
-}
-
-void StageRun::withdraw(const Rule& rule) {
-  std::erase_if(result_.diagnostics,
-                [&](const Diagnostic& diagnostic) { return diagnostic.rule == &rule; });
 }
 
 bool StageRun::step(World& world, const Plan& plan, double seconds,

@@ -11,18 +11,24 @@
 
 namespace smurf::load_check {
 
+using StageBody = std::function<void(StageResult&)>;
+
 class StageRun {
  public:
-  StageRun(const CheckOptions& options, const OnStage& on_stage)
-      : options_(options), on_stage_(on_stage) {}
+  /// `suspect` is what a complaint of the engine is put down to; its name may be empty.
+  StageRun(const CheckOptions& options, const OnStage& on_stage, std::function<Named()> suspect)
+      : options_(options), on_stage_(on_stage), suspect_(std::move(suspect)) {}
 
-  /// Runs a stage unless it is not asked for or an earlier one failed. The verdict comes from what
-  /// `body` reports and from its figures.
-  void stage(Stage stage, const std::function<void(StageResult&)>& body);
+  /// Runs a stage unless it is not asked for or an earlier simulation failed. The verdict comes
+  /// from what `body` reports. When the engine complains, `body` runs once more with a stop margin;
+  /// when it still does, there is no verdict.
+  void stage(Stage stage, const StageBody& body);
   CheckResult finish();
 
   const CheckOptions& options() const { return options_; }
   DiagnosticSink& sink() { return sink_; }
+  /// For WorldSetup.
+  double stop_margin() const { return stop_margin_; }
 
   Figure figure(std::string_view bound) const;
   /// Keeps the larger value, and NaN; `whose` names what has it.
@@ -35,18 +41,25 @@ class StageRun {
     figure.place = named.place;
   }
   static void skip(StageResult& result, std::string why);
-  /// Takes back what was reported under a rule.
-  void withdraw(const Rule& rule);
+  /// Takes back what earlier stages reported under a rule.
+  void withdraw(const Rule& rule) { withdrawn_ = &rule; }
 
   /// Steps for `seconds` (or --time), calling `measure` after every step. Ends early, reports and
   /// returns false when a number is no longer finite.
   bool step(World& world, const Plan& plan, double seconds, const std::function<void()>& measure);
 
  private:
+  std::vector<EngineMessage> attempt(const StageBody& body, double stop_margin,
+                                     StageResult& result);
+  void give_no_verdict(const std::vector<EngineMessage>& messages, StageResult& result);
+  void keep_findings(StageResult& result);
   void sample(const World& world, const Plan& plan, double start_energy);
 
   const CheckOptions& options_;
   const OnStage& on_stage_;
+  std::function<Named()> suspect_;
+  double stop_margin_ = 0;
+  const Rule* withdrawn_ = nullptr;
   DiagnosticSink sink_;
   CheckResult result_;
   Stage current_ = Stage::build;

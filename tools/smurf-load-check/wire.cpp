@@ -18,6 +18,27 @@ Span to_span(const Json& json) {
           json[2].get<std::uint32_t>()};
 }
 
+// What lists are made of, declared here for to_list().
+Json to_json(const Label& label);
+Json to_json(const Edit& edit);
+Json to_json(const Fix& fix);
+Json to_json(const Diagnostic& diagnostic);
+Json to_json(const StageResult& stage);
+Json to_json(const Sample& sample);
+
+template <class T>
+Json to_list(const std::vector<T>& values) {
+  Json list = Json::array();
+  for (const T& value : values) list.push_back(to_json(value));
+  return list;
+}
+template <class T>
+std::vector<T> from_list(const Json& json, T (*to_value)(const Json&)) {
+  std::vector<T> values;
+  for (const Json& each : json) values.push_back(to_value(each));
+  return values;
+}
+
 /// JSON has neither NaN nor infinity; both come back as NaN.
 Json to_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 double to_double(const Json& json) { return json.is_null() ? NAN : json.get<double>(); }
@@ -31,30 +52,63 @@ Pose to_pose(const Json& json) {
   return {{json[0], json[1], json[2]}, {json[3], json[4], json[5], json[6]}};
 }
 
+Json to_json(const Rule* rule) { return rule != nullptr ? Json(rule->id) : Json(); }
+const Rule* to_rule(const Json& json) {
+  return json.is_null() ? nullptr : find_rule(json.get<std::string>());
+}
+
+Json to_json(const Label& label) {
+  const auto& [span, message] = label;
+  return {to_json(span), message};
+}
+Label to_label(const Json& json) { return {to_span(json[0]), json[1]}; }
+
+Json to_json(const Edit& edit) {
+  const auto& [span, text] = edit;
+  return {to_json(span), text};
+}
+Edit to_edit(const Json& json) { return {to_span(json[0]), json[1]}; }
+
+Json to_json(const Fix& fix) {
+  const auto& [applicability, edits] = fix;
+  return {static_cast<int>(applicability), to_list(edits)};
+}
+Fix to_fix(const Json& json) {
+  return {static_cast<Applicability>(json[0].get<int>()), from_list(json[1], to_edit)};
+}
+
+/// The binding names every member, so that one more does not compile before it is sent, too.
 Json to_json(const Diagnostic& diagnostic) {
-  Json labels = Json::array();
-  for (const Label& label : diagnostic.labels) {
-    labels.push_back({to_json(label.span), label.message});
-  }
-  return {{"id", diagnostic.rule->id},
-          {"span", to_json(diagnostic.span)},
-          {"message", diagnostic.message},
-          {"caret", diagnostic.caret},
-          {"labels", labels},
-          {"notes", diagnostic.notes}};
+  const auto& [rule, severity, span, message, caret, pointer, named_pointer, construct, labels,
+               notes, help, fixes, left_out] = diagnostic;
+  return {{"rule", to_json(rule)},
+          {"severity", static_cast<int>(severity)},
+          {"span", to_json(span)},
+          {"message", message},
+          {"caret", caret},
+          {"pointer", pointer},
+          {"named_pointer", named_pointer},
+          {"construct", construct},
+          {"labels", to_list(labels)},
+          {"notes", notes},
+          {"help", help},
+          {"fixes", to_list(fixes)},
+          {"left_out", to_json(left_out)}};
 }
 Diagnostic to_diagnostic(const Json& json) {
-  Diagnostic diagnostic;
-  diagnostic.rule = find_rule(json["id"].get<std::string>());
-  diagnostic.severity = diagnostic.rule->severity;
-  diagnostic.span = to_span(json["span"]);
-  diagnostic.message = json["message"];
-  diagnostic.caret = json["caret"];
-  for (const Json& label : json["labels"]) {
-    diagnostic.labels.push_back({to_span(label[0]), label[1]});
-  }
-  diagnostic.notes = json["notes"];
-  return diagnostic;
+  return {.rule = to_rule(json["rule"]),
+          .severity = static_cast<Severity>(json["severity"].get<int>()),
+          .span = to_span(json["span"]),
+          .message = json["message"],
+          .caret = json["caret"],
+          .pointer = json["pointer"],
+          .named_pointer = json["named_pointer"],
+          .construct = json["construct"],
+          .labels = from_list(json["labels"], to_label),
+          .notes = json["notes"],
+          .help = json["help"],
+          .fixes = from_list(json["fixes"], to_fix),
+          .left_out = to_rule(json["left_out"])};
 }
 
 Json to_json(const StageResult& stage) {
@@ -90,13 +144,6 @@ Sample to_sample(const Json& json) {
   return sample;
 }
 
-template <class T>
-Json to_list(const std::vector<T>& values) {
-  Json list = Json::array();
-  for (const T& value : values) list.push_back(to_json(value));
-  return list;
-}
-
 /// Names may hold bytes that are not UTF-8.
 std::string line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -104,9 +151,9 @@ std::string line(const Json& json) {
 
 CheckResult to_result(const Json& json) {
   CheckResult result;
-  for (const Json& stage : json["stages"]) result.stages.push_back(to_stage(stage));
-  for (const Json& each : json["diagnostics"]) result.diagnostics.push_back(to_diagnostic(each));
-  for (const Json& sample : json["samples"]) result.samples.push_back(to_sample(sample));
+  result.stages = from_list(json["stages"], to_stage);
+  result.diagnostics = from_list(json["diagnostics"], to_diagnostic);
+  result.samples = from_list(json["samples"], to_sample);
   result.links = json["links"];
   return result;
 }
@@ -135,6 +182,9 @@ Message decode(const std::string& output) {
     if (json.is_discarded()) break;  // the child was stopped while it wrote
     if (json.contains("begin")) {
       message.last_stage = static_cast<Stage>(json["begin"].get<int>());
+      // A result that another stage follows is not the last one.
+      message.so_far = std::move(message.result).value_or(CheckResult{});
+      message.result.reset();
     } else if (json.contains("fault")) {
       message.fault = json["fault"];
     } else {

@@ -17,6 +17,7 @@ std::string encode(const CheckResult& result);
 /// What a child wrote before its end.
 struct Message {
   std::optional<Stage> last_stage;  ///< that was begun
+  CheckResult so_far;               ///< of the stages before it
   std::string fault;                ///< what ODE says of why it gives up
   std::optional<CheckResult> result;
 };

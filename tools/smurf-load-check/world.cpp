@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <deque>
 #include <new>
 #include <set>
 
@@ -28,13 +29,28 @@ constexpr std::size_t kGround = kWorld;
 
 void (*fault_handler)(const std::string&) = nullptr;
 
-void on_ode_fault(int, const char* format, va_list arguments) {
+std::string formatted(const char* format, va_list arguments) {
   char text[512];
   std::vsnprintf(text, sizeof text, format, arguments);
-  fault_handler(text);
+  return text;
 }
 
-void ignore_message(int, const char*, va_list) {}
+void on_ode_fault(int, const char* format, va_list arguments) {
+  fault_handler(formatted(format, arguments));
+}
+
+/// By format, because the numbers in a message differ from step to step.
+std::vector<std::pair<std::string, EngineMessage>> messages;
+
+void keep_message(int, const char* format, va_list arguments) {
+  for (auto& [known, message] : messages) {
+    if (known == format) {
+      ++message.count;
+      return;
+    }
+  }
+  messages.push_back({format, {formatted(format, arguments), 1}});
+}
 
 }  // namespace
 
@@ -49,6 +65,7 @@ struct World::Engine {
   std::vector<Pose> X_BL;  ///< by link
   std::vector<dTriMeshDataID> meshes;
   std::vector<dHeightfieldDataID> heightfields;
+  std::deque<std::vector<float>> heights_of;  ///< the heightfields, which read them there
   std::vector<dGeomID> geoms;
   std::set<std::pair<std::size_t, std::size_t>> jointed;  ///< bodies
   std::vector<Overlap>* found = nullptr;                  ///< set: overlaps are collected only
@@ -95,7 +112,7 @@ struct World::Engine {
   void add_joint(const JointPlan& joint) {
     // A floating joint connects nothing in ODE.
     if (joint.kind != JointKind::floating) jointed.insert(std::minmax(joint.parent, joint.child));
-    joints.emplace_back(world, joint, id(joint.parent), id(joint.child));
+    joints.emplace_back(world, joint, id(joint.parent), id(joint.child), setup.stop_margin);
   }
 
   void add_shape(std::size_t index) {
@@ -153,14 +170,15 @@ struct World::Engine {
 
   dGeomID make_geom(const HeightfieldShape& field) {
     // Turned upright, ODE's rows run towards -y.
-    std::vector<float> heights;
+    std::vector<float>& heights = heights_of.emplace_back();
+    heights.reserve(field.heights.size());
     for (std::size_t row = field.rows; row-- > 0;) {
       const auto begin = field.heights.begin() + static_cast<std::ptrdiff_t>(row * field.columns);
       heights.insert(heights.end(), begin, begin + static_cast<std::ptrdiff_t>(field.columns));
     }
     constexpr double kThickness = 1;  // m; what falls below comes back up
     heightfields.push_back(dGeomHeightfieldDataCreate());
-    dGeomHeightfieldDataBuildSingle(heightfields.back(), heights.data(), 1, field.size_x,
+    dGeomHeightfieldDataBuildSingle(heightfields.back(), heights.data(), 0, field.size_x,
                                     field.size_y, static_cast<int>(field.columns),
                                     static_cast<int>(field.rows), 1, 0, kThickness, 0);
     const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
@@ -295,6 +313,13 @@ bool World::is_finite() const {
   return true;
 }
 
+std::vector<EngineMessage> take_engine_messages() {
+  std::vector<EngineMessage> taken;
+  for (auto& [format, message] : messages) taken.push_back(std::move(message));
+  messages.clear();
+  return taken;
+}
+
 std::string unusable_engine() {
   return dCheckConfiguration("ODE_double_precision") == 1
              ? ""
@@ -305,7 +330,7 @@ void start_engine(void (*on_fault)(const std::string& message)) {
   fault_handler = on_fault;
   dSetErrorHandler(on_ode_fault);
   dSetDebugHandler(on_ode_fault);
-  dSetMessageHandler(ignore_message);
+  dSetMessageHandler(keep_message);
   dInitODE2(0);
   dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
 }

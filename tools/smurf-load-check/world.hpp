@@ -18,6 +18,8 @@ struct WorldSetup {
   double cfm = 1e-10;                    ///< as MARS sets it, WorldPhysics.cpp
   double erp = 0.1;
   bool contacts = false;
+  /// A joint that starts closer than this to a stop starts this far inside it; rad or m.
+  double stop_margin = 0;
 };
 
 /// Two shapes that are inside each other.
@@ -72,6 +74,15 @@ class World {
   struct Engine;
   std::unique_ptr<Engine> engine_;
 };
+
+/// Something that ODE's solver complains about, and how often.
+struct EngineMessage {
+  std::string text;
+  std::size_t count = 0;
+};
+
+/// What ODE said since the last call, in the order in which it began to.
+std::vector<EngineMessage> take_engine_messages();
 
 /// What is wrong with the ODE library that this program was linked with; empty when nothing is.
 std::string unusable_engine();

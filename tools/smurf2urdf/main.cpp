@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf2urdf: the plain URDF of a SMURF model, checked before it is written.
-#include <filesystem>
-
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
@@ -59,11 +58,18 @@ std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
 bool write_result(const Options& options, const std::string& urdf, const LinkedModel& model) {
   const std::string& output = options.common.output;
   if (options.srdf.empty()) return write_output(kTool, output, urdf);
-  std::vector<TextFile> files = {{options.srdf, export_srdf(model, options.conversion.prefix)}};
+  const std::uint64_t most = options.common.limits.srdf_bytes;
+  auto srdf = export_srdf(model, options.conversion.prefix, most);
+  if (!srdf) {
+    complain(kTool, "so many pairs of links of '" + options.model +
+                        "' never collide that the SRDF has more than " + std::to_string(most) +
+                        " bytes; " + raise_limit("srdf-bytes") + "; nothing was written");
+    return false;
+  }
+  std::vector<OutputFile> files = {named_by_user(options.srdf, std::move(*srdf))};
   const bool to_stdout = output.empty() || output == "-";
-  if (to_stdout) return write_files(kTool, ".", files, true) && write_output(kTool, output, urdf);
-  files.push_back({output, urdf});
-  return write_files(kTool, ".", files, true);
+  if (!to_stdout) files.push_back(named_by_user(output, urdf));
+  return write_files(kTool, files, true) && (!to_stdout || write_output(kTool, output, urdf));
 }
 
 }  // namespace
@@ -79,10 +85,16 @@ int main(int argc, char** argv) {
     complain(kTool, problem);
     return kFailed;
   }
+  const auto current = current_folder(kTool);
+  if (!current) return kFailed;
+  options.conversion.current_folder = *current;
 
   Conversion conversion(kTool, options.common);
   const auto model = conversion.load_model(options.model);
   if (!model) return conversion.fail();
+  if (!conversion.keeps_inputs({options.common.output, options.srdf, options.loss_report})) {
+    return kFailed;
+  }
   const ExitCode verdict = conversion.report(*model);
   if (verdict == kFailed) return kFailed;
   if (!model->robot) return verdict == kDone ? conversion.refuse("has no URDF") : kFindings;

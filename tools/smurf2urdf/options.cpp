@@ -2,7 +2,6 @@
 #include "smurf2urdf/options.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "base/path.hpp"
 
@@ -278,7 +277,6 @@ std::string problem_of(Options& options) {
   const bool to_stdout = output.empty() || output == "-";
   // Standard output counts as the current folder.
   wanted.output_folder = to_stdout ? "." : std::string(path::parent(output));
-  wanted.current_folder = std::filesystem::current_path().generic_string();
   return {};
 }
 

@@ -27,7 +27,8 @@ Command make_command(Options& options);
 /// The options that a preset stands for, as a line of text.
 std::string preset_text(std::string_view name);
 
-/// What is wrong with the options as a whole; "" when nothing is. Fills in the folders.
+/// What is wrong with the options as a whole; "" when nothing is. Fills in the folder of
+/// the output.
 std::string problem_of(Options& options);
 
 }  // namespace smurf::tools

@@ -25,7 +25,7 @@ class Redirection {
   Redirection(const std::string& folder, const FlattenOptions& options, const FileReader& files)
       : files_(files),
         current_(options.current_folder),
-        folder_(path::join(options.current_folder, folder)),
+        folder_(folder),
         output_(path::join(options.current_folder, options.output_folder)) {}
 
   /// What the file is called from now on; `file` is relative to the output's folder.
@@ -34,7 +34,8 @@ class Redirection {
         known_name(path::normalize(path::join(output_, file)), current_, files_);
     const auto [known, is_new] = copies_.try_emplace({group, from});
     if (is_new) {
-      known->second = files_.is_file(from) ? path::relative(add(from, group), output_) : file;
+      const bool is_known = files_.is_file(from) || files_.is_denied(from);
+      known->second = is_known ? path::relative(add(from, group), output_) : file;
     }
     return known->second;
   }
@@ -43,12 +44,13 @@ class Redirection {
 
  private:
   std::string add(const std::string& from, const std::string& group) {
-    const std::string to = unique(path::join(folder_, group), from);
-    list_.emplace_back(from, to);
+    const std::string inside = unique(safe_name(group), from);
+    const AssetCopy& copy = list_.emplace_back(AssetCopy{from, folder_, inside});
+    const std::string to = path::join(current_, copy.to());
     // An OBJ names its materials in a file of the same name.
     const std::string materials = with_extension(from, ".mtl");
     if (path::to_lower(path::extension(from)) == ".obj" && files_.is_file(materials)) {
-      list_.emplace_back(materials, path::join(path::parent(to), path::file_name(materials)));
+      list_.push_back({materials, folder_, with_extension(inside, ".mtl")});
     }
     return to;
   }
@@ -58,13 +60,13 @@ class Redirection {
   }
 
   /// Files of one name from several folders get folders of their own, so that the name stays.
-  std::string unique(const std::string& folder, const std::string& from) {
-    const std::string name(path::file_name(from));
-    std::string to = path::join(folder, name);
-    for (int number = 2; !taken_.insert(to).second; ++number) {
-      to = path::join(path::join(folder, std::to_string(number)), name);
+  std::string unique(const std::string& group, const std::string& from) {
+    const std::string name = safe_name(path::file_name(from));
+    std::string inside = path::join(group, name);
+    for (int number = 2; !taken_.insert(inside).second; ++number) {
+      inside = path::join(path::join(group, std::to_string(number)), name);
     }
-    return to;
+    return inside;
   }
 
   const FileReader& files_;
@@ -74,7 +76,23 @@ class Redirection {
   AssetCopies list_;
 };
 
+bool is_in_place(const AssetCopy& copy) {
+  std::error_code error;
+  return fs::equivalent(copy.from, copy.to(), error);
+}
+
 }  // namespace
+
+std::string AssetCopy::to() const { return path::join(folder, inside); }
+
+std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& inputs) {
+  std::vector<std::string> places;
+  for (const AssetCopy& copy : copies) {
+    inputs.add(copy.from);
+    if (!is_in_place(copy)) places.push_back(copy.to());
+  }
+  return places;
+}
 
 AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files) {
@@ -97,7 +115,9 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
 MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
                        const FileReader& files, const Limits& limits) {
   std::map<std::string, std::string> origins;  // of copies that are not there yet
-  for (const auto& [from, to] : copies) origins.emplace(to, from);
+  for (const AssetCopy& copy : copies) {
+    origins.emplace(path::join(options.current_folder, copy.to()), copy.from);
+  }
   const std::string output = path::join(options.current_folder, options.output_folder);
   return [=, &files, &limits](const std::string& file) {
     const std::string absolute = path::normalize(path::join(output, file));
@@ -110,16 +130,14 @@ MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
 
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
                 const Limits& limits) {
-  for (const auto& [from, to] : copies) {
-    std::error_code error;
-    if (fs::equivalent(from, to, error)) continue;
-    const FileContent content = files.read(from, limits.mesh_bytes);
+  for (const AssetCopy& copy : copies) {
+    if (is_in_place(copy)) continue;
+    const FileContent content = files.read(copy.from, limits.mesh_bytes);
     if (content.status != ReadStatus::ok) {
-      complain(tool, "cannot read '" + from + "': " + content.reason);
+      complain(tool, "cannot read '" + copy.from + "': " + content.reason);
       return false;
     }
-    fs::create_directories(fs::path(to).parent_path(), error);
-    if (!write_output(tool, to, content.text)) return false;
+    if (!write_files(tool, {{copy.folder, copy.inside, content.text}}, true)) return false;
   }
   return true;
 }

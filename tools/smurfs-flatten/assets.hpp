@@ -4,9 +4,9 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "common/input.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/flatten.hpp"
 #include "smurf/limits.hpp"
@@ -14,8 +14,15 @@
 
 namespace smurf::tools {
 
-/// Files to copy, as (from, to).
-using AssetCopies = std::vector<std::pair<std::string, std::string>>;
+/// A file that is copied to a folder which the user names.
+struct AssetCopy {
+  std::string from;
+  std::string folder;  ///< the user's
+  std::string inside;  ///< the path from there
+
+  std::string to() const;
+};
+using AssetCopies = std::vector<AssetCopy>;
 
 /// Makes the meshes, textures and heightmaps of a scene name copies in `folder`, in a folder a
 /// model. Files that do not exist keep their names. Nothing is copied yet.
@@ -26,6 +33,9 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
 /// `limits` must outlive the result.
 MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
                        const FileReader& files, const Limits& limits);
+
+/// Where copies are made: not where the file itself is already.
+std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& inputs);
 
 /// False when a file cannot be copied; that has been said.
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "render/printable.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -29,7 +30,7 @@ std::string describe(const Pose& pose) {
 
 std::string place(const SourceMap& sources, Span span) {
   const Position at = sources.position(span.source, span.begin);
-  return sources.path(span.source) + ":" + std::to_string(at.line) + ":" +
+  return render::escape(sources.path(span.source)) + ":" + std::to_string(at.line) + ":" +
          std::to_string(at.column);
 }
 
@@ -41,17 +42,17 @@ std::string describe_chain(const LinkedScene& scene, const SourceMap& sources,
   std::size_t place_width = 0;
   std::size_t what_width = 0;
   for (const TransformStep& step : steps) {
-    place_width = std::max(place_width, place(sources, step.span).size());
-    what_width = std::max(what_width, step.what.size());
+    place_width = std::max(place_width, render::width_of(place(sources, step.span)));
+    what_width = std::max(what_width, render::width_of(render::escape(step.what)));
   }
-  const auto padded = [](std::string text, std::size_t width) {
-    text.resize(std::max(text.size(), width), ' ');
-    return text + "  ";
+  const auto padded = [](const std::string& text, std::size_t width) {
+    const std::size_t taken = render::width_of(text);
+    return text + std::string(width > taken ? width - taken + 2 : 2, ' ');
   };
   std::string text;
   for (const TransformStep& step : steps) {
-    text += padded(place(sources, step.span), place_width) + padded(step.what, what_width) +
-            describe(step.X_step) + "\n";
+    text += padded(place(sources, step.span), place_width) +
+            padded(render::escape(step.what), what_width) + describe(step.X_step) + "\n";
   }
   text += padded("in the world", place_width) + padded("", what_width) +
           describe(steps.back().X_W) + "\n";

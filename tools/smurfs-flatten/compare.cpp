@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "render/printable.hpp"
 #include "render/wrap.hpp"
 #include "write/json_text.hpp"
 
@@ -91,7 +92,7 @@ class Comparison {
 
  private:
   const EntityReading& reading(std::size_t dialect, std::size_t i) const {
-    return readings_[dialect][i];
+    return readings_[dialect].entities[i];
   }
 
   bool differs(std::size_t i) const {
@@ -103,7 +104,7 @@ class Comparison {
 
   /// Readers that agree share a row.
   void add_rows(std::string& text, std::size_t i) const {
-    text += scene_.instances[i].path + "\n";
+    text += render::escape(scene_.instances[i].path) + "\n";
     std::vector<bool> is_shown(readings_.size(), false);
     for (std::size_t d = 0; d < readings_.size(); ++d) {
       if (is_shown[d]) continue;
@@ -121,7 +122,7 @@ class Comparison {
       const EntityReading& meant = reading(0, i);
       if (d > 0 && first.X_WE && meant.X_WE) note = distance(*first.X_WE, *meant.X_WE);
       if (d > 0 && !first.note.empty()) note += (note.empty() ? "" : ": ") + first.note;
-      if (!note.empty()) text += render::wrap(note, 6, kColumns);
+      if (!note.empty()) text += render::wrap(render::escape(note), 6, kColumns);
     }
   }
 
@@ -164,7 +165,7 @@ class Comparison {
 
   const LinkedScene& scene_;
   const SourceMap& sources_;
-  std::vector<std::vector<EntityReading>> readings_;  ///< by dialect, by instance
+  std::vector<SceneReading> readings_;  ///< by dialect
   std::vector<std::size_t> different_;
 };
 

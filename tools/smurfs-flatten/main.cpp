@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurfs-flatten: a scene as instances in the world frame.
 #include <algorithm>
-#include <filesystem>
 
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
+#include "render/printable.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/write_scene.hpp"
 #include "smurfs-flatten/assets.hpp"
@@ -138,12 +138,12 @@ Command make_command(Options& options) {
 }
 
 /// Standard output counts as the current folder.
-FlattenOptions flatten_options(const Options& options) {
+FlattenOptions flatten_options(const Options& options, const std::string& current) {
   const std::string& output = options.common.output;
   const bool to_stdout = output.empty() || output == "-";
   return {.links = options.links,
           .output_folder = to_stdout ? "." : std::string(path::parent(output)),
-          .current_folder = std::filesystem::current_path().generic_string()};
+          .current_folder = current};
 }
 
 int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options& options) {
@@ -156,7 +156,7 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
     return kFailed;
   }
   const Dialect& dialect = *find_dialect(options.dialect);
-  const EntityReading reading = dialect.read(scene)[to_size(*instance)];
+  const EntityReading reading = dialect.read(scene).entities[to_size(*instance)];
   if (!reading.X_WE) {
     complain(kTool, "'" + options.explained + "' is not in the scene of the dialect " +
                         options.dialect + ", which " + reading.note);
@@ -165,7 +165,7 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
   DiagnosticSink about_others;
   apply_dialect(dialect, scene, about_others);
   std::string text = describe_chain(scene, sources, *instance, dialect);
-  if (!reading.note.empty()) text += options.dialect + " " + reading.note + "\n";
+  if (!reading.note.empty()) text += options.dialect + " " + render::escape(reading.note) + "\n";
   return write_output(kTool, options.common.output, text) ? kDone : kFailed;
 }
 
@@ -205,19 +205,27 @@ struct Result {
 };
 
 Result flatten_scene(Conversion& conversion, LinkedScene& scene, const Options& options,
-                     const SceneFormat& format, SceneForm form) {
+                     const SceneFormat& format, SceneForm form, const std::string& current) {
   // The rules, which run later, judge the scene as documented, which is the first dialect.
   const Dialect* dialect = find_dialect(options.dialect);
   const bool is_documented = dialect == dialects().front();
   std::vector<Instance> documented;
+  std::vector<JointPositions> documented_poses;
   if (!is_documented) {
     documented = scene.instances;
+    documented_poses = scene.joint_poses;
     apply_dialect(*dialect, scene, conversion.sink());
   }
   const OldScenes old_scenes = conversion.load_old_scenes(scene);
-  FlattenOptions flattening = flatten_options(options);
+  FlattenOptions flattening = flatten_options(options, current);
   flattening.old_scenes = &old_scenes;
+  flattening.repeats_models = format.repeats_models;
+  if (!check_scene_size(scene, conversion.sources(), flattening, options.common.limits,
+                        conversion.sink())) {
+    return {};
+  }
   FlatScene flat = flatten(scene, conversion.sources(), flattening);
+  if (!check_flat_numbers(flat, scene, conversion.sink())) return {};
   Result result;
   if (!options.assets.empty()) {
     result.copies = redirect_assets(flat, options.assets, flattening, conversion.files());
@@ -231,7 +239,10 @@ Result flatten_scene(Conversion& conversion, LinkedScene& scene, const Options& 
                               .meshes = mesh_source(flattening, result.copies, conversion.files(),
                                                     options.common.limits)});
   result.is_complete = !has_losses(conversion.sink());
-  if (!is_documented) scene.instances = std::move(documented);
+  if (!is_documented) {
+    scene.instances = std::move(documented);
+    scene.joint_poses = std::move(documented_poses);
+  }
   return result;
 }
 
@@ -246,6 +257,8 @@ int main(int argc, char** argv) {
   const SceneFormat& format = *find_scene_format(options.format.empty() ? "json" : options.format);
   const std::optional<SceneForm> form = choose_form(format, options.form);
   if (!form) return kFailed;
+  const auto current = current_folder(kTool);
+  if (!current) return kFailed;
   Conversion conversion(kTool, options.common);
   auto scene = conversion.load_scene(options.scene);
   if (!scene) return conversion.fail();
@@ -254,8 +267,11 @@ int main(int argc, char** argv) {
   if (is_sound && options.compare_dialects) {
     result.text = compare_dialects(*scene, conversion.sources(), options.format == "json");
   } else if (is_sound && options.explained.empty()) {
-    result = flatten_scene(conversion, *scene, options, format, *form);
+    result = flatten_scene(conversion, *scene, options, format, *form, *current);
   }
+  const std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
+  if (!conversion.keeps_inputs({options.common.output})) return kFailed;
+  if (!keeps_inputs(kTool, conversion.inputs(), copies)) return kFailed;
   // What was not understood leaves no pose to write; what a rule finds does.
   const bool is_possible = !conversion.sink().has_errors();
   const ExitCode verdict = conversion.report(*scene);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // urdf2smurf: a SMURF model around a URDF, checked before it is written.
-#include <filesystem>
-
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
+#include "render/printable.hpp"
 #include "smurf/convert.hpp"
 #include "smurf/write.hpp"
 
@@ -106,7 +105,7 @@ std::string problem_of(const Options& options) {
 std::string file_name_of(const Options& options, const LinkedModel& model) {
   if (!options.name.empty()) return options.name;
   if (options.urdf != "-" || !options.common.stdin_filename.empty()) {
-    return std::string(path::stem(model.urdf_path));
+    return safe_name(path::stem(model.urdf_path));
   }
   return "robot";
 }
@@ -149,6 +148,8 @@ int main(int argc, char** argv) {
     return kFailed;
   }
 
+  const auto current = current_folder(kTool);
+  if (!current) return kFailed;
   Conversion conversion(kTool, options.common);
   const auto model = conversion.load_model(options.urdf);
   if (!model) return conversion.fail();
@@ -169,7 +170,7 @@ int main(int argc, char** argv) {
   if (model->robot) {
     const UrdfImport import{.name = file_name_of(options, *model),
                             .output_folder = folder,
-                            .current_folder = std::filesystem::current_path().generic_string(),
+                            .current_folder = *current,
                             .layout = options.in_place ? SmurfLayout::in_place
                                       : options.flat   ? SmurfLayout::flat
                                                        : SmurfLayout::phobos,
@@ -177,6 +178,9 @@ int main(int argc, char** argv) {
                             .srdf = srdf ? &*srdf : nullptr};
     files = write_smurf(import_urdf(*model, conversion.sources(), import, conversion.sink()));
   }
+  std::vector<std::string> outputs;
+  for (const TextFile& file : files) outputs.push_back(path::join(folder, file.path));
+  if (!options.dry_run && !conversion.keeps_inputs(outputs)) return kFailed;
   const ExitCode verdict = conversion.report(*model);
   if (verdict == kFailed) return kFailed;
   if (!model->robot) return kFindings;
@@ -185,8 +189,10 @@ int main(int argc, char** argv) {
   if (!problem.empty()) return conversion.refuse(problem);
   if (options.dry_run) {
     std::string names;
-    for (const TextFile& file : files) names += path::join(folder, file.path) + "\n";
+    for (const std::string& output : outputs) names += render::escape(output) + "\n";
     return write_output(kTool, {}, names) ? kDone : kFailed;
   }
-  return write_files(kTool, folder, files, options.overwrite) ? kDone : kFailed;
+  std::vector<OutputFile> written;
+  for (const TextFile& file : files) written.push_back({folder, file.path, file.text});
+  return write_files(kTool, written, options.overwrite) ? kDone : kFailed;
 }

@@ -15,6 +15,8 @@
 
 namespace smurf {
 
+class ArchiveBudget;
+
 /// zsmurf, zsmurfs and zsmurfa, any case: what entities call a model or scene in an archive.
 bool is_archive_type(std::string_view type);
 /// By the extension.
@@ -27,7 +29,8 @@ bool is_in_archive(std::string_view path);
 /// used by several threads.
 class ArchiveFiles final : public FileReader {
  public:
-  /// `behind` must outlive this. All archives together unpack to `archive_bytes` and not more.
+  /// `behind` must outlive this. All archives together unpack to `archive_bytes` and not more, and
+  /// to `archive_growth` times what they have.
   ArchiveFiles(const FileReader& behind, const Limits& limits);
   ~ArchiveFiles() override;
 
@@ -35,6 +38,8 @@ class ArchiveFiles final : public FileReader {
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
   bool is_file(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  bool is_denied(const std::string& path) const override;
+  std::string identity(const std::string& path) const override;
 
  private:
   struct Opened;
@@ -48,7 +53,7 @@ class ArchiveFiles final : public FileReader {
 
   const FileReader& behind_;
   mutable std::mutex mutex_;
-  mutable Limits left_;  ///< of what archives may hold
+  std::unique_ptr<ArchiveBudget> budget_;
   mutable std::map<std::string, std::unique_ptr<Opened>, std::less<>> opened_;
 };
 

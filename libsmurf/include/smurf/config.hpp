@@ -50,11 +50,16 @@ struct Config {
   UserSchemas schemas;
 };
 
+/// Who chose a configuration. One that was found beside the files may come from a stranger, and
+/// does not choose what is written.
+enum class ConfigOrigin : std::uint8_t { found, named };
+
 /// Reads a configuration with those it extends and the schemas it names. Everything wrong is
 /// reported at its place (SML90xx); the rest counts. `formats` are the names that reports may
 /// have; empty: any.
 Config read_config(const std::string& path, SourceMap& sources, const FileReader& files,
-                   DiagnosticSink& sink, std::span<const std::string_view> formats = {});
+                   DiagnosticSink& sink, std::span<const std::string_view> formats = {},
+                   ConfigOrigin origin = ConfigOrigin::found);
 
 /// What the value of a setting may be.
 enum class SettingType : std::uint8_t {

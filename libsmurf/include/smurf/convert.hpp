@@ -66,7 +66,9 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
 
 /// An SRDF beside the URDF: joint pose sets as group states; neighbours, and links whose bitmasks
 /// share no bit, as pairs that do not collide. Precondition: model.robot is set.
-std::string export_srdf(const LinkedModel& model, const std::string& prefix);
+/// None when it would have more bytes than `most`.
+std::optional<std::string> export_srdf(const LinkedModel& model, const std::string& prefix,
+                                       std::uint64_t most);
 
 /// Reports every annotation that the export cannot say or was not asked to say (SML8001, 8002), and
 /// every extension it leaves out (SML8004).

@@ -136,11 +136,19 @@ struct Diagnostic {
 class DiagnosticSink {
  public:
   /// Of each rule, `most` findings are kept. The next one becomes an SML0002 that says so.
-  explicit DiagnosticSink(std::uint64_t most = Limits{}.findings) : most_(most) {}
+  /// `suggestions` bounds the work of suggest().
+  explicit DiagnosticSink(std::uint64_t most = Limits{}.findings,
+                          std::uint64_t suggestions = Limits{}.suggestions)
+      : most_(most), most_suggestions_(suggestions), suggestions_left_(suggestions) {}
 
   /// The reference is valid until the next report; what is done to a finding that is left out has
   /// no effect.
   Diagnostic& report(const Rule& rule, Span span, std::string message);
+  /// The known name that the finding reported last may mean. None when that finding is left out, or
+  /// when all suggestions together took too much work; an SML0002 then says so. To be used wherever
+  /// the known names come from a file.
+  std::optional<std::string_view> suggest(std::string_view name,
+                                          std::span<const std::string_view> known);
 
   /// What is reported at `place` is a fault of `rule` as well. take() joins the two.
   void add_consequence(Span place, const Rule& rule) { consequences_.push_back({place, &rule}); }
@@ -148,9 +156,15 @@ class DiagnosticSink {
   std::span<const Diagnostic> diagnostics() const { return diagnostics_; }
   std::vector<Diagnostic> take();
   bool has_errors() const;
+  /// How many findings of a rule were reported.
+  std::uint64_t count_of(const Rule& rule) const;
 
  private:
   std::uint64_t most_;
+  std::uint64_t most_suggestions_;
+  std::uint64_t suggestions_left_;
+  std::optional<Span> suggestions_end_;  ///< the finding that gets none any more
+  bool is_last_left_out_ = false;
   std::map<const Rule*, std::uint64_t> counts_;
   std::vector<Diagnostic> diagnostics_;
   std::vector<std::pair<Span, const Rule*>> consequences_;

@@ -17,18 +17,25 @@ namespace smurf {
 struct EntityReading {
   std::optional<Pose> X_WE;  ///< absent: the reader does not load it
   Attachment parent, anchor;
-  JointPositions joint_positions;
+  JointPoseIndex joint_pose{};  ///< in SceneReading::joint_poses
   /// What it does otherwise than the author is taken to mean, or why it does not load it: "takes
   /// the angles for radians". May be empty.
   std::string note;
+};
+
+/// What it makes of a scene.
+struct SceneReading {
+  std::vector<EntityReading> entities;  ///< by instance
+  /// Those that entities are in, each once; the first has all joints at zero.
+  std::vector<JointPositions> joint_poses{1};
 };
 
 /// A way to read scenes.
 struct Dialect {
   std::string_view name;  ///< of --dialect
   std::string_view help;
-  /// By instance. Precondition: the scene was loaded without errors.
-  std::vector<EntityReading> (*read)(const LinkedScene& scene) = nullptr;
+  /// Precondition: the scene was loaded without errors.
+  SceneReading (*read)(const LinkedScene& scene) = nullptr;
   /// The pose that the keys of an entity in `use` stand for, as far as it can be read alone.
   Pose (*pose_of)(const LinkedScene& scene, const SceneUse& use, const Entity& entity) = nullptr;
   /// Whether what includes an entity moves it.

@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace smurf {
@@ -30,6 +33,12 @@ class FileReader {
   virtual bool is_file(const std::string& path) const = 0;
   /// Names (not paths) of the entries of a folder, sorted; empty when there is no such folder.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
+  /// True when nothing is told about a path, not even whether there is something: `is_file` is
+  /// false then, and `read` gives the reason.
+  virtual bool is_denied(const std::string&) const { return false; }
+  /// Equal for all names of one file or folder, whatever links they go through. The normalised path
+  /// when nothing else is known.
+  virtual std::string identity(const std::string& path) const;
 };
 
 /// Files of the machine. Device files, pipes and sockets are refused, not opened.
@@ -38,27 +47,40 @@ class DiskFiles final : public FileReader {
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
   bool is_file(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  std::string identity(const std::string& path) const override;
 };
 
 /// Files of the machine that really lie in one of some folders, symbolic links followed: what a
-/// model from a stranger may name. Others are denied; whether they exist is still told. Where links
-/// lead is looked up once: make a new one after links have changed.
+/// model from a stranger may name. Others are denied, whether they exist or not. What is read is
+/// judged by the file that was found, not by its path, so that a link that changes meanwhile leads
+/// nowhere else. Where links lead and what is in a folder is looked up once: make a new one after
+/// that has changed. May be used by several threads once all is allowed.
 class ConfinedFiles final : public FileReader {
  public:
   ConfinedFiles();
   ~ConfinedFiles() override;
-  void allow(const std::string& folder);
+  /// A folder with all that is in it, or one file.
+  void allow(const std::string& path);
+  /// The files in a folder that are not hidden, without the folders in it.
+  void allow_files_in(const std::string& folder);
+  /// The files of this name in a folder and in all folders in it.
+  void allow_named(const std::string& name, const std::string& folder);
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
-  bool is_file(const std::string& path) const override { return disk_.is_file(path); }
+  bool is_file(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  bool is_denied(const std::string& path) const override;
+  std::string identity(const std::string& path) const override;
 
  private:
-  bool allows(const std::string& path) const;
+  struct Allowed;
+  std::optional<std::string> place_of(const std::string& path) const;
 
   DiskFiles disk_;
   std::unique_ptr<CanonicalPaths> canonical_;
-  std::vector<std::string> folders_;  ///< canonical, with a '/' at the end
+  std::unique_ptr<Allowed> allowed_;
+  mutable std::mutex mutex_;
+  mutable std::unordered_map<std::string, std::vector<std::string>> lists_;
 };
 
 /// Files in memory, in front of another reader when one is given (standard input, unsaved buffers).
@@ -72,6 +94,8 @@ class MemoryFiles final : public FileReader {
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
   bool is_file(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  bool is_denied(const std::string& path) const override;
+  std::string identity(const std::string& path) const override;
 
  private:
   std::map<std::string, std::string> files_;

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "smurf/diagnostic.hpp"
 #include "smurf/flat_shape.hpp"
+#include "smurf/limits.hpp"
 #include "smurf/linked.hpp"
 #include "smurf/old_scene.hpp"
 #include "smurf/pose.hpp"
@@ -38,9 +41,8 @@ struct FlatModel {
   std::string file;
   std::string urdf;  ///< the same as `file` for a URDF; empty when there is none
   ModelIndex source{};
-  /// Mesh and texture files: as the URDF writes them, and relative to the output's folder. The
-  /// first of equal ones counts.
-  std::vector<std::pair<std::string, std::string>> resources;
+  /// Mesh and texture files relative to the output's folder, by what the URDF writes.
+  std::map<std::string, std::string, std::less<>> resources;
 };
 
 struct FlatAttachment {
@@ -96,7 +98,8 @@ struct FlatScene {
 };
 
 struct FlattenOptions {
-  bool links = false;  ///< fill FlatInstance::links
+  bool links = false;           ///< fill FlatInstance::links
+  bool repeats_models = false;  ///< the format writes the model of each instance out
   /// Folder that all files of the result are relative to.
   std::string output_folder = ".";
   /// Absolute path that relative paths start from.
@@ -105,9 +108,18 @@ struct FlattenOptions {
   const OldScenes* old_scenes = nullptr;
 };
 
+/// False, and a finding, when what flatten() gives and a format writes of it would be larger than
+/// `limits.scene_bytes`.
+bool check_scene_size(const LinkedScene& scene, const SourceMap& sources,
+                      const FlattenOptions& options, const Limits& limits, DiagnosticSink& sink);
+
 /// Total: what is in error has no pose. Nothing is read.
 FlatScene flatten(const LinkedScene& scene, const SourceMap& sources,
                   const FlattenOptions& options);
+
+/// False, and a finding for each entity concerned, when poses or sizes are so large that what a
+/// format computes of them would not be finite.
+bool check_flat_numbers(const FlatScene& flat, const LinkedScene& scene, DiagnosticSink& sink);
 
 /// One transform on the way from the world to an instance.
 struct TransformStep {

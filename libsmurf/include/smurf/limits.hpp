@@ -15,10 +15,11 @@ struct Limits {
   std::uint64_t image_pixels = 16'000'000;
   std::uint64_t archive_bytes = 128ULL << 20U;
   std::uint64_t archive_files = 10'000;
+  std::uint64_t archive_growth = 8;
   std::uint64_t yaml_cpp_bytes = 8ULL << 20U;
   std::uint64_t yaml_depth = 100;
   std::uint64_t yaml_nodes = 2'000'000;
-  std::uint64_t yaml_expanded_nodes = 20'000'000;
+  std::uint64_t yaml_expanded_nodes = 100'000;
   std::uint64_t xml_depth = 90;
   std::uint64_t xml_elements = 5'500'000;
   std::uint64_t xml_attributes = 100;
@@ -26,7 +27,12 @@ struct Limits {
   std::uint64_t urdf_parts = 500'000;
   std::uint64_t include_depth = 64;
   std::uint64_t instances = 150'000;
+  std::uint64_t scene_bytes = 100'000'000;
+  std::uint64_t srdf_bytes = 64'000'000;
   std::uint64_t findings = 10'000;
+  std::uint64_t folder_entries = 1'000'000;
+  std::uint64_t ignore_checks = 20'000'000;
+  std::uint64_t suggestions = 200'000'000;
 };
 
 /// A limit as people know it: what `--limit` and docs/limits.md call it.
@@ -50,6 +56,10 @@ inline constexpr std::array kLimits{
               "bytes of all files in an archive, unpacked", "", "a small file may hold any number"},
     LimitInfo{"archive-files", &Limits::archive_files, 1'000'000, "files in an archive", "",
               "as for its bytes"},
+    LimitInfo{
+        "archive-growth", &Limits::archive_growth, 1'100,
+        "bytes that archives unpack to for each of their own, beyond the first 8 MB", "",
+        "text is packed to a fifth or less; no archive unpacks to more than 1,032 times its size"},
     LimitInfo{"yaml-cpp-bytes", &Limits::yaml_cpp_bytes, 2047ULL << 20U,
               "bytes of a file of YAML that is not plain: it has anchors, tags, tabs, carriage "
               "returns or a mistake",
@@ -61,8 +71,8 @@ inline constexpr std::array kLimits{
         "SML0002",
         "100,000 entities with poses have two thirds of it; each takes 60 to 120 bytes of memory"},
     LimitInfo{"yaml-expanded-nodes", &Limits::yaml_expanded_nodes, 1'000'000'000,
-              "the same, with what aliases repeat counted again", "SML0015",
-              "nine aliases in nine levels stand for 400 million"},
+              "the same that the aliases of a file repeat", "SML0015",
+              "no known model repeats 10,000; nine aliases in nine levels repeat 400 million"},
     LimitInfo{"xml-depth", &Limits::xml_depth, 98, "elements in each other", "SML0014",
               "URDF has seven; tinyxml2 gives up at 99"},
     LimitInfo{"xml-elements", &Limits::xml_elements, 1'000'000'000,
@@ -82,9 +92,26 @@ inline constexpr std::array kLimits{
     LimitInfo{"instances", &Limits::instances, 100'000'000,
               "entities of a scene, those of nested scenes included", "SML5022",
               "scenes that name the next one twice reach it in 18 levels"},
+    LimitInfo{"scene-bytes", &Limits::scene_bytes, 100'000'000'000,
+              "bytes of a scene when it is written out: names and keys of each entity and, in a "
+              "format that repeats models, its URDF",
+              "SML5022", "1,000 humanoids of 60 links have 70 MB"},
+    LimitInfo{"srdf-bytes", &Limits::srdf_bytes, 10'000'000'000,
+              "bytes of an SRDF, which has a line for each pair of links that do not collide", "",
+              "a robot of 800 links of which none collide has half of it"},
     LimitInfo{"findings", &Limits::findings, 100'000'000,
               "findings of one rule in a model or scene", "SML0002",
               "nobody reads as many; each takes 500 bytes of memory and of the report"},
+    LimitInfo{"folder-entries", &Limits::folder_entries, 1'000'000'000,
+              "files and folders in a folder that is searched, and in those below it", "",
+              "a search of a whole machine is a mistake; a million takes some seconds"},
+    LimitInfo{"ignore-checks", &Limits::ignore_checks, 1'000'000'000'000,
+              "comparisons of a file or folder with a pattern of an ignore file", "",
+              "a second; 20,000 models with a thousand patterns each have as many"},
+    LimitInfo{"suggestions", &Limits::suggestions, 100'000'000'000,
+              "characters compared to find the names that misspelt ones are near to", "SML0002",
+              "every misspelt name is compared with all known ones, which takes a second for a "
+              "thousand million"},
 };
 
 }  // namespace smurf

@@ -27,6 +27,7 @@ enum class ModelIndex : std::uint32_t {};
 enum class SceneIndex : std::uint32_t {};
 enum class UseIndex : std::uint32_t {};
 enum class InstanceIndex : std::uint32_t {};
+enum class JointPoseIndex : std::uint32_t {};
 
 template <class Index>
 std::size_t to_size(Index index) {
@@ -73,8 +74,8 @@ struct MeshReference {
   std::string filename;  ///< as written
   bool is_texture = false;
 
-  std::string path;  ///< resolved; empty when it cannot be (unknown package, other scheme)
-  bool exists = false;
+  std::string path;     ///< resolved; empty when it cannot be (unknown package, other scheme)
+  bool exists = false;  ///< or it may: what lies outside of the project is not looked for
   /// When nothing is at `path`: a file whose path differs only in case or in `/` for `\`.
   std::string similar;
   const MeshFile* file = nullptr;  ///< what is at `path`; null when it was not opened
@@ -92,6 +93,7 @@ struct TextureReference {
   std::string filename;  ///< as written
   std::string path;      ///< resolved
   bool exists = false;
+  bool is_denied = false;  ///< whether it exists is not told: it lies outside of the project
 };
 
 /// A file of a model and what is known of it.
@@ -200,7 +202,7 @@ struct Instance {
   std::string file;        ///< resolved; empty when there is none
   std::optional<ModelIndex> model;
   Placement placement;
-  JointPositions joint_positions;  ///< of the named joint pose set; without mimicking joints
+  JointPoseIndex joint_pose{};  ///< the named one; see LinkedScene::joint_positions()
   /// World pose of the root link frame; absent when something it depends on is in error.
   std::optional<Pose> X_WE;
 };
@@ -209,11 +211,13 @@ struct Instance {
 /// document.
 struct LinkedScene {
   std::string path;
-  std::vector<SceneFile> scenes;         ///< the loaded one first
-  std::vector<SceneUse> uses;            ///< the loaded scene first, outer uses before inner ones
-  std::vector<LinkedModel> models;       ///< each file once
-  std::vector<Instance> instances;       ///< depth-first, in file order
-  std::vector<DataFile> data_files;      ///< each once
+  std::vector<SceneFile> scenes;     ///< the loaded one first
+  std::vector<SceneUse> uses;        ///< the loaded scene first, outer uses before inner ones
+  std::vector<LinkedModel> models;   ///< each file once
+  std::vector<Instance> instances;   ///< depth-first, in file order
+  std::vector<DataFile> data_files;  ///< each once
+  /// Those that instances are in, each once; the first has all joints at zero.
+  std::vector<JointPositions> joint_poses{1};
   const UserSchemas* schemas = nullptr;  ///< those it was loaded with; may be null
   bool is_complete = true;               ///< false when a file is missing or broken
 
@@ -234,6 +238,10 @@ struct LinkedScene {
                      : nullptr;
   }
   const Instance& instance(InstanceIndex index) const { return instances[to_size(index)]; }
+  /// Without mimicking joints.
+  const JointPositions& joint_positions(const Instance& instance) const {
+    return joint_poses[to_size(instance.joint_pose)];
+  }
   const LinkedModel* model(const Instance& instance) const {
     return instance.model ? &models[to_size(*instance.model)] : nullptr;
   }

@@ -31,8 +31,6 @@ struct RuleSelection {
   std::vector<PathRules> paths;              ///< where several cover a file, the last one wins
 
   bool is_enabled(const Rule& rule) const;
-  /// The same for what the rule finds in one file.
-  bool is_enabled(const Rule& rule, const std::string& path) const;
   /// As set, else the rule's own.
   double tolerance_of(const Rule& rule) const;
 };
@@ -49,6 +47,11 @@ class Findings {
   }
   /// What another rule reports at `place` is a fault of this one as well.
   void add_consequence(Span place) { sink_.add_consequence(place, rule_); }
+  /// As DiagnosticSink::suggest().
+  std::optional<std::string_view> suggest(std::string_view name,
+                                          std::span<const std::string_view> known) {
+    return sink_.suggest(name, known);
+  }
   /// What Rule::tolerance says, or the user's number in its place.
   double tolerance() const { return tolerance_; }
 

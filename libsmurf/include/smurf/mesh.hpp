@@ -52,6 +52,7 @@ struct MeshDependency {
   std::string filename;  ///< as written
   bool is_texture = false;
   std::uint32_t line = 0;  ///< 1-based
+  bool is_denied = false;  ///< whether it is there is not told: it lies outside of the project
 };
 
 /// All lengths are in the file's own unit and axes, before any scale of the URDF.
@@ -90,7 +91,9 @@ class MeshLibrary {
   const MeshFile& read(const std::string& path, const FileReader& files, const Limits& limits);
 
  private:
-  std::map<std::string, MeshFile> files_;
+  std::map<std::string, std::string> keys_;  ///< of the files, by path
+  std::map<std::string, MeshFile> files_;    ///< one for all names of a file that links make
+  std::map<std::string, std::vector<MeshDependency>> textures_;  ///< of material libraries
 };
 
 }  // namespace smurf

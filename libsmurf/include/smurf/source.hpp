@@ -117,6 +117,8 @@ class SourceMap {
     /// Line ends before each block of the text. A table of all lines would be a fifth as large as
     /// the text itself, and most files are never asked for a line.
     std::vector<std::uint32_t> line_ends_before;
+    /// The same for characters, of texts in which not every character is a byte.
+    std::vector<std::uint32_t> characters_before;
     std::uint32_t line_count = 1;
     bool is_ascii = true;  ///< a column is then a byte
     bool readable = true;
@@ -124,6 +126,8 @@ class SourceMap {
   const Source& at(SourceId id) const { return sources_[static_cast<std::size_t>(id)]; }
   /// Offset of the first byte of a 1-based line.
   static std::uint32_t line_start(const Source& source, std::uint32_t line);
+  /// Characters before a byte.
+  static std::uint32_t characters_before(const Source& source, std::uint32_t offset);
 
   std::deque<Source> sources_;
 };

@@ -93,6 +93,8 @@ class Baseline {
   void report_stale(const SourceMap& sources, const RuleSelection& selection,
                     DiagnosticSink& sink) const;
 
+  /// Whether a text is a baseline that write() made: nothing else is overwritten by one.
+  static bool is_written(std::string_view text);
   /// The text of a baseline of these findings.
   std::string write(std::span<const Diagnostic> diagnostics, const SourceMap& sources) const;
 

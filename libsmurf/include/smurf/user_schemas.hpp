@@ -2,6 +2,7 @@
 // JSON Schemas (draft-07) of a user's own annotation sections and entity types.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,6 +15,12 @@
 namespace smurf {
 
 struct UserSchema;
+
+/// What checking values by schemas may take in all, so that many small values cost no more than a
+/// large one. For one model or scene.
+struct SchemaWork {
+  std::int64_t steps = 100'000;  ///< each value adds some for its size
+};
 
 /// Schemas by what they are for. Given to LoadContext, they are applied when the rules run, and
 /// what they name counts as known. The SourceMap they were read from must outlive them.
@@ -41,8 +48,9 @@ class UserSchemas {
 
   /// Reports what the value breaks in its schema; nothing when there is no schema for it. The name
   /// of the section is the value's key.
-  void check_section(yaml::View value, Findings& findings) const;
-  void check_entity(std::string_view type, yaml::View entity, Findings& findings) const;
+  void check_section(yaml::View value, SchemaWork& work, Findings& findings) const;
+  void check_entity(std::string_view type, yaml::View entity, SchemaWork& work,
+                    Findings& findings) const;
 
  private:
   using Table = std::map<std::string, std::unique_ptr<const UserSchema>, std::less<>>;

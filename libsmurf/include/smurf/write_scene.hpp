@@ -40,6 +40,7 @@ struct SceneFormat {
   std::string (*write)(const SceneExport& scene) = nullptr;
   bool has_reference_form = false;
   bool has_expanded_form = true;
+  bool repeats_models = false;  ///< writes the model of each instance out
 };
 
 std::span<const SceneFormat* const> scene_formats();

@@ -56,7 +56,7 @@ struct ArchiveFiles::Place {
 };
 
 ArchiveFiles::ArchiveFiles(const FileReader& behind, const Limits& limits)
-    : behind_(behind), left_(limits) {}
+    : behind_(behind), budget_(std::make_unique<ArchiveBudget>(limits)) {}
 ArchiveFiles::~ArchiveFiles() = default;
 
 const ArchiveFiles::Opened* ArchiveFiles::open(const std::string& path, const FileReader& around,
@@ -64,17 +64,16 @@ const ArchiveFiles::Opened* ArchiveFiles::open(const std::string& path, const Fi
   const auto known = opened_.find(path);
   if (known != opened_.end()) return known->second.get();
   if (!around.is_file(name)) return nullptr;
-  const FileContent content = around.read(name, left_.file_bytes);
+  const FileContent content = around.read(name, budget_->limits().file_bytes);
   Opened& opened = *(opened_[path] = std::make_unique<Opened>());
   if (content.status != ReadStatus::ok) {
     opened.reason = content.reason;
     if (content.status == ReadStatus::too_large) opened.reason += "; " + raise_limit("file-bytes");
     return &opened;
   }
-  Archive archive = read_zip(content.text, left_);
+  Archive archive = read_zip(content.text, *budget_);
   opened.reason = archive.reason;
   for (ArchivedFile& file : archive.files) {
-    left_.archive_bytes -= file.text.size();
     opened.files.add(file.path, std::move(file.text));
   }
   return &opened;
@@ -116,6 +115,15 @@ bool ArchiveFiles::is_file(const std::string& path) const {
   const Place place = find(path, false);
   if (place.archive == nullptr) return behind_.is_file(path);
   return place.archive->files.is_file(place.inside);
+}
+
+bool ArchiveFiles::is_denied(const std::string& path) const {
+  return find(path, false).archive == nullptr && behind_.is_denied(path);
+}
+
+std::string ArchiveFiles::identity(const std::string& path) const {
+  const Place place = find(path, true);
+  return place.archive == nullptr ? behind_.identity(path) : path::normalize(path);
 }
 
 std::vector<std::string> ArchiveFiles::list(const std::string& folder) const {

@@ -63,8 +63,10 @@ bool is_inside(std::string_view path) {
 
 class Reader {
  public:
-  Reader(std::string_view bytes, const Limits& limits)
-      : file_{bytes}, limits_(limits), left_(limits.archive_bytes) {}
+  Reader(std::string_view bytes, ArchiveBudget& budget)
+      : file_{bytes}, budget_(budget), packed_left_(bytes.size()) {
+    budget_.add_packed(bytes.size());
+  }
 
   Archive run() {
     zlib_filefunc64_def functions{};
@@ -109,10 +111,14 @@ class Reader {
     name.resize(info.size_filename);
     if (name.ends_with('/')) return true;  // a folder
     if (!is_inside(name)) return refuse("holds the file '" + name + "', which is not inside it");
-    if (archive_.files.size() >= limits_.archive_files) {
-      return refuse("holds more than " + std::to_string(limits_.archive_files) + " files; " +
+    const std::uint64_t most_files = budget_.limits().archive_files;
+    if (archive_.files.size() >= most_files) {
+      return refuse("holds more than " + std::to_string(most_files) + " files; " +
                     raise_limit("archive-files"));
     }
+    // Else a small archive could have the same bytes unpacked thousands of times.
+    if (info.compressed_size > packed_left_) return refuse("holds files that share their bytes");
+    packed_left_ -= info.compressed_size;
     if ((info.flag & 1U) != 0) return refuse("is encrypted");
     std::string text;
     if (!read(zip, text)) return false;
@@ -126,11 +132,9 @@ class Reader {
     char buffer[1U << 16U];
     int count = 0;
     while ((count = unzReadCurrentFile(zip, buffer, sizeof buffer)) > 0) {
-      if (static_cast<std::uint64_t>(count) > left_) {
-        return refuse("unpacks to more than " + std::to_string(limits_.archive_bytes) + " bytes; " +
-                      raise_limit("archive-bytes"));
+      if (!budget_.take(static_cast<std::uint64_t>(count))) {
+        return refuse("unpacks " + budget_.excess());
       }
-      left_ -= static_cast<std::uint64_t>(count);
       text.append(buffer, static_cast<std::size_t>(count));
     }
     // Closing compares the checksum.
@@ -139,15 +143,37 @@ class Reader {
   }
 
   Memory file_;
-  const Limits& limits_;
-  std::uint64_t left_;  ///< bytes that may still be unpacked
+  ArchiveBudget& budget_;
+  std::uint64_t packed_left_;  ///< bytes of the archive that no file has been unpacked from
   Archive archive_;
 };
 
 }  // namespace
 
-Archive read_zip(std::string_view bytes, const Limits& limits) {
-  return Reader(bytes, limits).run();
+/// A text may be packed as well as it likes in archives that are small all the same.
+std::uint64_t ArchiveBudget::most_by_growth() const {
+  constexpr std::uint64_t kFree = 8'000'000;
+  return kFree + limits_.archive_growth * packed_;
+}
+
+std::uint64_t ArchiveBudget::most() const {
+  return std::min(limits_.archive_bytes, most_by_growth());
+}
+
+bool ArchiveBudget::take(std::uint64_t bytes) {
+  if (bytes > most() - std::min(most(), unpacked_)) return false;
+  unpacked_ += bytes;
+  return true;
+}
+
+std::string ArchiveBudget::excess() const {
+  const bool is_total = limits_.archive_bytes <= most_by_growth();
+  return "to more than " + std::to_string(most()) + " bytes; " +
+         raise_limit(is_total ? "archive-bytes" : "archive-growth");
+}
+
+Archive read_zip(std::string_view bytes, ArchiveBudget& budget) {
+  return Reader(bytes, budget).run();
 }
 
 }  // namespace smurf

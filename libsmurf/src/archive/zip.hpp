@@ -21,8 +21,35 @@ struct Archive {
   std::string reason;               ///< why it cannot be read, for a person; empty when it can
 };
 
-/// Unpacks an archive within the limits for archives. What names a place outside of the archive, is
-/// encrypted or is broken makes all of it unreadable.
-Archive read_zip(std::string_view bytes, const Limits& limits);
+/// What all archives of a run may unpack to.
+class ArchiveBudget {
+ public:
+  explicit ArchiveBudget(const Limits& limits) : limits_(limits) {}
+
+  const Limits& limits() const { return limits_; }
+  /// An archive of so many bytes is going to be unpacked.
+  void add_packed(std::uint64_t bytes) { packed_ += bytes; }
+  /// False, and nothing, when there is no room for as many.
+  bool take(std::uint64_t bytes);
+  /// What was too much: "to more than 100 bytes; raise the limit ...".
+  std::string excess() const;
+
+ private:
+  std::uint64_t most() const;
+  std::uint64_t most_by_growth() const;
+
+  Limits limits_;
+  std::uint64_t packed_ = 0;
+  std::uint64_t unpacked_ = 0;
+};
+
+/// Unpacks an archive within the budget. What names a place outside of the archive, is encrypted or
+/// is broken makes all of it unreadable.
+Archive read_zip(std::string_view bytes, ArchiveBudget& budget);
+/// The same of one archive on its own.
+inline Archive read_zip(std::string_view bytes, const Limits& limits) {
+  ArchiveBudget budget(limits);
+  return read_zip(bytes, budget);
+}
 
 }  // namespace smurf

@@ -3,9 +3,13 @@
 #include "ast/urdf_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include "ast/urdf_numbers.hpp"
+#include "base/numbers.hpp"
+#include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 
@@ -78,7 +82,26 @@ class RobotReader {
     out.span = attribute->value_span();
     out.written = true;
     double value = 0;
-    if (read_numbers(*attribute, {&value, 1}, sink_)) out.set(value);
+    if (!read_numbers(*attribute, {&value, 1}, sink_)) return;
+    if (!is_quantity(value) && std::fabs(value) > largest_in(element)) {
+      return report_too_large(*attribute, largest_in(element));
+    }
+    out.set(value);
+  }
+
+  /// Bounds on a joint are compared only, and often the largest double; inertias are turned and
+  /// added up.
+  static double largest_in(View element) {
+    const std::string_view name = element.name();
+    if (name == "inertia") return 1e300;
+    const bool is_bound = name == "limit" || name == "safety_controller" || name == "dynamics";
+    return is_bound ? std::numeric_limits<double>::max() : kLargestQuantity;
+  }
+
+  void report_too_large(const xml::Attribute& attribute, double most) {
+    sink_.report(rules::sml1810_overflow_underflow, attribute.value_span(),
+                 quoted(attribute.name()) + " is larger than " + format_rounded(most) +
+                     ", and cannot be computed with");
   }
 
   template <std::size_t N>
@@ -88,7 +111,11 @@ class RobotReader {
     out.span = attribute->value_span();
     out.written = true;
     std::array<double, N> values{};
-    if (read_numbers(*attribute, values, sink_)) out.set(values);
+    if (!read_numbers(*attribute, values, sink_)) return;
+    if (!std::all_of(values.begin(), values.end(), is_quantity)) {
+      return report_too_large(*attribute, kLargestQuantity);
+    }
+    out.set(values);
   }
 
   void origin(View parent, urdf::Origin& out) {

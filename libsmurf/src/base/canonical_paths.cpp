@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/canonical_paths.hpp"
 
-#include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -27,33 +28,40 @@ bool has_name(const std::string& path) {
   return !name.empty() && name != "." && name != "..";
 }
 
-bool is_link(const std::string& path) {
-  struct stat status {};
-  return ::lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode);
+/// Where a link leads, as it is written; none when this is no link.
+std::optional<std::string> target_of(const std::string& path) {
+  std::array<char, path::kLongest> target;
+  const ssize_t size = ::readlink(path.c_str(), target.data(), target.size());
+  if (size < 0) return std::nullopt;
+  return std::string(target.data(), static_cast<std::size_t>(size));
 }
 
 }  // namespace
 
-std::optional<std::string> CanonicalPaths::of(const std::string& path) const {
+std::optional<std::string> CanonicalPaths::of(const std::string& path, int links) const {
   {
     const std::lock_guard lock(mutex_);
     const auto known = known_.find(path);
     if (known != known_.end()) return known->second;
   }
-  auto canonical = looked_at(path);
+  auto canonical = looked_at(path, links);
   const std::lock_guard lock(mutex_);
   if (canonical) known_.emplace(path, *canonical);
   return canonical;
 }
 
-std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) const {
+std::optional<std::string> CanonicalPaths::looked_at(const std::string& path, int links) const {
+  constexpr int kMostLinks = 40;  // as Linux follows
   // The way up from a long name is not to use up the stack.
-  if (path.size() > path::kLongest) return std::nullopt;
+  if (path.size() > path::kLongest || links > kMostLinks) return std::nullopt;
   if (!has_name(path)) return looked_up(path.empty() ? "." : path);
-  const auto above = of(std::string(path::parent(path)));
+  const auto above = of(std::string(path::parent(path)), links);
   if (!above) return looked_up(path);
   std::string whole = path::join(*above, path::file_name(path));
-  return is_link(whole) ? looked_up(path) : whole;
+  const auto target = target_of(whole);
+  if (!target) return whole;
+  // Not joined as text: what ".." means is seen from where the links before it lead.
+  return of(target->starts_with('/') ? *target : *above + "/" + *target, links + 1);
 }
 
 }  // namespace smurf

@@ -12,11 +12,14 @@ namespace smurf {
 /// not for a program that outlives what happens to its files. May be used by several threads.
 class CanonicalPaths {
  public:
-  /// What does not exist keeps its name; none when it cannot be told, as in a loop of links.
-  std::optional<std::string> of(const std::string& path) const;
+  /// What does not exist keeps its name, also where a link leads to it; none when it cannot be
+  /// told, as in a loop of links.
+  std::optional<std::string> of(const std::string& path) const { return of(path, 0); }
 
  private:
-  std::optional<std::string> looked_at(const std::string& path) const;
+  /// `links` are those that led here.
+  std::optional<std::string> of(const std::string& path, int links) const;
+  std::optional<std::string> looked_at(const std::string& path, int links) const;
 
   mutable std::mutex mutex_;
   mutable std::unordered_map<std::string, std::string> known_;

@@ -8,6 +8,7 @@
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
+#include "base/suggest.hpp"
 
 namespace smurf {
 namespace {
@@ -34,6 +35,7 @@ std::string_view to_string(Severity severity) {
 Diagnostic& DiagnosticSink::report(const Rule& rule, Span span, std::string message) {
   const std::uint64_t count = ++counts_[&rule];
   const bool is_kept = count <= most_ || &rule == &rules::sml0002_file_too_large;
+  is_last_left_out_ = !is_kept;
   if (count == most_ + 1 && !is_kept) {
     Diagnostic& last = diagnostics_.emplace_back();
     last.rule = &rules::sml0002_file_too_large;
@@ -54,7 +56,26 @@ Diagnostic& DiagnosticSink::report(const Rule& rule, Span span, std::string mess
   return diagnostic;
 }
 
+std::optional<std::string_view> DiagnosticSink::suggest(std::string_view name,
+                                                        std::span<const std::string_view> known) {
+  if (is_last_left_out_ || suggestions_end_) return std::nullopt;
+  const auto found = nearest(name, known, suggestions_left_);
+  if (suggestions_left_ == 0) {
+    suggestions_end_ = diagnostics_.empty() ? Span{} : diagnostics_.back().span;
+  }
+  return found;
+}
+
 std::vector<Diagnostic> DiagnosticSink::take() {
+  if (suggestions_end_) {  // not at once: the finding that asked may still be written to
+    Diagnostic& told =
+        report(rules::sml0002_file_too_large, *suggestions_end_,
+               "from here on no names are suggested: it took more than " +
+                   std::to_string(most_suggestions_) + " comparisons to find those before");
+    told.severity = Severity::info;
+    told.help = raise_limit("suggestions");
+    suggestions_end_.reset();
+  }
   const auto key = [](Span span) { return std::tuple(span.source, span.begin, span.end); };
   std::map<std::tuple<SourceId, std::uint32_t, std::uint32_t>, std::vector<const Rule*>> by_place;
   for (const auto& [place, rule] : consequences_) by_place[key(place)].push_back(rule);
@@ -72,6 +93,11 @@ std::vector<Diagnostic> DiagnosticSink::take() {
 bool DiagnosticSink::has_errors() const {
   return std::any_of(diagnostics_.begin(), diagnostics_.end(),
                      [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+std::uint64_t DiagnosticSink::count_of(const Rule& rule) const {
+  const auto found = counts_.find(&rule);
+  return found == counts_.end() ? 0 : found->second;
 }
 
 std::span<const Rule* const> all_rules() { return kRules; }

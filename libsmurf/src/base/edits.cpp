@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/utf8.hpp"
+
 namespace smurf {
 
 std::string apply_edits(std::string_view text, std::span<const Edit> edits) {
@@ -25,13 +27,28 @@ std::string apply_edits(std::string_view text, std::span<const Edit> edits) {
 
 std::string escape_xml(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
+  while (!text.empty()) {
+    const utf8::CodePoint point = utf8::decode(text);
+    const std::string_view bytes = text.substr(0, point.size);
+    text.remove_prefix(point.size);
+    const char32_t c = point.value;
+    const bool is_space = c == '\t' || c == '\n' || c == '\r';
     switch (c) {
-    case '&': escaped += "&amp;"; break;
-    case '<': escaped += "&lt;"; break;
-    case '"': escaped += "&quot;"; break;
-    case '\'': escaped += "&apos;"; break;
-    default: escaped += c;
+    case '&': escaped += "&amp;"; continue;
+    case '<': escaped += "&lt;"; continue;
+    case '"': escaped += "&quot;"; continue;
+    case '\'': escaped += "&apos;"; continue;
+    // "]]>" ends a section of CDATA, and is an error elsewhere.
+    case '>': escaped += escaped.ends_with("]]") ? "&gt;" : ">"; continue;
+    default: break;
+    }
+    if ((c < 0x20 && !is_space) || c >= 0xFFFD) {
+      escaped += c > 0xFFFF ? bytes : utf8::kReplacement;
+    } else if (utf8::is_control(c)) {
+      // A reader makes blanks of line ends in attributes, unless they are written like this.
+      escaped += "&#" + std::to_string(static_cast<std::uint32_t>(c)) + ";";
+    } else {
+      escaped += bytes;
     }
   }
   return escaped;

@@ -1,53 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// read(2) into a buffer of the file's size: faster than streams and never blocks on a device.
+// read(2) into a buffer of the file's size: faster than streams.
 #include "smurf/file_reader.hpp"
 
-#include <fcntl.h>
+#include <dirent.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <filesystem>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <system_error>
 
 #include "base/canonical_paths.hpp"
+#include "base/found_file.hpp"
 #include "base/path.hpp"
 
 namespace smurf {
 namespace {
 
-std::string error_text(int error) { return std::generic_category().message(error); }
+FileContent failure(int error) {
+  const bool is_missing = error == ENOENT || error == ENOTDIR;
+  return {is_missing ? ReadStatus::not_found : ReadStatus::denied,
+          {},
+          std::generic_category().message(error)};
+}
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
+FileContent outside() {
+  return {ReadStatus::denied, {}, "it lies outside of the project; --allow-outside reads it"};
+}
+
+/// A path with a zero byte would be read as the text before it.
+bool has_zero(const std::string& path) { return path.find('\0') != std::string::npos; }
+
+FileContent read_all(const FoundFile& found, std::uint64_t max_bytes) {
+  if (S_ISDIR(found.status().st_mode)) return {ReadStatus::not_a_file, {}, "is a folder"};
+  if (!S_ISREG(found.status().st_mode)) {
+    return {ReadStatus::not_a_file, {}, "is not a regular file"};
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-}  // namespace
-
-FileContent DiskFiles::read(const std::string& path, std::uint64_t max_bytes) const {
-  if (path.find('\0') != std::string::npos) return {ReadStatus::not_found, {}, "has a zero byte"};
-  // O_NONBLOCK: opening a named pipe must not wait for a writer.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.number() < 0) {
-    const bool missing = errno == ENOENT || errno == ENOTDIR;
-    return {missing ? ReadStatus::not_found : ReadStatus::denied, {}, error_text(errno)};
-  }
-  struct stat status {};
-  if (::fstat(file.number(), &status) != 0) return {ReadStatus::denied, {}, error_text(errno)};
-  if (S_ISDIR(status.st_mode)) return {ReadStatus::not_a_file, {}, "is a folder"};
-  if (!S_ISREG(status.st_mode)) return {ReadStatus::not_a_file, {}, "is not a regular file"};
-  const auto size = static_cast<std::uint64_t>(status.st_size);
+  const Descriptor file(found.open());
+  if (file.number() < 0) return failure(errno);
+  const auto size = static_cast<std::uint64_t>(found.status().st_size);
   if (size > max_bytes)
     return {ReadStatus::too_large, {}, "has " + std::to_string(size) + " bytes"};
 
@@ -58,7 +52,7 @@ FileContent DiskFiles::read(const std::string& path, std::uint64_t max_bytes) co
     const ssize_t count =
         ::read(file.number(), content.text.data() + filled, content.text.size() - filled);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return {ReadStatus::denied, {}, error_text(errno)};
+    if (count < 0) return failure(errno);
     if (count == 0) break;  // the file shrank meanwhile
     filled += static_cast<std::size_t>(count);
   }
@@ -66,48 +60,156 @@ FileContent DiskFiles::read(const std::string& path, std::uint64_t max_bytes) co
   return content;
 }
 
-bool DiskFiles::is_file(const std::string& path) const {
-  struct stat status {};
-  return path.find('\0') == std::string::npos && ::stat(path.c_str(), &status) == 0 &&
-         S_ISREG(status.st_mode);
-}
-
-std::vector<std::string> DiskFiles::list(const std::string& folder) const {
+std::vector<std::string> names_in(const FoundFile& found) {
   std::vector<std::string> names;
-  std::error_code error;
-  std::filesystem::directory_iterator entries(folder.empty() ? "." : folder, error);
-  for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error)) {
-    names.push_back(entries->path().filename().string());
+  if (found.error() != 0 || !S_ISDIR(found.status().st_mode)) return names;
+  const int opened = found.open();
+  DIR* folder = opened < 0 ? nullptr : ::fdopendir(opened);
+  if (folder == nullptr) return names;
+  while (const dirent* entry = ::readdir(folder)) {
+    const std::string_view name = entry->d_name;
+    if (name != "." && name != "..") names.emplace_back(name);
   }
+  ::closedir(folder);
   std::sort(names.begin(), names.end());
   return names;
 }
 
-ConfinedFiles::ConfinedFiles() : canonical_(std::make_unique<CanonicalPaths>()) {}
-ConfinedFiles::~ConfinedFiles() = default;
+std::string in_folder(const std::string& folder) { return folder.empty() ? "." : folder; }
 
-void ConfinedFiles::allow(const std::string& folder) {
-  if (const auto canonical = canonical_->of(folder)) {
-    folders_.push_back(path::normalize(*canonical + "/") + "/");
-  }
+}  // namespace
+
+std::string FileReader::identity(const std::string& path) const { return path::normalize(path); }
+
+FileContent DiskFiles::read(const std::string& path, std::uint64_t max_bytes) const {
+  if (has_zero(path)) return {ReadStatus::not_found, {}, "has a zero byte"};
+  const FoundFile found(path);
+  return found.error() != 0 ? failure(found.error()) : read_all(found, max_bytes);
 }
 
-bool ConfinedFiles::allows(const std::string& path) const {
-  const auto canonical = canonical_->of(path);
-  return canonical && std::ranges::any_of(folders_, [&](const std::string& folder) {
-           return folder == "//" || (*canonical + "/").starts_with(folder);
-         });
+bool DiskFiles::is_file(const std::string& path) const {
+  struct stat status {};
+  return !has_zero(path) && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+std::vector<std::string> DiskFiles::list(const std::string& folder) const {
+  return has_zero(folder) ? std::vector<std::string>{} : names_in(FoundFile(in_folder(folder)));
+}
+
+std::string DiskFiles::identity(const std::string& path) const {
+  struct stat status {};
+  if (has_zero(path) || ::stat(in_folder(path).c_str(), &status) != 0) {
+    return path::normalize(path);
+  }
+  // No path has a zero byte.
+  return std::to_string(status.st_dev) + '\0' + std::to_string(status.st_ino);
+}
+
+/// All paths are canonical.
+struct ConfinedFiles::Allowed {
+  using Paths = std::set<std::string, std::less<>>;
+  bool everything = false;
+  Paths whole;  ///< with all that is in them
+  Paths files_in;
+  std::set<std::pair<std::string, std::string>, std::less<>> named;  ///< name and folder
+
+  bool holds(std::string_view path) const {
+    if (everything || is_whole(path)) return true;
+    const std::string_view name = path::file_name(path);
+    const std::string_view folder = path::parent(path);
+    if (!name.starts_with('.') && files_in.contains(folder)) {
+      struct stat status {};
+      return ::stat(std::string(path).c_str(), &status) != 0 || !S_ISDIR(status.st_mode);
+    }
+    return !named.empty() && is_named(name, folder);
+  }
+
+ private:
+  bool is_whole(std::string_view path) const {
+    for (; path.size() > 1; path = path::parent(path)) {
+      if (whole.contains(path)) return true;
+    }
+    return false;
+  }
+
+  bool is_named(std::string_view name, std::string_view folder) const {
+    for (; !folder.empty(); folder = path::parent(folder)) {
+      if (named.contains({std::string(name), std::string(folder)})) return true;
+      if (folder == "/") break;
+    }
+    return false;
+  }
+};
+
+ConfinedFiles::ConfinedFiles()
+    : canonical_(std::make_unique<CanonicalPaths>()), allowed_(std::make_unique<Allowed>()) {}
+ConfinedFiles::~ConfinedFiles() = default;
+
+std::optional<std::string> ConfinedFiles::place_of(const std::string& path) const {
+  auto canonical = canonical_->of(path);
+  if (canonical || has_zero(path)) return canonical;
+  // A folder above may be closed to us.
+  const FoundFile found(in_folder(path));
+  return found.error() == 0 ? found.real_path() : std::nullopt;
+}
+
+void ConfinedFiles::allow(const std::string& path) {
+  const auto place = path.empty() ? std::nullopt : place_of(path);
+  if (!place) return;
+  const std::string whole = path::normalize(*place + "/");
+  if (whole == "/") allowed_->everything = true;
+  allowed_->whole.insert(whole);
+  lists_.clear();
+}
+
+void ConfinedFiles::allow_files_in(const std::string& folder) {
+  if (auto place = place_of(folder)) allowed_->files_in.insert(*std::move(place));
+  lists_.clear();
+}
+
+void ConfinedFiles::allow_named(const std::string& name, const std::string& folder) {
+  if (auto place = place_of(folder)) allowed_->named.emplace(name, *std::move(place));
+  lists_.clear();
+}
+
+bool ConfinedFiles::is_denied(const std::string& path) const {
+  if (allowed_->everything || has_zero(path)) return false;
+  const auto place = place_of(path);
+  return !place || !allowed_->holds(*place);
 }
 
 FileContent ConfinedFiles::read(const std::string& path, std::uint64_t max_bytes) const {
-  if (!allows(path) && disk_.is_file(path)) {
-    return {ReadStatus::denied, {}, "it lies outside of the project; --allow-outside reads it"};
-  }
-  return disk_.read(path, max_bytes);
+  if (allowed_->everything || has_zero(path)) return disk_.read(path, max_bytes);
+  const FoundFile found(path);
+  if (found.error() != 0) return is_denied(path) ? outside() : failure(found.error());
+  const auto real = found.real_path();
+  const bool is_nowhere = !real && !S_ISREG(found.status().st_mode);  // a pipe of a shell
+  return is_nowhere || (real && allowed_->holds(*real)) ? read_all(found, max_bytes) : outside();
+}
+
+bool ConfinedFiles::is_file(const std::string& path) const {
+  return disk_.is_file(path) && !is_denied(path);
+}
+
+std::string ConfinedFiles::identity(const std::string& path) const {
+  return is_denied(path) ? path::normalize(path) : disk_.identity(path);
 }
 
 std::vector<std::string> ConfinedFiles::list(const std::string& folder) const {
-  return allows(folder) ? disk_.list(folder) : std::vector<std::string>{};
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = lists_.find(folder);
+    if (known != lists_.end()) return known->second;
+  }
+  if (has_zero(folder)) return {};
+  const FoundFile found(in_folder(folder));
+  const auto real = found.error() == 0 ? found.real_path() : std::nullopt;
+  std::vector<std::string> names;
+  const bool is_whole = real && allowed_->holds(*real);
+  if (is_whole || (real && allowed_->files_in.contains(*real))) names = names_in(found);
+  if (!is_whole) std::erase_if(names, [](const std::string& name) { return name[0] == '.'; });
+  const std::lock_guard lock(mutex_);
+  return lists_.emplace(folder, std::move(names)).first->second;
 }
 
 void MemoryFiles::add(const std::string& path, std::string text) {
@@ -129,6 +231,14 @@ FileContent MemoryFiles::read(const std::string& path, std::uint64_t max_bytes) 
 bool MemoryFiles::is_file(const std::string& path) const {
   if (files_.contains(path::normalize(path))) return true;
   return behind_ != nullptr && behind_->is_file(path);
+}
+
+bool MemoryFiles::is_denied(const std::string& path) const {
+  return behind_ != nullptr && !files_.contains(path::normalize(path)) && behind_->is_denied(path);
+}
+
+std::string MemoryFiles::identity(const std::string& path) const {
+  return behind_ == nullptr ? path::normalize(path) : behind_->identity(path);
 }
 
 std::vector<std::string> MemoryFiles::list(const std::string& folder) const {

@@ -20,10 +20,15 @@ class FileEdits {
     });
   }
 
-  /// Edits that only meet are in the way too: which insertion comes first would be chance.
-  bool is_free(Span span) const {
-    const auto [first, last] = range(span);
-    return first == last;
+  /// Edits that only meet are in the way too: which insertion comes first would be chance. Not so
+  /// deletions.
+  bool is_free(const Edit& edit) const {
+    const auto [first, last] = range(edit.span);
+    return std::all_of(first, last, [&](const auto& one) {
+      const Span taken = one.second.span;
+      const bool do_meet = taken.end == edit.span.begin || edit.span.end == taken.begin;
+      return do_meet && is_deletion(edit) && is_deletion(one.second);
+    });
   }
 
   void add(const Edit& edit) { edits_.emplace(edit.span.begin, edit); }
@@ -36,6 +41,8 @@ class FileEdits {
 
  private:
   using Map = std::multimap<std::uint32_t, Edit>;
+
+  static bool is_deletion(const Edit& edit) { return edit.text.empty() && !edit.span.empty(); }
 
   /// The accepted edits that overlap or meet the span; they are disjoint, so at most a few.
   std::pair<Map::const_iterator, Map::const_iterator> range(Span span) const {
@@ -74,7 +81,7 @@ AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMa
       ++applied.count;
       continue;
     }
-    const auto is_free = [&](const Edit& edit) { return file_of(edit).is_free(edit.span); };
+    const auto is_free = [&](const Edit& edit) { return file_of(edit).is_free(edit); };
     if (!std::all_of(fix->edits.begin(), fix->edits.end(), is_free)) continue;
     for (const Edit& edit : fix->edits) file_of(edit).add(edit);
     ++applied.count;

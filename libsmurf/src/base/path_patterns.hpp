@@ -2,6 +2,7 @@
 // Patterns of paths with the meaning that .gitignore gives them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ class PathPatterns {
   void add(std::string_view line);
   void add_lines(std::string_view text);
   bool empty() const { return patterns_.empty(); }
+  std::size_t size() const { return patterns_.size(); }
 
   /// Of the path alone, without what is said of the folders above it.
   PathVerdict judge(std::string_view path, bool is_folder) const;

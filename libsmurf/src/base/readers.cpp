@@ -49,8 +49,7 @@ bool is_about_annotations(const Rule& rule) {
 
 /// What the tools find in their own files, and what they cannot write, concerns no reader.
 bool is_about_robots(const Rule& rule) {
-  return !rule.id.starts_with("SML6") && !rule.id.starts_with("SML8") &&
-         !rule.id.starts_with("SML9");
+  return rule.reported_by == Tool::lint && !rule.id.starts_with("SML9");
 }
 
 /// Of findings that are left out, what is known is about those that are left.

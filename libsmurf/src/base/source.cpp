@@ -15,6 +15,16 @@ namespace {
 
 constexpr std::size_t kBlock = 256;  // bytes, of which a finding looks through a dozen
 
+/// Before each block.
+void count_characters(std::string_view text, std::vector<std::uint32_t>& counts) {
+  counts.reserve(text.size() / kBlock + 1);
+  std::uint32_t characters = 0;
+  for (std::size_t at = 0; at <= text.size(); at += kBlock) {
+    counts.push_back(characters);
+    characters += static_cast<std::uint32_t>(utf8::count_code_points(text.substr(at, kBlock)));
+  }
+}
+
 }  // namespace
 
 SourceId SourceMap::add(std::string path, std::string text) {
@@ -31,6 +41,7 @@ SourceId SourceMap::add(std::string path, std::string text) {
     line_ends += static_cast<std::uint32_t>(count_of(whole.substr(at, kBlock), '\n'));
   }
   source.line_count = line_ends + 1;
+  if (!source.is_ascii) count_characters(source.text, source.characters_before);
   sources_.push_back(std::move(source));
   return SourceId{static_cast<std::uint32_t>(sources_.size() - 1)};
 }
@@ -76,6 +87,14 @@ std::uint32_t SourceMap::line_start(const Source& source, std::uint32_t line) {
   return static_cast<std::uint32_t>(at);
 }
 
+std::uint32_t SourceMap::characters_before(const Source& source, std::uint32_t offset) {
+  const std::size_t block = offset / kBlock;
+  const std::string_view inside =
+      std::string_view(source.text).substr(block * kBlock, offset - block * kBlock);
+  return source.characters_before[block] +
+         static_cast<std::uint32_t>(utf8::count_code_points(inside));
+}
+
 Position SourceMap::position(SourceId id, std::uint32_t offset) const {
   assert(offset <= at(id).text.size());
   const std::uint32_t line = line_of(id, offset);
@@ -85,9 +104,7 @@ Position SourceMap::position(SourceId id, std::uint32_t offset) const {
   if (line == 1 && at(id).text.starts_with("\xEF\xBB\xBF")) {
     start = std::min<std::uint32_t>(3, offset);
   }
-  const std::string_view before =
-      std::string_view(at(id).text).substr(start, offset > start ? offset - start : 0);
-  return {line, static_cast<std::uint32_t>(utf8::count_code_points(before)) + 1};
+  return {line, characters_before(at(id), offset) - characters_before(at(id), start) + 1};
 }
 
 std::uint32_t SourceMap::line_count(SourceId id) const { return at(id).line_count; }

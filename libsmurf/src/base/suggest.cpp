@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 namespace smurf {
@@ -81,9 +82,12 @@ int align(std::string_view a, std::string_view b, int limit) {
   return std::min(cell(rows[static_cast<std::size_t>(size_a % 3)], size_b), too_far);
 }
 
-}  // namespace
+/// Takes what it costs from `steps_left`, down to nothing.
+void spend(std::uint64_t steps, std::uint64_t& steps_left) {
+  steps_left -= std::min(steps, steps_left);
+}
 
-int edit_distance(std::string_view a, std::string_view b, int limit) {
+int distance_of(std::string_view a, std::string_view b, int limit, std::uint64_t& steps_left) {
   if (a == b) return 0;
   if (differ_only_in_case(a, b)) return 1;
   const auto difference = static_cast<int>(a.size()) - static_cast<int>(b.size());
@@ -91,11 +95,25 @@ int edit_distance(std::string_view a, std::string_view b, int limit) {
   drop_common_ends(a, b);
   if (a.empty() || b.empty()) return std::min(std::abs(difference), limit + 1);
   if (a.size() > kLongestName || b.size() > kLongestName) return limit + 1;
+  spend(a.size() * static_cast<std::uint64_t>(2 * limit + 1), steps_left);
   return align(a, b, limit);
+}
+
+}  // namespace
+
+int edit_distance(std::string_view a, std::string_view b, int limit) {
+  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
+  return distance_of(a, b, limit, steps);
 }
 
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known) {
+  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
+  return nearest(name, known, steps);
+}
+
+std::optional<std::string_view>
+nearest(std::string_view name, std::span<const std::string_view> known, std::uint64_t& steps_left) {
   if (name.empty() || name.size() > kLongestName || known.size() > kMostNames) return std::nullopt;
   const int limit = std::max(1, static_cast<int>(name.size()) / 3);
   int best = limit + 1;
@@ -103,9 +121,12 @@ std::optional<std::string_view> nearest(std::string_view name,
   const std::uint64_t own = characters(name);
   for (const std::string_view candidate : known) {
     if (candidate == name) return std::nullopt;
+    spend(1, steps_left);
     if (best == 1) continue;  // nothing is nearer; only the name itself is still looked for
+    spend(std::min(candidate.size(), kLongestName), steps_left);
+    if (steps_left == 0) return std::nullopt;
     if (fewest_edits(own, characters(candidate)) >= best) continue;
-    const int distance = edit_distance(name, candidate, best - 1);
+    const int distance = distance_of(name, candidate, best - 1, steps_left);
     if (distance < best) {
       best = distance;
       found = candidate;

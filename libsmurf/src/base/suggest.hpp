@@ -2,6 +2,7 @@
 // "Did you mean": the nearest known name.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -16,6 +17,12 @@ int edit_distance(std::string_view a, std::string_view b, int limit);
 /// equal but for case. Ties go to the first. None when `name` itself is known.
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known);
+
+/// The same as long as there are steps left, of which each comparison of two characters takes one.
+/// None, and none left, when they do not suffice.
+std::optional<std::string_view> nearest(std::string_view name,
+                                        std::span<const std::string_view> known,
+                                        std::uint64_t& steps_left);
 
 /// Names in a row, such as `finger_1` and `finger_3`: nobody means the one by the other.
 bool differ_only_in_digits(std::string_view a, std::string_view b);

@@ -114,6 +114,30 @@ void append(std::string& text, char32_t code_point) {
   }
 }
 
+void append_escape(std::string& text, char32_t code_point) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  text += "\\u";
+  for (int shift = 12; shift >= 0; shift -= 4) {
+    text +=
+        kDigits[(static_cast<std::uint32_t>(code_point) >> static_cast<unsigned>(shift)) & 0xFU];
+  }
+}
+
+std::string replace_controls(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const CodePoint point = decode(text);
+    const char32_t c = point.value;
+    const bool is_space = c == '\t' || c == '\n';
+    const bool is_replaced = (is_control(c) && !is_space) || (c == 0xFFFD && point.size == 1) ||
+                             c == 0xFFFE || c == 0xFFFF;
+    out += is_replaced ? kReplacement : text.substr(0, point.size);
+    text.remove_prefix(point.size);
+  }
+  return out;
+}
+
 int display_width(char32_t code_point) {
   if (code_point < 0x300) return 1;
   if (is_in(kZeroWidth, code_point)) return 0;

@@ -33,6 +33,20 @@ CodePoint decode(std::string_view text);
 /// Precondition: a code point of Unicode, no surrogate.
 void append(std::string& text, char32_t code_point);
 
+inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD
+
+/// C0 (tab and line ends too), DEL and C1, which is where some terminals begin a sequence as well.
+inline bool is_control(char32_t code_point) {
+  return code_point < 0x20 || (code_point >= 0x7F && code_point < 0xA0);
+}
+
+/// Appends "\\u001b", as JSON, YAML and messages have it. Precondition: below U+10000.
+void append_escape(std::string& text, char32_t code_point);
+
+/// For formats that cannot escape them: control characters (but tab and newline), invalid bytes,
+/// U+FFFE and U+FFFF become U+FFFD.
+std::string replace_controls(std::string_view text);
+
 /// Columns a terminal uses: 2 for East Asian wide and emoji, 0 for combining marks.
 int display_width(char32_t code_point);
 

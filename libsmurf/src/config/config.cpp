@@ -10,8 +10,8 @@
 #include "ast/keys.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
+#include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
-#include "base/suggest.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/readers.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -24,6 +24,8 @@ using Levels = std::map<std::string, Spanned<Severity>>;
 using Files = std::map<std::string, Spanned<std::string>>;
 
 constexpr std::size_t kLongestChain = 16;  // of configurations that extend each other
+/// Of one setting. Each pattern is compared with every rule or file, and no project has as many.
+constexpr std::size_t kMostEntries = 1000;
 
 std::string listed(std::span<const std::string_view> names) {
   std::string list;
@@ -50,8 +52,8 @@ std::optional<Severity> to_severity(std::string_view word) {
 class ConfigReader {
  public:
   ConfigReader(SourceMap& sources, const FileReader& files, DiagnosticSink& sink,
-               std::span<const std::string_view> formats)
-      : sources_(sources), files_(files), sink_(sink), formats_(formats) {}
+               std::span<const std::string_view> formats, ConfigOrigin origin)
+      : sources_(sources), files_(files), sink_(sink), formats_(formats), origin_(origin) {}
 
   /// `reference` is where another configuration names it; empty for the first.
   void read(const std::string& path, Span reference) {
@@ -124,8 +126,8 @@ class ConfigReader {
 
   void read_tolerances(yaml::View value) {
     if (!value.is_mapping()) return expect(value, "a mapping from rules to numbers");
-    for (const yaml::View number : value) {
-      if (!is_rule(number, number.key(), number.key_span())) continue;
+    for_each_entry(value, [&](yaml::View number) {
+      if (!is_rule(number, number.key(), number.key_span())) return;
       const Rule* rule = find_rule(number.key());
       if (rule == nullptr || rule->tolerance.meaning.empty()) {
         wrong(number, number.key_span(), quoted(number.key()) + " has no tolerance").help =
@@ -136,21 +138,18 @@ class ConfigReader {
       } else {
         expect(number, "a number from 0");
       }
-    }
+    });
   }
 
   void read_paths(yaml::View value) {
     if (!value.is_mapping()) return expect(value, "a mapping from patterns to settings");
-    for (const yaml::View settings : value) {
-      if (settings.is_null() || settings.is_repeated()) continue;
-      if (!settings.is_mapping()) {
-        expect(settings, "`ignore` and `severity`");
-        continue;
-      }
+    for_each_entry(value, [&](yaml::View settings) {
+      if (settings.is_null() || settings.is_repeated()) return;
+      if (!settings.is_mapping()) return expect(settings, "`ignore` and `severity`");
       config_.paths.push_back(
           {{{std::string(settings.key()), settings.key_span()}, folder_}, {}, {}});
       read_mapping(settings, kPathSettings, "setting of paths");
-    }
+    });
   }
   void read_path_ignore(yaml::View value) { read_rules(value, config_.paths.back().ignore); }
   void read_path_severity(yaml::View value) { read_levels(value, config_.paths.back().severities); }
@@ -203,6 +202,10 @@ class ConfigReader {
       if (!formats_.empty() &&
           std::find(formats_.begin(), formats_.end(), name) == formats_.end()) {
         report_word(item, name, "format", formats_);
+      } else if (!file.empty() && origin_ == ConfigOrigin::found) {
+        wrong(item, "a configuration that was found beside the files names no file to write").help =
+            "name it on the command line, `--format " + name +
+            "=FILE`, or name the configuration with `--config`";
       } else if (!places.insert(place).second) {
         wrong(item, "two reports go to " + (place == "-" ? "standard output" : quoted(file))).help =
             "write " + quoted(name + "=FILE");
@@ -234,7 +237,7 @@ class ConfigReader {
   }
 
   void read_mapping(yaml::View mapping, std::span<const Setting> settings, std::string_view what) {
-    for (const yaml::View value : mapping) {
+    for_each_entry(mapping, [&](yaml::View value) {
       const auto setting = std::find_if(settings.begin(), settings.end(), [&](const Setting& one) {
         return one.spec.name == value.key();
       });
@@ -243,7 +246,7 @@ class ConfigReader {
       } else if (!value.is_null() && !value.is_repeated()) {
         (this->*setting->read)(value);
       }
-    }
+    });
   }
 
   void report_unknown(yaml::View value, std::span<const Setting> settings, std::string_view what) {
@@ -266,9 +269,9 @@ class ConfigReader {
     if (diagnostic.help.empty()) diagnostic.help = "known are " + listed(known);
   }
 
-  static void suggest(Diagnostic& diagnostic, std::string_view text,
-                      std::span<const std::string_view> known, Span place) {
-    const auto near = nearest(text, known);
+  void suggest(Diagnostic& diagnostic, std::string_view text,
+               std::span<const std::string_view> known, Span place) {
+    const auto near = sink_.suggest(text, known);
     if (!near) return;
     diagnostic.help = "did you mean " + quoted(*near) + "?";
     diagnostic.fixes.push_back(
@@ -290,18 +293,32 @@ class ConfigReader {
     wrong(value, subject + " takes " + std::string(expected) + ", not " + describe(value));
   }
 
+  /// The items of a list or the values of a mapping.
+  template <class Visit>
+  void for_each_entry(yaml::View many, Visit visit) {
+    std::size_t count = 0;
+    for (const yaml::View entry : many) {
+      if (++count > kMostEntries) {
+        wrong(entry, "this is entry " + std::to_string(count) + ", and only the first " +
+                         std::to_string(kMostEntries) + " count");
+        return;
+      }
+      visit(entry);
+    }
+  }
+
   /// One text, or a list of them.
   template <class Visit>
   void for_each_text(yaml::View value, std::string_view expected, Visit visit) {
     if (value.is_scalar()) return visit(value);
     if (!value.is_sequence()) return expect(value, expected);
-    for (const yaml::View item : value) {
+    for_each_entry(value, [&](yaml::View item) {
       if (item.is_scalar()) {
         visit(item);
       } else {
         expect(item, "a text");
       }
-    }
+    });
   }
 
   void read_rules(yaml::View value, Texts& patterns) {
@@ -313,21 +330,18 @@ class ConfigReader {
 
   void read_levels(yaml::View value, Levels& levels) {
     if (!value.is_mapping()) return expect(value, "a mapping from rules to levels");
-    for (const yaml::View level : value) {
-      if (!is_rule(level, level.key(), level.key_span())) continue;
+    for_each_entry(value, [&](yaml::View level) {
+      if (!is_rule(level, level.key(), level.key_span())) return;
       if (const auto severity = level.is_scalar() ? to_severity(level.text()) : std::nullopt) {
         levels[std::string(level.key())] = {*severity, level.span()};
       } else {
         expect(level, "error, warning or info");
       }
-    }
+    });
   }
 
   bool is_rule(yaml::View value, std::string_view pattern, Span place) {
-    const auto rules = all_rules();
-    const bool is_known = std::any_of(rules.begin(), rules.end(),
-                                      [&](const Rule* rule) { return matches(*rule, pattern); });
-    if (is_known) return true;
+    if (!rules_matching(pattern).empty()) return true;
     const std::vector<std::string_view> words = rule_words();
     suggest(wrong(value, place, "there is no rule " + quoted(pattern)), pattern, words, place);
     return false;
@@ -335,14 +349,14 @@ class ConfigReader {
 
   void read_files(yaml::View value, std::string_view what, Files& files) {
     if (!value.is_mapping()) return expect(value, "a mapping from names to " + std::string(what));
-    for (const yaml::View file : value) {
-      if (file.is_repeated()) continue;
+    for_each_entry(value, [&](yaml::View file) {
+      if (file.is_repeated()) return;
       if (file.is_scalar()) {
         files[std::string(file.key())] = {path::join(folder_, file.text()), file.span()};
       } else {
         expect(file, "a path");
       }
-    }
+    });
   }
 
   /// Last, so that only what counts in the end is read.
@@ -374,6 +388,7 @@ class ConfigReader {
   const FileReader& files_;
   DiagnosticSink& sink_;
   std::span<const std::string_view> formats_;
+  const ConfigOrigin origin_;
   std::vector<std::string> chain_;  ///< each extends the next
   std::set<std::string> read_;
   std::string folder_;  ///< of the configuration that is being read
@@ -396,7 +411,9 @@ const ConfigReader::Setting ConfigReader::kSettings[] = {
     {{"force-exclude", SettingType::boolean,
       "Whether excluded files are left out even when they are named on the command line."},
      &Reader::read_force_exclude},
-    {{"format", SettingType::formats, "Reports: FORMAT or FORMAT=FILE."}, &Reader::read_format},
+    {{"format", SettingType::formats,
+      "Reports: FORMAT or, in a configuration named with --config, FORMAT=FILE."},
+     &Reader::read_format},
     {{"ignore", SettingType::rules, "All but these rules."}, &Reader::read_ignore},
     {{"max-warnings", SettingType::count, "With more warnings than this, the exit code is 1."},
      &Reader::read_max_warnings},
@@ -436,8 +453,9 @@ const ConfigReader::Setting ConfigReader::kSchemaSettings[] = {
 }  // namespace
 
 Config read_config(const std::string& path, SourceMap& sources, const FileReader& files,
-                   DiagnosticSink& sink, std::span<const std::string_view> formats) {
-  ConfigReader reader(sources, files, sink, formats);
+                   DiagnosticSink& sink, std::span<const std::string_view> formats,
+                   ConfigOrigin origin) {
+  ConfigReader reader(sources, files, sink, formats, origin);
   reader.read(path::normalize(path), {});
   return reader.take();
 }

@@ -7,6 +7,7 @@
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "convert/passes.hpp"
+#include "link/kinematics.hpp"
 #include "smurf/convert.hpp"
 
 namespace smurf {
@@ -14,19 +15,23 @@ namespace {
 
 class SrdfWriter {
  public:
-  SrdfWriter(const LinkedModel& model, const std::string& prefix)
-      : model_(model), prefix_(prefix) {}
+  SrdfWriter(const LinkedModel& model, const std::string& prefix, std::uint64_t most)
+      : model_(model), prefix_(prefix), most_(most) {}
 
-  std::string write() {
+  std::optional<std::string> write() {
     out_ = "<?xml version=\"1.0\"?>\n<robot name=\"" +
            escape_xml(model_.robot->name.value_or("robot")) + "\">\n";
     group_states();
     neighbours();
     bitmasks();
-    return out_ + "</robot>\n";
+    out_ += "</robot>\n";
+    if (is_full()) return std::nullopt;
+    return std::move(out_);
   }
 
  private:
+  bool is_full() const { return out_.size() > most_; }
+
   std::string name(const std::string& name) const { return escape_xml(prefix_ + name); }
 
   std::string link_name(const std::string& link) const {
@@ -46,8 +51,7 @@ class SrdfWriter {
     for (const JointPoseSet& pose : model_.annotations.poses) {
       if (!pose.name || !seen.insert(*pose.name).second) continue;
       out_ += "  <group_state name=\"" + escape_xml(*pose.name) + "\" group=\"all\">\n";
-      for (const auto& [joint, position] :
-           joint_positions(model_, *pose.name).value_or(JointPositions{})) {
+      for (const auto& [joint, position] : to_joint_positions(model_, pose)) {
         out_ +=
             "    <joint name=\"" + name(joint) + "\" value=\"" + format_number(position) + "\"/>\n";
       }
@@ -102,6 +106,7 @@ class SrdfWriter {
   void disable_all(const std::vector<LinkIndex>& some, const std::vector<LinkIndex>& others) {
     for (const LinkIndex a : some) {
       for (const LinkIndex b : others) {
+        if (is_full()) return;
         if (&some == &others && !(a < b)) continue;
         if (neighbours_.contains({a, b}) || neighbours_.contains({b, a})) continue;
         disable(model_.link(a), model_.link(b), "Never");
@@ -111,14 +116,16 @@ class SrdfWriter {
 
   const LinkedModel& model_;
   const std::string& prefix_;
+  std::uint64_t most_;
   std::string out_;
   std::set<std::pair<LinkIndex, LinkIndex>> neighbours_;  ///< parent, child
 };
 
 }  // namespace
 
-std::string export_srdf(const LinkedModel& model, const std::string& prefix) {
-  return SrdfWriter(model, prefix).write();
+std::optional<std::string> export_srdf(const LinkedModel& model, const std::string& prefix,
+                                       std::uint64_t most) {
+  return SrdfWriter(model, prefix, most).write();
 }
 
 }  // namespace smurf

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf/dialect.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "flatten/dialect_parts.hpp"
@@ -35,10 +37,11 @@ const Dialect* find_dialect(std::string_view name) {
 }
 
 void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& sink) {
-  std::vector<EntityReading> readings = dialect.read(scene);
-  for (std::size_t i = 0; i < readings.size(); ++i) {
+  SceneReading read = dialect.read(scene);
+  scene.joint_poses = std::move(read.joint_poses);
+  for (std::size_t i = 0; i < read.entities.size(); ++i) {
     Instance& instance = scene.instances[i];
-    EntityReading& reading = readings[i];
+    EntityReading& reading = read.entities[i];
     if (instance.X_WE && !reading.X_WE) {
       sink.report(rules::sml8208_not_in_dialect, place_of(scene.entity(instance)),
                   quoted(instance.path) + " is not in the scene of the dialect " +
@@ -47,7 +50,7 @@ void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& s
     instance.X_WE = reading.X_WE;
     instance.placement.parent = std::move(reading.parent);
     instance.placement.anchor = std::move(reading.anchor);
-    instance.joint_positions = std::move(reading.joint_positions);
+    instance.joint_pose = reading.joint_pose;
   }
 }
 
@@ -75,7 +78,7 @@ JointPositions positions_of_pose(const Entity& entity, const LinkedModel& model,
     for (const JointPoseSet& set : *sets) {
       if (set.name.value_or({}) != pose) continue;
       for (const JointPoseSet::Entry& entry : set.joints) {
-        if (!entry.position) continue;
+        if (!entry.position || !is_quantity(*entry.position)) continue;
         if (auto joint = joint_of_entry(entry.name.value)) {
           positions[std::move(*joint)] = *entry.position;
         }
@@ -85,15 +88,30 @@ JointPositions positions_of_pose(const Entity& entity, const LinkedModel& model,
   return positions;
 }
 
-std::optional<Pose> link_frame(const LinkedScene& scene, InstanceIndex instance,
-                               std::string_view link, const JointPositions& positions,
-                               LinkFrames& frames) {
+JointPoseIndex JointPoseTable::of(const Entity& entity, const LinkedModel& model,
+                                  std::string_view pose,
+                                  const std::function<JointPositions()>& read) {
+  const bool has_own =
+      std::any_of(entity.poses.begin(), entity.poses.end(),
+                  [&](const JointPoseSet& set) { return set.name.value_or({}) == pose; });
+  const auto [known, is_new] =
+      known_.try_emplace({&model, has_own ? &entity : nullptr, std::string(pose)});
+  if (is_new) {
+    known->second = JointPoseIndex{static_cast<std::uint32_t>(poses_.size())};
+    poses_.push_back(read());
+  }
+  return known->second;
+}
+
+std::optional<Pose> link_frame(const LinkedScene& scene, const SceneReading& reading,
+                               InstanceIndex instance, std::string_view link, LinkFrames& frames) {
   const Instance& target = scene.instance(instance);
   const LinkedModel* model = scene.model(target);
   if (model == nullptr || !model->robot) return std::nullopt;
   const auto index = model->link_names.find(link);
   if (!index) return std::nullopt;
-  return frames.of(scene, *target.model, positions)[*index];
+  return frames.of(scene, *target.model, reading.entities[to_size(instance)].joint_pose,
+                   reading.joint_poses)[*index];
 }
 
 Pose documented_pose(const LinkedScene& /*scene*/, const SceneUse& /*use*/, const Entity& entity) {

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <vector>
 
 #include "link/scene_link.hpp"
 #include "smurf/dialect.hpp"
@@ -21,10 +24,24 @@ JointOfEntry joint_of_motor(const LinkedModel& model);
 JointPositions positions_of_pose(const Entity& entity, const LinkedModel& model,
                                  std::string_view pose, const JointOfEntry& joint_of_entry);
 
+/// The joint poses of a reading: entities that select the same sets share one.
+class JointPoseTable {
+ public:
+  explicit JointPoseTable(std::vector<JointPositions>& poses) : poses_(poses) {}
+
+  /// What `read` gives for an entity that selects `pose`, asked once.
+  JointPoseIndex of(const Entity& entity, const LinkedModel& model, std::string_view pose,
+                    const std::function<JointPositions()>& read);
+
+ private:
+  using Key = std::tuple<const LinkedModel*, const Entity*, std::string>;
+  std::vector<JointPositions>& poses_;
+  std::map<Key, JointPoseIndex> known_;  ///< an entity without sets of its own is null
+};
+
 /// X_EL of a link; none when the model has no such link, or the root does not reach it.
-std::optional<Pose> link_frame(const LinkedScene& scene, InstanceIndex instance,
-                               std::string_view link, const JointPositions& positions,
-                               LinkFrames& frames);
+std::optional<Pose> link_frame(const LinkedScene& scene, const SceneReading& reading,
+                               InstanceIndex instance, std::string_view link, LinkFrames& frames);
 
 /// As documented; Phobos composes in the same way.
 Pose documented_pose(const LinkedScene& scene, const SceneUse& use, const Entity& entity);

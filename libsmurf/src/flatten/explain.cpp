@@ -89,10 +89,11 @@ class Explainer {
     return joint.name.span.empty() ? joint.span : joint.name.span;
   }
 
-  static std::string joint_title(const Instance& instance, const urdf::Joint& joint) {
+  std::string joint_title(const Instance& instance, const urdf::Joint& joint) const {
     std::string title = "joint " + quoted(joint.name.value_or({}));
-    const auto position = instance.joint_positions.find(joint.name.value_or({}));
-    if (position == instance.joint_positions.end()) return title;
+    const JointPositions& positions = scene_.joint_positions(instance);
+    const auto position = positions.find(joint.name.value_or({}));
+    if (position == positions.end()) return title;
     const bool is_linear = joint.type == urdf::JointType::prismatic;
     return title + " at " + format_rounded(position->second) + (is_linear ? " m" : " rad");
   }

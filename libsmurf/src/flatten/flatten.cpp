@@ -3,10 +3,11 @@
 #include "smurf/flatten.hpp"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "base/path.hpp"
+#include "base/unique_names.hpp"
 #include "flatten/old_shapes.hpp"
 #include "flatten/shapes.hpp"
 #include "flatten/value.hpp"
@@ -46,18 +47,14 @@ class Flattener {
     const LinkedModel& model = scene_.models[index];
     std::string stem(path::stem(model.path));
     if (stem.empty()) stem = "model";
-    std::string id = stem;
-    for (int number = 2; !ids_.insert(id).second; ++number) {
-      id = stem + "_" + std::to_string(number);
-    }
-    FlatModel flat{id,
+    FlatModel flat{ids_.add(stem),
                    model.has_main ? "smurf" : "urdf",
                    relative(model.path),
                    relative(model.urdf_path),
                    ModelIndex{static_cast<std::uint32_t>(index)},
                    {}};
     for (const MeshReference& mesh : model.meshes) {
-      if (!mesh.path.empty()) flat.resources.emplace_back(mesh.filename, relative(mesh.path));
+      if (!mesh.path.empty()) flat.resources.emplace(mesh.filename, relative(mesh.path));
     }
     flat_.models.push_back(std::move(flat));
   }
@@ -154,26 +151,43 @@ class Flattener {
     if (options_.old_scenes == nullptr) return;
     const auto file = options_.old_scenes->find(instance.file);
     if (file == options_.old_scenes->end()) return;
-    OldSceneContent content = old_scene_content(file->second, instance);
-    content.rest.instance = flat_.instances.size();
+    const OldSceneContent& content = old_content(file->second, instance);
+    flat.shapes = content.shapes;
+    FlatOldScene& rest = flat_.old_scenes.emplace_back(content.rest);
+    rest.instance = flat_.instances.size();
     const Span place = place_of(scene_.entity(instance));
-    for (Light& lamp : content.rest.lamps) lamp.span = lamp.name.span = place;
-    flat_.old_scenes.push_back(std::move(content.rest));
-    for (FlatShape& shape : content.shapes) {
+    for (Light& lamp : rest.lamps) lamp.span = lamp.name.span = place;
+  }
+
+  /// Read once: it is the same for all entities that have a name, and for all that have none.
+  const OldSceneContent& old_content(const OldSceneFile& file, const Instance& instance) {
+    const auto [known, is_new] = old_contents_.try_emplace({&file, instance.name.empty()});
+    if (!is_new) return known->second;
+    known->second = old_scene_content(file, instance);
+    for (FlatShape& shape : known->second.shapes) {
       if (auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) mesh->file = relative(mesh->file);
     }
-    flat.shapes = std::move(content.shapes);
+    return known->second;
   }
 
   void add_joints(const Instance& instance, const LinkedModel& model, FlatInstance& flat) {
+    const auto [known, is_new] = positions_.try_emplace({*instance.model, instance.joint_pose});
+    if (is_new) known->second = joints_of(instance, model);
+    flat.joint_positions = known->second;
+  }
+
+  std::vector<std::pair<std::string, double>> joints_of(const Instance& instance,
+                                                        const LinkedModel& model) const {
     std::vector<std::pair<std::uint32_t, double>> by_joint;
-    for (const auto& [name, position] : instance.joint_positions) {
+    for (const auto& [name, position] : scene_.joint_positions(instance)) {
       if (const auto joint = model.joint_names.find(name)) by_joint.emplace_back(*joint, position);
     }
     std::sort(by_joint.begin(), by_joint.end());
+    std::vector<std::pair<std::string, double>> positions;
     for (const auto& [joint, position] : by_joint) {
-      flat.joint_positions.emplace_back(*model.robot->joints[joint].name, position);
+      positions.emplace_back(*model.robot->joints[joint].name, position);
     }
+    return positions;
   }
 
   void add_links(const Instance& instance, const LinkedModel& model, FlatInstance& flat) {
@@ -191,7 +205,10 @@ class Flattener {
   const FlattenOptions& options_;
   FlatScene flat_;
   std::unordered_map<std::string, std::string> relative_;
-  std::unordered_set<std::string> ids_;
+  UniqueNames ids_;
+  std::map<std::pair<ModelIndex, JointPoseIndex>, std::vector<std::pair<std::string, double>>>
+      positions_;
+  std::map<std::pair<const OldSceneFile*, bool>, OldSceneContent> old_contents_;
   LinkFrames frames_;
 };
 

@@ -10,9 +10,11 @@
 #include <unordered_map>
 
 #include "ast/drawing_reader.hpp"
+#include "base/limits.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "link/file_index.hpp"
 #include "link/read_file.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -101,7 +103,9 @@ class DrawnSceneReader {
     tree_.document.root = root;
     entities_ = tree_.add_member(root, "entities", yaml::Kind::sequence, page);
     const std::size_t known = context_.sink.diagnostics().size();
-    for (const DrawnEntity& entity : read_drawing(*file_.drawing, context_.sink)) add(entity);
+    for (const DrawnEntity& entity : read_drawing(*file_.drawing, context_.sink)) {
+      if (!is_full_) add(entity);
+    }
     file_.document = std::move(tree_.document);
     const auto found = context_.sink.diagnostics().subspan(known);
     return std::none_of(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
@@ -123,8 +127,8 @@ class DrawnSceneReader {
 
   void add(const DrawnEntity& drawn) {
     const auto [known, is_new] = keys_.try_emplace(drawn.file.value);
-    if (is_new) known->second = read_keys(drawn.file);
-    if (!known->second) return;
+    if (is_new) known->second = keys_in(drawn.file);
+    if (!known->second || !has_room(*known->second, drawn)) return;
     const Keys& keys = *known->second;
     const yaml::NodeId entity = tree_.add(entities_, yaml::Kind::mapping, drawn.group);
     if (!keys.has_file) {
@@ -148,14 +152,34 @@ class DrawnSceneReader {
     if (keys.mapping != yaml::kNoNode) tree_.share_members(entity, keys.mapping);
   }
 
+  /// Each entity is read with all keys of its file; a file of many may be named by many.
+  bool has_room(const Keys& keys, const DrawnEntity& drawn) {
+    if (keys.mapping == yaml::kNoNode) return true;
+    shared_ += tree_.at(keys.mapping).child_count();
+    if (shared_ <= context_.limits.yaml_nodes) return true;
+    is_full_ = true;
+    context_.sink
+        .report(rules::sml0002_file_too_large, drawn.file.span,
+                "with the keys of this file, the entities of the drawing have more than " +
+                    std::to_string(context_.limits.yaml_nodes) + " values")
+        .help = raise_limit("yaml-nodes");
+    return false;
+  }
+
   /// None when the file is missing or broken, which is reported at its first title.
-  std::optional<Keys> read_keys(const Spanned<std::string>& title) {
+  std::optional<Keys> keys_in(const Spanned<std::string>& title) {
     const std::string path = path::join(path::parent(file_.path), title.value);
     const std::string extension = path::to_lower(path::extension(path));
     // MARS would take these for YAML with keys of an entity. They are the entity.
     for (const std::string_view own : {".smurf", ".urdf", ".smurfs", ".smurfa"}) {
       if (extension == own) return Keys{};
     }
+    const auto [known, is_new] = keys_by_file_.try_emplace(key_of_file(path, context_.files));
+    if (is_new) known->second = read_keys(title, path);
+    return known->second;
+  }
+
+  std::optional<Keys> read_keys(const Spanned<std::string>& title, const std::string& path) {
     const auto source = read_source(path, title.span, rules::sml5006_missing_entity_file, context_);
     if (!source) return std::nullopt;
     auto document = parse_yaml(context_.sources, *source, context_.limits, context_.sink);
@@ -210,7 +234,10 @@ class DrawnSceneReader {
   LoadContext& context_;
   Tree tree_;
   yaml::NodeId entities_ = yaml::kNoNode;
-  std::unordered_map<std::string, std::optional<Keys>> keys_;
+  std::unordered_map<std::string, std::optional<Keys>> keys_;  ///< by title
+  std::unordered_map<std::string, std::optional<Keys>> keys_by_file_;
+  std::uint64_t shared_ = 0;  ///< keys that files add, counted for each entity
+  bool is_full_ = false;
 };
 
 }  // namespace

@@ -5,6 +5,17 @@
 
 namespace smurf {
 
+std::string key_of_file(const std::string& path, const FileReader& files) {
+  // No path has a zero byte.
+  return files.identity(std::string(path::parent(path))) + '\0' + files.identity(path);
+}
+
+const std::string& FirstNames::of(const std::string& path) {
+  const auto [known, is_new] = known_.try_emplace(path);
+  if (is_new) known->second = by_key_.try_emplace(key_of_file(path, files_), path).first->second;
+  return known->second;
+}
+
 bool FileIndex::exists(const std::string& path) {
   const auto [place, is_new] = known_.try_emplace(path);
   if (is_new) place->second = files_.is_file(path);

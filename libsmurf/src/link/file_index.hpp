@@ -5,11 +5,29 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "smurf/file_reader.hpp"
 
 namespace smurf {
+
+/// One key for all names that links give to a file in one folder. Names in other folders have other
+/// keys, as what the file names in turn is relative to its folder.
+std::string key_of_file(const std::string& path, const FileReader& files);
+
+/// The name under which each file was first asked for. Links may give a file thousands of names,
+/// and each would be a file of its own.
+class FirstNames {
+ public:
+  explicit FirstNames(const FileReader& files) : files_(files) {}
+  const std::string& of(const std::string& path);
+
+ private:
+  const FileReader& files_;
+  std::unordered_map<std::string, std::string> known_;   ///< by path
+  std::unordered_map<std::string, std::string> by_key_;  ///< by key_of_file()
+};
 
 class FileIndex {
  public:

@@ -4,11 +4,33 @@
 
 #include <cmath>
 
+#include "base/quantity.hpp"
+
 namespace smurf {
+
+namespace {
+
+constexpr int kLongestChain = 64;
+
+}  // namespace
+
+bool is_followable(const LinkedModel& model, const urdf::Joint& joint) {
+  double factor = 1;
+  double sum = 0;
+  const urdf::Joint* current = &joint;
+  for (int step = 0; step < kLongestChain && current->mimic && current->mimic->joint; ++step) {
+    const auto leader = model.joint_names.find(*current->mimic->joint);
+    if (!leader) break;
+    sum += factor * current->mimic->offset.value_or(0);
+    factor *= current->mimic->multiplier.value_or(1);
+    if (!is_quantity(sum) || !is_quantity(factor)) return false;
+    current = &model.robot->joints[*leader];
+  }
+  return true;
+}
 
 double position_of(const LinkedModel& model, const urdf::Joint& joint,
                    const JointPositions& positions) {
-  constexpr int kLongestChain = 64;
   double factor = 1;
   double sum = 0;
   const urdf::Joint* current = &joint;
@@ -21,6 +43,7 @@ double position_of(const LinkedModel& model, const urdf::Joint& joint,
     if (!leader) return sum;
     sum += factor * current->mimic->offset.value_or(0);
     factor *= current->mimic->multiplier.value_or(1);
+    if (!is_quantity(sum) || !is_quantity(factor)) return 0;  // reported by the loader
     current = &model.robot->joints[*leader];
   }
   return sum;
@@ -103,7 +126,7 @@ std::vector<std::optional<Pose>> forward_kinematics(const LinkedModel& model,
 JointPositions to_joint_positions(const LinkedModel& model, const JointPoseSet& set) {
   JointPositions positions;
   for (const JointPoseSet::Entry& entry : set.joints) {
-    if (!entry.position) continue;
+    if (!entry.position || !is_quantity(*entry.position)) continue;
     // MARS moves the joint of the motor with this name (SimEntity.cpp:505-511); Phobos writes
     // joint names. A motor named like another joint is a motor.
     const auto motor = model.motor_names.find(entry.name.value);

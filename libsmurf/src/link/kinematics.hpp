@@ -11,6 +11,10 @@ namespace smurf {
 KinematicTree build_tree(const LinkedModel& model);
 
 /// The joint positions that a joint pose set means in a model.
+/// Whether the multipliers and offsets of the joints that a joint follows come to numbers that
+/// poses can be computed with.
+bool is_followable(const LinkedModel& model, const urdf::Joint& joint);
+
 JointPositions to_joint_positions(const LinkedModel& model, const JointPoseSet& set);
 
 /// Position of one joint, with mimic joints following their leader. The chain is bounded, so that a

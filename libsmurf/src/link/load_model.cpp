@@ -2,15 +2,19 @@
 // The files of a model: read once each, merged as smurf_parser does (SMURFParser.cpp:43-69), linked
 // by name.
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "ast/model_reader.hpp"
 #include "ast/sections.hpp"
 #include "ast/urdf_reader.hpp"
 #include "base/limits.hpp"
+#include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/quantity.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
+#include "link/file_index.hpp"
 #include "link/kinematics.hpp"
 #include "link/read_file.hpp"
 #include "link/resources.hpp"
@@ -142,17 +146,32 @@ class ModelLoader {
     find_unlisted(path);
   }
 
+  /// What an annotation file says does not depend on its folder; where the meshes of a URDF are,
+  /// does.
+  std::string listed_key(const std::string& path) const {
+    const bool is_urdf = path::to_lower(path::extension(path)) == ".urdf";
+    return is_urdf ? key_of_file(path, context_.files) : context_.files.identity(path);
+  }
+
   void listed_files(const std::string& main_path) {
     const std::string_view folder = path::parent(main_path);
     const NameList none;
-    std::set<std::string> read;  // a rule reports what is listed twice
+    std::map<std::string, Span> read;
     for (const Spanned<std::string>& entry : model_.main.files ? *model_.main.files : none) {
       const std::string path = path::join(folder, entry.value);
-      if (!read.insert(path::normalize(path)).second) continue;
+      const auto [first, is_new] = read.emplace(listed_key(path), entry.span);
+      if (!is_new) {
+        context_.sink
+            .report(rules::sml2009_file_listed_twice, entry.span,
+                    "MARS reads " + quoted(entry.value) + " twice")
+            .labels.push_back({first->second, "listed here before"});
+        continue;
+      }
       if (entry.value.starts_with('/')) {
         context_.sink.report(rules::sml2004_absolute_path, entry.span,
                              "MARS takes this path as relative to the .smurf's folder");
-        if (!context_.files.is_file(path)) {  // one cause, one diagnostic
+        // One cause, one diagnostic.
+        if (!context_.files.is_file(path) && !context_.files.is_denied(path)) {
           model_.is_complete = false;
           continue;
         }
@@ -267,6 +286,19 @@ class ModelLoader {
       }
     }
     model_.tree = build_tree(model_);
+    check_followers();
+  }
+
+  void check_followers() {
+    for (const urdf::Joint& joint : model_.robot->joints) {
+      if (!joint.mimic || is_followable(model_, joint)) continue;
+      const Field<double>& multiplier = joint.mimic->multiplier;
+      context_.sink.report(
+          rules::sml1810_overflow_underflow,
+          multiplier.written ? multiplier.span : joint.mimic->joint.span,
+          "the multipliers of the joints that this one follows come to more than " +
+              format_rounded(kLargestQuantity));
+    }
   }
 
   LoadContext& context_;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/path.hpp"
+#include "link/file_index.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "smurf/mesh.hpp"
 #include "smurf/mesh_triangles.hpp"
@@ -26,8 +27,11 @@ std::string decoded(std::string_view uri) {
 
 class Dependencies {
  public:
-  Dependencies(const std::string& mesh_path, const FileReader& files)
-      : folder_(path::parent(mesh_path)), files_(files) {}
+  /// Material libraries of all meshes, with the textures that they name.
+  using Libraries = std::map<std::string, std::vector<MeshDependency>>;
+
+  Dependencies(const std::string& mesh_path, const FileReader& files, Libraries& libraries)
+      : folder_(path::parent(mesh_path)), files_(files), libraries_(libraries) {}
 
   std::vector<MeshDependency> lost(const std::vector<MeshDependency>& dependencies) {
     for (const MeshDependency& dependency : dependencies) check(dependency);
@@ -40,16 +44,26 @@ class Dependencies {
     const std::string path = path::join(folder_, decoded(dependency.filename));
     if (!files_.is_file(path)) {
       lost_.push_back(dependency);
+      lost_.back().is_denied = files_.is_denied(path);
     } else if (!dependency.is_texture) {
-      constexpr std::uint64_t kMostBytes = 1U << 20U;
-      const FileContent library = files_.read(path, kMostBytes);
-      for (const MeshDependency& texture : read_material_library(library.text)) check(texture);
+      const std::string library = files_.identity(path);
+      if (!seen_libraries_.insert(library).second) return;
+      for (const MeshDependency& texture : textures_of(library, path)) check(texture);
     }
+  }
+
+  const std::vector<MeshDependency>& textures_of(const std::string& library,
+                                                 const std::string& path) {
+    constexpr std::uint64_t kMostBytes = 1U << 20U;
+    const auto [known, is_new] = libraries_.try_emplace(library);
+    if (is_new) known->second = read_material_library(files_.read(path, kMostBytes).text);
+    return known->second;
   }
 
   std::string folder_;
   const FileReader& files_;
-  std::set<std::string> seen_;
+  Libraries& libraries_;
+  std::set<std::string> seen_, seen_libraries_;
   std::vector<MeshDependency> lost_;
 };
 
@@ -57,7 +71,9 @@ class Dependencies {
 
 const MeshFile& MeshLibrary::read(const std::string& path, const FileReader& files,
                                   const Limits& limits) {
-  const auto [place, is_new] = files_.try_emplace(path::normalize(path));
+  const auto [key, is_new_name] = keys_.try_emplace(path);
+  if (is_new_name) key->second = key_of_file(path, files);
+  const auto [place, is_new] = files_.try_emplace(key->second);
   MeshFile& file = place->second;
   if (!is_new) return file;
   const FileContent content = files.read(path, limits.mesh_bytes);
@@ -65,7 +81,7 @@ const MeshFile& MeshLibrary::read(const std::string& path, const FileReader& fil
   file.reason = content.reason;
   if (content.status != ReadStatus::ok) return file;
   file.facts = read_mesh(content.text, path::extension(path));
-  file.lost = Dependencies(path, files).lost(file.facts.dependencies);
+  file.lost = Dependencies(path, files, textures_).lost(file.facts.dependencies);
   return file;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 class OldSceneLoader {
  public:
-  explicit OldSceneLoader(LoadContext& context) : context_(context) {}
+  explicit OldSceneLoader(LoadContext& context) : context_(context), budget_(context.limits) {}
 
   OldSceneFile load(const std::string& path, Span reference) {
     const std::string extension(path::extension(path));
@@ -38,7 +38,7 @@ class OldSceneLoader {
     if (content.status != ReadStatus::ok) {
       return report(path, reference, content.reason.empty() ? "cannot be read" : content.reason);
     }
-    Archive archive = read_zip(content.text, context_.limits);
+    Archive archive = read_zip(content.text, budget_);
     if (!archive.reason.empty()) return report(path, reference, archive.reason);
     const std::string name = std::string(path::stem(path)) + ".scene";
     for (ArchivedFile& file : archive.files) {
@@ -55,6 +55,7 @@ class OldSceneLoader {
   }
 
   LoadContext& context_;
+  ArchiveBudget budget_;
 };
 
 }  // namespace

@@ -33,9 +33,24 @@ std::string Packages::find(const std::string& name_and_rest) {
   for (const std::string& folder : folders_) {
     if (package_name(folder) == name) return path::join(folder, rest);
   }
-  for (const std::string& folder : context_.package_folders) {
-    const std::string package = path::file_name(folder) == name ? folder : path::join(folder, name);
-    if (!index_.list(package).empty()) return path::join(package, rest);
+  const std::string package = installed(name);
+  return package.empty() ? package : path::join(package, rest);
+}
+
+std::string Packages::installed(const std::string& name) {
+  if (!installed_) {
+    installed_.emplace();
+    for (const std::string& folder : context_.package_folders) {
+      (*installed_)[std::string(path::file_name(folder))].push_back(folder);
+      for (const std::string& inner : index_.list(folder)) {
+        (*installed_)[inner].push_back(path::join(folder, inner));
+      }
+    }
+  }
+  const auto found = installed_->find(name);
+  if (found == installed_->end()) return {};
+  for (const std::string& package : found->second) {
+    if (!index_.list(package).empty()) return package;
   }
   return {};
 }

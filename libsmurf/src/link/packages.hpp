@@ -3,7 +3,9 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "link/file_index.hpp"
@@ -22,6 +24,8 @@ class Packages {
   std::string find(const std::string& name_and_rest);
 
  private:
+  /// The package of this name in the folders that hold packages; empty when there is none.
+  std::string installed(const std::string& name);
   /// The name in a folder's package.xml, empty when it has none.
   const std::string& package_name(const std::string& folder);
 
@@ -29,6 +33,9 @@ class Packages {
   FileIndex& index_;
   std::vector<std::string> folders_;  ///< the URDF's and those above it
   std::map<std::string, std::string> names_;
+  /// What is in the folders that hold packages, by name, the first of them first. Made when it is
+  /// first asked for.
+  std::optional<std::unordered_map<std::string, std::vector<std::string>>> installed_;
 };
 
 }  // namespace smurf

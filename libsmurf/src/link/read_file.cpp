@@ -28,7 +28,7 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
   }
   if (content.status != ReadStatus::not_found) return std::nullopt;
   diagnostic.message = "there is no file `" + path::normalize(path) + "`";
-  if (const auto similar = similar_file(path, context.files)) {
+  if (const auto similar = similar_file(path, reported, context)) {
     diagnostic.help = "did you mean `" + *similar + "`?";
     const std::string_view written =
         is_named ? context.sources.text(reference) : std::string_view{};
@@ -43,8 +43,11 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
   return std::nullopt;
 }
 
-std::optional<std::string> similar_file(const std::string& path, const FileReader& files) {
-  const std::vector<std::string> names = files.list(std::string(path::parent(path)));
+std::optional<std::string> similar_file(const std::string& path, const Rule& rule,
+                                        const LoadContext& context) {
+  constexpr std::uint64_t kMostSought = 20;  // a file may list a hundred thousand
+  if (context.sink.count_of(rule) > kMostSought) return std::nullopt;
+  const std::vector<std::string> names = context.files.list(std::string(path::parent(path)));
   std::vector<std::string_view> same_kind;
   const std::string extension = path::to_lower(path::extension(path));
   for (const std::string& name : names) {

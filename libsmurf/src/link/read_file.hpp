@@ -15,6 +15,8 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
                                     LoadContext& context);
 
 /// Names in the file's folder that differ from it only in case or little else, for "did you mean".
-std::optional<std::string> similar_file(const std::string& path, const FileReader& files);
+/// None when many findings of the rule were reported before.
+std::optional<std::string> similar_file(const std::string& path, const Rule& rule,
+                                        const LoadContext& context);
 
 }  // namespace smurf

@@ -27,10 +27,13 @@ class Resolver {
     reference.filename = *filename;
     reference.is_texture = is_texture;
     reference.path = find(*filename);
-    reference.exists = !reference.path.empty() && index_.exists(reference.path);
+    const bool is_found = !reference.path.empty() && index_.exists(reference.path);
+    const bool is_denied =
+        !is_found && !reference.path.empty() && context_.files.is_denied(reference.path);
+    reference.exists = is_found || is_denied;
     if (!reference.exists) reference.similar = find_similar(reference);
     if (has_main_ && !filename->empty() && !is_address(*filename)) see_as_mars(reference);
-    if (context_.meshes == nullptr || is_texture) return reference;
+    if (context_.meshes == nullptr || (is_texture && !is_denied)) return reference;
     if (reference.exists) reference.file = open(reference.path);
     if (reference.mars_exists) reference.mars_file = open(reference.mars_path);
     return reference;
@@ -40,7 +43,8 @@ class Resolver {
     if (!filename || filename->empty() || !has_main_) return;
     std::string path = path::join(main_folder_, *filename);
     const bool exists = index_.exists(path);
-    to.push_back({filename.span, *filename, std::move(path), exists});
+    const bool is_denied = !exists && context_.files.is_denied(path);
+    to.push_back({filename.span, *filename, std::move(path), exists, is_denied});
   }
 
  private:
@@ -76,7 +80,8 @@ class Resolver {
     if (!reference.is_texture && (extension == ".obj" || extension == ".stl")) {
       if (const auto bobj = find_bobj(reference.mars_path, extension)) reference.mars_path = *bobj;
     }
-    reference.mars_exists = index_.exists(reference.mars_path);
+    reference.mars_exists =
+        index_.exists(reference.mars_path) || context_.files.is_denied(reference.mars_path);
   }
 
   /// Beside the mesh, or in a folder bobj/ that takes the place of the mesh's. MARS replaces every

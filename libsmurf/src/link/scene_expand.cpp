@@ -8,9 +8,11 @@
 #include "ast/scene_reader.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 #include "link/drawn_scene.hpp"
+#include "link/file_index.hpp"
 #include "link/read_file.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/archive_files.hpp"
@@ -29,7 +31,7 @@ class SceneExpander {
       : context_(context), scene_(scene), names_(names) {}
 
   bool run(const std::string& path) {
-    scene_.path = path::normalize(path);
+    scene_.path = first_names_.of(path::normalize(path));
     const std::optional<SceneIndex> root =
         scene_file(scene_.path, {}, rules::sml0001_unreadable_file);
     if (!root) return false;
@@ -43,7 +45,16 @@ class SceneExpander {
     const UseIndex index{static_cast<std::uint32_t>(scene_.uses.size())};
     scene_.uses.push_back(std::move(use));
     names_.add_use();
+    const SceneUse& added = scene_.uses.back();
+    inherited_.push_back(
+        added.outer ? inherited_[to_size(*added.outer)] + references_of(*scene_.entity(added)) : 0);
+    bytes_ += added.path.size();
     return index;
+  }
+
+  static std::uint64_t references_of(const Entity& entity) {
+    return (entity.parent ? entity.parent->size() : 0) +
+           (entity.anchor ? entity.anchor->size() : 0);
   }
 
   const Entity& entity(UseIndex use, std::size_t index) const {
@@ -91,7 +102,7 @@ class SceneExpander {
   }
 
   void report_again(const std::string& path, Span reference, const Rule& rule) {
-    const bool exists = context_.files.is_file(path);
+    const bool exists = context_.files.is_file(path) || context_.files.is_denied(path);
     context_.sink.report(rule, reference,
                          (exists ? "cannot read `" : "there is no file `") + path + "`");
   }
@@ -101,17 +112,26 @@ class SceneExpander {
     if (scene_.instances.empty()) scene_.instances.reserve(count);
     for (std::size_t i = 0; i < count && !is_full_; ++i) {
       if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
-        is_full_ = true;
-        lose_scene();
-        context_.sink
-            .report(rules::sml5022_too_many_instances, place_of(entity(use, i)),
-                    "this is one entity too many: a scene holds at most " +
-                        std::to_string(context_.limits.instances) + ", nested ones included")
-            .help = raise_limit("instances");
-        return;
+        stop(entity(use, i),
+             "this is one entity too many: a scene holds at most " +
+                 std::to_string(context_.limits.instances) + ", nested ones included",
+             "instances");
+      } else if (bytes_ > context_.limits.scene_bytes) {
+        stop(entity(use, i),
+             "the entities before this one have names and references of more than " +
+                 std::to_string(context_.limits.scene_bytes) + " bytes, nested ones included",
+             "scene-bytes");
+      } else {
+        add_entity(use, i);
       }
-      add_entity(use, i);
     }
+  }
+
+  void stop(const Entity& at, std::string message, std::string_view limit) {
+    is_full_ = true;
+    lose_scene();
+    context_.sink.report(rules::sml5022_too_many_instances, place_of(at), std::move(message)).help =
+        raise_limit(limit);
   }
 
   void add_entity(UseIndex use, std::size_t index) {
@@ -126,7 +146,7 @@ class SceneExpander {
     bool is_usable = check_kind(entity, type, path);
     if (is_usable && is_archive_type(type)) is_usable = enter_archive(path, file.span);
     if (kind_of(type) == EntityKind::scene) {
-      include(use, index, is_usable ? path : std::string());
+      include(use, index, is_usable ? first_names_.of(path) : std::string());
     } else {
       add_instance(use, index, type, path, is_usable);
     }
@@ -159,14 +179,16 @@ class SceneExpander {
     instance.use = use;
     instance.entity = index;
     instance.type = type;
-    instance.file = path;
+    instance.file = is_old_scene(type) ? first_names_.of(path) : path;
     if (!is_usable) {
       scene_.is_complete = false;
     } else if (kind_of(type) == EntityKind::model) {
-      instance.model = model_file(path, file_of(entity).span);
+      instance.model = model_file(first_names_.of(path), file_of(entity).span);
     } else if (!path.empty() && path.find(":/") == std::string::npos) {
       check_data_file(path, file_of(entity).span, type);
     }
+    bytes_ += instance.path.size() + instance.name.size() + type.size() + path.size() +
+              references_of(entity) + inherited_[to_size(use)];
     const InstanceIndex number{static_cast<std::uint32_t>(scene_.instances.size())};
     if (entity.name) names_.add(use, *entity.name, number);
     scene_.instances.push_back(std::move(instance));
@@ -202,17 +224,21 @@ class SceneExpander {
 
   /// Files of other types are not read. A plug-in may look for its file elsewhere.
   void check_data_file(const std::string& path, Span reference, const std::string& type) {
-    const auto [known, is_new] = data_files_.emplace(path, true);
+    const auto [known, is_new] = data_files_.emplace(first_names_.of(path), true);
     if (is_new) known->second = context_.files.is_file(path);
     if (known->second) {
       if (is_new) read_data_file(path, reference, type);
       return;
     }
-    Diagnostic& diagnostic = context_.sink.report(rules::sml5006_missing_entity_file, reference,
-                                                  "there is no file `" + path + "`");
+    const bool is_denied = context_.files.is_denied(path);
+    Diagnostic& diagnostic = context_.sink.report(
+        rules::sml5006_missing_entity_file, reference,
+        is_denied ? "cannot read `" + path + "`: " + context_.files.read(path, 0).reason
+                  : "there is no file `" + path + "`");
     if (!is_old_scene(type)) diagnostic.severity = Severity::warning;
-    if (!is_new) return;
-    if (const auto similar = similar_file(path, context_.files)) {
+    if (!is_new || is_denied) return;
+    const Rule& rule = *diagnostic.rule;
+    if (const auto similar = similar_file(path, rule, context_)) {
       diagnostic.help = "did you mean `" + *similar + "`?";
     }
   }
@@ -245,20 +271,33 @@ class SceneExpander {
   }
 
   bool is_cyclic(UseIndex outer, const Entity& entity, const std::string& path) {
-    std::string chain = "`" + path + "`";
+    const auto known = scene_files_.find(path);
+    if (known == scene_files_.end() || !known->second) return false;
+    std::vector<SceneIndex> chain;  // from the innermost scene
     for (std::optional<UseIndex> at = outer; at; at = scene_.uses[to_size(*at)].outer) {
-      const SceneUse& use = scene_.uses[to_size(*at)];
-      const std::string& including = scene_.file(use).path;
-      chain.insert(0, "`" + including + "` includes ");
-      if (including != path) continue;
+      chain.push_back(scene_.uses[to_size(*at)].scene);
+      if (chain.back() != *known->second) continue;
       Diagnostic& diagnostic =
           context_.sink.report(rules::sml5020_cyclic_include, file_of(entity).span,
                                *at == outer ? "this scene includes itself"
-                                            : "this include leads back to `" + path + "`");
-      diagnostic.notes.push_back(chain);
+                                            : "this include leads back to " + quoted(path));
+      diagnostic.notes.push_back(describe(chain));
       return true;
     }
     return false;
+  }
+
+  /// "`a` includes `b` includes `a`"; of a long chain, its ends.
+  std::string describe(const std::vector<SceneIndex>& chain) const {
+    constexpr std::size_t kMostAtEnd = 4;
+    const auto name = [&](SceneIndex scene) { return quoted(scene_.scenes[to_size(scene)].path); };
+    std::string text;
+    for (std::size_t i = chain.size(); i-- > 0;) {
+      const bool is_shown = i < kMostAtEnd || chain.size() - i <= kMostAtEnd;
+      if (is_shown) text += name(chain[i]) + " includes ";
+      if (i == kMostAtEnd && !is_shown) text += "... includes ";
+    }
+    return text + name(chain.back());
   }
 
   bool is_too_deep(UseIndex outer, const Entity& entity) {
@@ -354,10 +393,14 @@ class SceneExpander {
   std::unordered_map<std::string, std::optional<SceneIndex>> scene_files_;
   std::unordered_map<std::string, std::optional<ModelIndex>> models_;
   std::unordered_map<std::string, bool> data_files_;
+  FirstNames first_names_{context_.files};
   std::unordered_map<std::string, ArchivedMain> archives_;
   std::unordered_set<std::string> paths_;
   std::unordered_map<std::string, std::uint32_t> numbers_;
   std::optional<SceneIndex> empty_scene_;
+  /// Of the texts of instances: a long one may be repeated in each of a nested scene.
+  std::uint64_t bytes_ = 0;
+  std::vector<std::uint64_t> inherited_;  ///< by use: of the references of the includes around it
   bool is_full_ = false;
 };
 

@@ -50,17 +50,19 @@ void compose_world_poses(LoadContext& context, LinkedScene& scene);
 /// The text that gives an instance its parent: its own, or that of an include around it.
 Span parent_place(const LinkedScene& scene, const Instance& instance);
 
-/// Forward kinematics, once per model and joint positions.
+/// Forward kinematics, once per model and joint pose as long as there is room for the results.
 class LinkFrames {
  public:
-  /// Poses X_EL by LinkIndex; empty when the instance has no model.
+  /// Poses X_EL by LinkIndex; empty when the instance has no model. Valid until the next call.
   const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, const Instance& instance);
-  /// The same of a model in any joint positions.
+  /// The same in another joint pose, of a table that the caller always uses.
   const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, ModelIndex model,
-                                             const JointPositions& positions);
+                                             JointPoseIndex pose,
+                                             const std::vector<JointPositions>& poses);
 
  private:
-  std::map<std::pair<ModelIndex, JointPositions>, std::vector<std::optional<Pose>>> frames_;
+  std::map<std::pair<ModelIndex, JointPoseIndex>, std::vector<std::optional<Pose>>> frames_;
+  std::size_t kept_ = 0;  ///< poses in frames_
   std::vector<std::optional<Pose>> none_;
 };
 

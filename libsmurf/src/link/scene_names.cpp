@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/scene_names.hpp"
 
-#include "base/suggest.hpp"
 
 namespace smurf {
 
@@ -31,12 +30,6 @@ std::optional<EntityIndex> SceneNames::find(UseIndex scope, std::string_view nam
   if (found == anywhere_.end()) return std::nullopt;
   const bool is_instance = std::holds_alternative<InstanceIndex>(found->second);
   return is_instance || !include ? found->second : *include;
-}
-
-std::optional<std::string_view> SceneNames::suggest(std::string_view name) {
-  if (names_.size() > comparisons_left_) return std::nullopt;
-  comparisons_left_ -= names_.size();
-  return nearest(name, names_);
 }
 
 }  // namespace smurf

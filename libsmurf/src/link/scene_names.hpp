@@ -28,16 +28,14 @@ class SceneNames {
   /// A scene file could not be read, so that there may be more names.
   void mark_incomplete() { is_complete_ = false; }
   bool is_complete() const { return is_complete_; }
-  /// The known name nearest to a misspelt one.
-  std::optional<std::string_view> suggest(std::string_view name);
+  /// All known names, for suggestions.
+  const std::vector<std::string_view>& names() const { return names_; }
 
  private:
   std::vector<std::unordered_map<std::string_view, EntityIndex>> scopes_;  ///< by use
   std::unordered_map<std::string_view, EntityIndex> anywhere_;
   std::vector<std::string_view> names_;  ///< unique, in order
   bool is_complete_ = true;
-  /// Bounds the work for scenes in which everything is misspelt.
-  std::size_t comparisons_left_ = 5'000'000;
 };
 
 }  // namespace smurf

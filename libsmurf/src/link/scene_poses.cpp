@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Named joint pose sets and world poses. X_WE = X_WP * X_PE, where P may be a link of another
 // instance in its own joint pose set.
+#include <unordered_map>
+
 #include "base/edits.hpp"
+#include "base/quantity.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
-#include "base/suggest.hpp"
 #include "link/kinematics.hpp"
 #include "link/scene_link.hpp"
 
@@ -26,13 +29,15 @@ void report_pose(const Entity& entity, const LinkedModel& model, LoadContext& co
     diagnostic.help = "Phobos up to 0.7 writes this name always; the joints stay at zero";
     return;
   }
+  constexpr std::size_t kMostSets = 5000;  // more are not searched for a near name
+  if (entity.poses.size() + model.annotations.poses.size() > kMostSets) return;
   std::vector<std::string_view> known;
   for (const auto* sets : {&entity.poses, &model.annotations.poses}) {
     for (const JointPoseSet& set : *sets) {
       if (set.name) known.push_back(*set.name);
     }
   }
-  if (const auto near = nearest(*entity.pose, known)) {
+  if (const auto near = context.sink.suggest(*entity.pose, known)) {
     const std::string_view written = context.sources.text(entity.pose.span);
     diagnostic.help = "did you mean `" + std::string(*near) + "`?";
     diagnostic.fixes.push_back(
@@ -41,6 +46,71 @@ void report_pose(const Entity& entity, const LinkedModel& model, LoadContext& co
     diagnostic.help = "the model has no section `poses`";
   }
 }
+
+/// Instances share what is the same: their own set belongs to the entity, all others to the model.
+class JointPoses {
+ public:
+  JointPoses(LoadContext& context, LinkedScene& scene)
+      : context_(context), scene_(scene), sets_(scene.models.size()) {}
+
+  void run() {
+    for (Instance& instance : scene_.instances) {
+      const Entity& entity = scene_.entity(instance);
+      const LinkedModel* model = scene_.model(instance);
+      if (!entity.pose || entity.pose->empty() || model == nullptr) continue;
+      const auto [known, is_new] = of_entity_.try_emplace(&entity);
+      if (is_new) known->second = find(entity, *instance.model);
+      if (known->second) {
+        instance.joint_pose = *known->second;
+      } else if (model->is_complete) {
+        report_pose(entity, *model, context_);
+      }
+    }
+  }
+
+ private:
+  std::optional<JointPoseIndex> find(const Entity& entity, ModelIndex index) {
+    const LinkedModel& model = scene_.models[to_size(index)];
+    if (const JointPoseSet* own = find_set(entity.poses, *entity.pose)) return add(model, *own);
+    const auto known = of_model_.find({index, *entity.pose});
+    if (known != of_model_.end()) return known->second;
+    const auto& sets = sets_of(index);
+    const auto set = sets.find(*entity.pose);
+    if (set == sets.end()) return std::nullopt;
+    return of_model_[{index, *entity.pose}] = add(model, *set->second);
+  }
+
+  JointPoseIndex add(const LinkedModel& model, const JointPoseSet& set) {
+    for (const JointPoseSet::Entry& entry : set.joints) {
+      if (!entry.position || is_quantity(*entry.position)) continue;
+      context_.sink.report(rules::sml4003_out_of_range, entry.position.span,
+                           quoted(entry.name.value) +
+                               " is so large that no pose can be computed with it");
+    }
+    const JointPoseIndex index{static_cast<std::uint32_t>(scene_.joint_poses.size())};
+    scene_.joint_poses.push_back(to_joint_positions(model, set));
+    return index;
+  }
+
+  using Sets = std::unordered_map<std::string_view, const JointPoseSet*>;
+
+  /// Of equal names the first counts.
+  const Sets& sets_of(ModelIndex index) {
+    std::optional<Sets>& sets = sets_[to_size(index)];
+    if (sets) return *sets;
+    sets.emplace();
+    for (const JointPoseSet& set : scene_.models[to_size(index)].annotations.poses) {
+      if (set.name) sets->emplace(*set.name, &set);
+    }
+    return *sets;
+  }
+
+  LoadContext& context_;
+  LinkedScene& scene_;
+  std::vector<std::optional<Sets>> sets_;  ///< by model
+  std::map<std::pair<ModelIndex, std::string_view>, JointPoseIndex> of_model_;
+  std::unordered_map<const Entity*, std::optional<JointPoseIndex>> of_entity_;
+};
 
 /// Each instance hangs below at most one other, so the scene is a forest; a chain is walked up to
 /// something known and composed on the way back, without recursion.
@@ -51,6 +121,12 @@ class WorldPoses {
 
   void run() {
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) resolve(i);
+    for (Instance& instance : scene_.instances) {
+      if (!instance.X_WE || is_usable(*instance.X_WE)) continue;
+      instance.X_WE.reset();
+      sink_.report(rules::sml4003_out_of_range, place_of(scene_.entity(instance)),
+                   quoted(instance.path) + " stands so far away that its pose cannot be computed");
+    }
   }
 
  private:
@@ -130,29 +206,29 @@ class WorldPoses {
 
 const std::vector<std::optional<Pose>>& LinkFrames::of(const LinkedScene& scene,
                                                        const Instance& instance) {
-  return instance.model ? of(scene, *instance.model, instance.joint_positions) : none_;
+  if (!instance.model) return none_;
+  return of(scene, *instance.model, instance.joint_pose, scene.joint_poses);
 }
 
 const std::vector<std::optional<Pose>>& LinkFrames::of(const LinkedScene& scene, ModelIndex model,
-                                                       const JointPositions& positions) {
-  const auto known = frames_.find(std::pair(model, positions));
+                                                       JointPoseIndex pose,
+                                                       const std::vector<JointPositions>& poses) {
+  // Many large models in many poses would take gigabytes; few scenes have as many links at all.
+  constexpr std::size_t kMostKept = 1'000'000;
+  const auto known = frames_.find({model, pose});
   if (known != frames_.end()) return known->second;
-  return frames_[{model, positions}] = forward_kinematics(scene.models[to_size(model)], positions);
+  if (kept_ > kMostKept) {
+    frames_.clear();
+    kept_ = 0;
+  }
+  std::vector<std::optional<Pose>>& frames = frames_[{model, pose}];
+  frames = forward_kinematics(scene.models[to_size(model)], poses[to_size(pose)]);
+  kept_ += frames.size();
+  return frames;
 }
 
 void resolve_joint_poses(LoadContext& context, LinkedScene& scene) {
-  for (Instance& instance : scene.instances) {
-    const Entity& entity = scene.entity(instance);
-    const LinkedModel* model = scene.model(instance);
-    if (!entity.pose || entity.pose->empty() || model == nullptr) continue;
-    if (const JointPoseSet* own = find_set(entity.poses, *entity.pose)) {
-      instance.joint_positions = to_joint_positions(*model, *own);
-    } else if (auto positions = joint_positions(*model, *entity.pose)) {
-      instance.joint_positions = std::move(*positions);
-    } else if (model->is_complete) {
-      report_pose(entity, *model, context);
-    }
-  }
+  JointPoses(context, scene).run();
 }
 
 Span parent_place(const LinkedScene& scene, const Instance& instance) {

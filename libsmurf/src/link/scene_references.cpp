@@ -229,7 +229,7 @@ class ReferenceResolver {
     Diagnostic& diagnostic = sink_.report(reference.unknown, reference.field.span,
                                           quoted(reference.key) + " names the entity " +
                                               quoted(name) + ", which the scene does not have");
-    if (const auto near = names_.suggest(name)) {
+    if (const auto near = sink_.suggest(name, names_.names())) {
       const std::string rest = reference.field->substr(name.size());
       suggest(diagnostic, reference, std::string(*near) + rest, "did you mean ", "?");
     }
@@ -264,7 +264,7 @@ class ReferenceResolver {
                            ", but " + quoted(link) + " is a " + std::string(other->first);
       const Field<std::string>& owner = model.robot->links[other->second].name;
       if (owner) suggest(diagnostic, reference, prefix + *owner, "name its link: ", "");
-    } else if (const auto near = nearest(link, model.link_names.names())) {
+    } else if (const auto near = sink_.suggest(link, model.link_names.names())) {
       suggest(diagnostic, reference, prefix + std::string(*near), "did you mean ", "?");
     }
     if (!model.urdf_path.empty()) diagnostic.caret = "no such link in " + quoted(model.urdf_path);

@@ -33,6 +33,7 @@ void check_file(const WorldFile& file, yaml::View value, const std::string& scen
   }
   const std::string path = path::join(path::parent(scene_path), written);
   if (context.files.is_file(path) || !context.files.list(path).empty()) return;
+  if (context.files.is_denied(path)) return;
   context.sink.report(rules::sml5305_path_from_working_folder, value.span(),
                       "there is no `" + path + "`, so that MARS looks for " + name +
                           " in the folder it is started in");

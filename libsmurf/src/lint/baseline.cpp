@@ -10,6 +10,9 @@ namespace smurf {
 
 namespace {
 
+constexpr std::string_view kFirstLine =
+    "# Findings that smurf-lint lets pass: file, rule, place. Written by\n";
+
 void malformed(Span span, std::string message, DiagnosticSink& sink) {
   sink.report(rules::sml9104_malformed_baseline, span, std::move(message)).help =
       "write it anew with `--generate-baseline`";
@@ -77,6 +80,8 @@ void Baseline::report_stale(const SourceMap& sources, const RuleSelection& selec
   }
 }
 
+bool Baseline::is_written(std::string_view text) { return text.starts_with(kFirstLine); }
+
 std::string Baseline::write(std::span<const Diagnostic> diagnostics,
                             const SourceMap& sources) const {
   std::map<std::string, std::map<std::string_view, std::vector<std::string>>> files;
@@ -84,7 +89,7 @@ std::string Baseline::write(std::span<const Diagnostic> diagnostics,
     files[name_of_(sources.path(diagnostic.span.source))][diagnostic.rule->id].push_back(
         diagnostic.named_pointer);
   }
-  std::string text = "# Findings that smurf-lint lets pass: file, rule, place. Written by\n"
+  std::string text = std::string(kFirstLine) +
                      "# `smurf-lint --generate-baseline`, which also drops what is mended.\n";
   if (files.empty()) text += "{}\n";
   for (auto& [file, by_rule] : files) {

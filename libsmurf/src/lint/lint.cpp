@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_map>
 
+#include "lint/file_selection.hpp"
 #include "lint/targets.hpp"
 
 namespace smurf {
@@ -13,12 +15,6 @@ namespace {
 bool matches_any(const Rule& rule, const std::vector<std::string>& patterns) {
   return std::any_of(patterns.begin(), patterns.end(),
                      [&](const std::string& pattern) { return matches(rule, pattern); });
-}
-
-void set_severity(Diagnostic& diagnostic, const std::map<std::string, Severity>& severities) {
-  for (const auto& [pattern, severity] : severities) {
-    if (matches(*diagnostic.rule, pattern)) diagnostic.severity = severity;
-  }
 }
 
 /// Diagnostics as people read them: by file, then place, then rule.
@@ -58,12 +54,6 @@ bool RuleSelection::is_enabled(const Rule& rule) const {
   return !matches_any(rule, ignore);
 }
 
-bool RuleSelection::is_enabled(const Rule& rule, const std::string& path) const {
-  return is_enabled(rule) && std::none_of(paths.begin(), paths.end(), [&](const PathRules& some) {
-           return matches_any(rule, some.ignore) && some.covers(path);
-         });
-}
-
 double RuleSelection::tolerance_of(const Rule& rule) const {
   for (const auto& [name, tolerance] : tolerances) {
     if (matches(rule, name)) return tolerance;
@@ -100,21 +90,23 @@ void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& source
 
 std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
                                const RuleSelection& selection) {
-  std::erase_if(diagnostics, [&](const Diagnostic& one) {
+  std::unordered_map<std::string_view, FileSelection> files;  // by path
+  const auto file_of = [&](const Diagnostic& one) -> FileSelection& {
     const std::string& path = sources.path(one.span.source);
+    return files.try_emplace(path, selection, path).first->second;
+  };
+  std::erase_if(diagnostics, [&](const Diagnostic& one) {
     const Rule& about = one.left_out == nullptr ? *one.rule : *one.left_out;
-    return !selection.is_enabled(*one.rule, path) || !selection.is_enabled(about, path);
+    FileSelection& file = file_of(one);
+    return !file.is_enabled(*one.rule) || !file.is_enabled(about);
   });
   if (!selection.targets.empty()) apply_targets(diagnostics, selection.targets);
   for (Diagnostic& diagnostic : diagnostics) {
     for (Fix& fix : diagnostic.fixes) {
       for (Edit& edit : fix.edits) widen_deletion(edit, sources);
     }
-    set_severity(diagnostic, selection.severities);
-    for (const PathRules& some : selection.paths) {
-      if (some.severities.empty() || !some.covers(sources.path(diagnostic.span.source))) continue;
-      set_severity(diagnostic, some.severities);
-    }
+    const auto severity = file_of(diagnostic).severity(*diagnostic.rule);
+    if (severity) diagnostic.severity = *severity;
   }
   sort_findings(diagnostics, sources);
   return diagnostics;

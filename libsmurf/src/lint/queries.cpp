@@ -127,7 +127,7 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
   if (!model.urdf_path.empty() && kind != NameKind::motor && kind != NameKind::sensor) {
     diagnostic.caret += " in `" + model.urdf_path + "`";
   }
-  const auto near = nearest(name, names(model, kind).names());
+  const auto near = findings.suggest(name, names(model, kind).names());
   if (!near || differ_only_in_digits(name, *near)) return &diagnostic;
   diagnostic.help = "did you mean " + quoted(*near) + "?";
   diagnostic.fixes.push_back(

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 
 #include "base/quoted.hpp"
+#include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
-#include "base/suggest.hpp"
+#include "lint/file_selection.hpp"
 #include "smurf/suppress.hpp"
 
 namespace smurf {
@@ -18,26 +20,48 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 std::uint32_t offset(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
-/// The line around a byte, without its line end.
-std::pair<std::size_t, std::size_t> line_around(std::string_view text, std::size_t at) {
-  const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
-  const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
-  return {begin, std::min(text.find('\n', at), text.size())};
-}
+bool is_known(std::string_view name) { return !rules_matching(name).empty(); }
 
-bool is_known(std::string_view name) {
-  const auto rules = all_rules();
-  return std::any_of(rules.begin(), rules.end(),
-                     [&](const Rule* rule) { return matches(*rule, name); });
-}
+/// A line without its line end, and the text on it without the blanks around it.
+struct Line {
+  std::size_t begin = 0, end = 0;
+  std::size_t text_begin = 0, text_end = 0;
+};
+
+/// The lines of places that are asked for in ascending order, of which many may be on one line.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : text_(text) { look_around(0); }
+
+  const Line& around(std::size_t at) {
+    if (at < line_.begin || at > line_.end) look_around(at);
+    return line_;
+  }
+
+ private:
+  void look_around(std::size_t at) {
+    const std::size_t before = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);
+    line_.begin = before == std::string_view::npos ? 0 : before + 1;
+    line_.end = std::min(text_.find('\n', at), text_.size());
+    line_.text_begin = line_.begin;
+    while (line_.text_begin < line_.end && is_blank(text_[line_.text_begin])) ++line_.text_begin;
+    line_.text_end = line_.end;
+    while (line_.text_end > line_.text_begin && is_blank(text_[line_.text_end - 1])) {
+      --line_.text_end;
+    }
+  }
+
+  std::string_view text_;
+  Line line_;
+};
 
 /// Whether smurf-lint would have found here whatever there is to find of the rules of that name.
 /// Findings that depend on targets appear only when each reader with an opinion is a target, and
 /// those of the other tools (SML6, SML8) never.
-bool has_run(std::string_view name, const std::string& path, const RuleSelection& selection) {
+bool has_run(std::string_view name, const RuleSelection& selection, FileSelection& file) {
   const auto has_run_in_full = [&](const Rule& rule) {
-    if (rule.id.starts_with("SML6") || rule.id.starts_with("SML8")) return false;
-    if (!selection.is_enabled(rule, path)) return false;
+    if (rule.reported_by != Tool::lint) return false;
+    if (!file.is_enabled(rule)) return false;
     const auto& targets = selection.targets;
     const auto readers = all_readers();
     return !rule.needs_target ||
@@ -46,10 +70,9 @@ bool has_run(std::string_view name, const std::string& path, const RuleSelection
                     std::find(targets.begin(), targets.end(), reader) != targets.end();
            });
   };
-  const auto rules = all_rules();
-  return std::all_of(rules.begin(), rules.end(), [&](const Rule* rule) {
-    return !matches(*rule, name) || has_run_in_full(*rule);
-  });
+  const auto rules = rules_matching(name);
+  return std::all_of(rules.begin(), rules.end(),
+                     [&](const Rule* rule) { return has_run_in_full(*rule); });
 }
 
 /// "there is no rule `SML31O1`", and which is meant.
@@ -59,13 +82,11 @@ void report_unknown_rule(Span span, std::string_view name, DiagnosticSink& sink)
   std::vector<std::string_view> known;
   for (const Rule* rule : all_rules()) known.push_back(rule->id);
   for (const Rule* rule : all_rules()) known.push_back(rule->name);
-  if (const auto near = nearest(name, known)) {
+  if (const auto near = sink.suggest(name, known)) {
     diagnostic.help = "did you mean `" + std::string(*near) + "`?";
     diagnostic.fixes.push_back({Applicability::unsafe, {{span, std::string(*near)}}});
   }
 }
-
-bool is_all_blank(std::string_view text) { return std::all_of(text.begin(), text.end(), is_blank); }
 
 }  // namespace
 
@@ -73,17 +94,22 @@ bool is_all_blank(std::string_view text) { return std::all_of(text.begin(), text
 class Suppressions::Reader {
  public:
   Reader(std::string_view text, SourceId source, std::vector<Comment>& comments)
-      : text_(text), source_(source), comments_(comments) {}
+      : text_(text), source_(source), comments_(comments), lines_(text) {}
 
   void read(const yaml::Document& document) {
-    for (std::size_t at = text_.find(kMarker); at != std::string_view::npos;
-         at = text_.find(kMarker, at + 1)) {
-      const std::size_t hash = text_.find_last_not_of(kBlank, at == 0 ? 0 : at - 1);
-      if (at == 0 || hash == std::string_view::npos || text_[hash] != '#') continue;
-      if (hash > 0 && !is_blank(text_[hash - 1]) && text_[hash - 1] != '\n') continue;
-      if (is_in_scalar(document, offset(hash))) continue;
-      add({source_, offset(hash), offset(line_around(text_, at).second)}, at,
-          [&](std::uint32_t end) { return next_entry(document, end); });
+    const std::vector<Marker> markers = markers_in(document);
+    bool is_above_entry = false;
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+      const auto [hash, at] = markers[i];
+      const Line line = lines_.around(at);
+      const bool is_continued = i + 1 < markers.size() && markers[i + 1].hash < line.end;
+      const std::size_t end =
+          is_continued ? text_.find_last_not_of(kBlank, markers[i + 1].hash - 1) + 1 : line.end;
+      // Several in one comment speak of the same.
+      const bool is_first = i == 0 || markers[i - 1].hash < line.begin;
+      if (is_first) is_above_entry = hash == line.text_begin;
+      add({source_, offset(hash), offset(end)}, at, is_above_entry,
+          [&](std::uint32_t behind) { return next_entry(document, behind); });
     }
   }
 
@@ -92,13 +118,28 @@ class Suppressions::Reader {
       const std::string_view body = text_.substr(comment.begin, comment.end - comment.begin);
       const std::size_t at = body.find_first_not_of(" \t\r\n", 4);
       if (at == std::string_view::npos || !body.substr(at).starts_with(kMarker)) continue;
-      add(comment, comment.begin + at,
+      add(comment, comment.begin + at, comment.begin == lines_.around(comment.begin).text_begin,
           [&](std::uint32_t end) { return next_element(document, end); });
     }
   }
 
  private:
   using Range = std::pair<std::uint32_t, std::uint32_t>;
+  struct Marker {
+    std::size_t hash, at;
+  };
+
+  std::vector<Marker> markers_in(const yaml::Document& document) const {
+    std::vector<Marker> markers;
+    for (std::size_t at = text_.find(kMarker); at != std::string_view::npos;
+         at = text_.find(kMarker, at + 1)) {
+      const std::size_t hash = text_.find_last_not_of(kBlank, at == 0 ? 0 : at - 1);
+      if (at == 0 || hash == std::string_view::npos || text_[hash] != '#') continue;
+      if (hash > 0 && !is_blank(text_[hash - 1]) && text_[hash - 1] != '\n') continue;
+      if (!is_in_scalar(document, offset(hash))) markers.push_back({hash, at});
+    }
+    return markers;
+  }
 
   static bool is_in_scalar(const yaml::Document& document, std::uint32_t at) {
     const yaml::NodeId id = yaml::node_at(document, at);
@@ -110,41 +151,43 @@ class Suppressions::Reader {
 
   /// The outermost entry, which is not the whole file, that begins behind the comment.
   static Range next_entry(const yaml::Document& document, std::uint32_t end) {
-    for (std::size_t i = 0; i < document.nodes.size(); ++i) {
-      if (yaml::NodeId{offset(i)} == document.root) continue;
-      const yaml::Node& node = document.nodes[i];
-      const std::uint32_t begin = node.key_span().empty() ? node.span.begin : node.key_span().begin;
-      if (begin >= end) return {begin, std::max(node.key_span().end, node.span.end)};
-    }
-    return {end, end};
+    const auto begin_of = [](const yaml::Node& node) {
+      return node.key_span().empty() ? node.span.begin : node.key_span().begin;
+    };
+    const auto& nodes = document.nodes;  // in document order
+    auto next = std::partition_point(nodes.begin(), nodes.end(),
+                                     [&](const yaml::Node& node) { return begin_of(node) < end; });
+    if (next != nodes.end() && yaml::NodeId{offset(next - nodes.begin())} == document.root) ++next;
+    if (next == nodes.end()) return {end, end};
+    return {begin_of(*next), std::max(next->key_span().end, next->span.end)};
   }
 
   static Range next_element(const xml::Document& document, std::uint32_t end) {
-    const auto next = std::find_if(document.elements.begin(), document.elements.end(),
-                                   [&](const xml::Element& one) { return one.span.begin >= end; });
+    const auto& elements = document.elements;  // in document order
+    const auto next =
+        std::partition_point(elements.begin(), elements.end(),
+                             [&](const xml::Element& one) { return one.span.begin < end; });
     if (next == document.elements.end()) return {end, end};
     return {next->span.begin, next->span.end};
   }
 
-  /// `at` is the marker. `find_next` gives what a comment on a line of its own speaks of.
+  /// `at` is the marker. A comment above an entry speaks of what `find_next` finds behind it, any
+  /// other of its line.
   template <class FindNext>
-  void add(Span span, std::size_t at, const FindNext& find_next) {
-    const auto [line_begin, ignored] = line_around(text_, span.begin);
-    const std::size_t line_end = line_around(text_, span.end).second;
-    const bool has_text_before = !is_all_blank(text_.substr(line_begin, span.begin - line_begin));
-    const bool is_alone =
-        !has_text_before && is_all_blank(text_.substr(span.end, line_end - span.end));
+  void add(Span span, std::size_t at, bool is_above_entry, const FindNext& find_next) {
+    const Line first = lines_.around(span.begin);
+    const Line last = lines_.around(span.end);
     Comment comment{span, span, 0, 0, {}, {}};
-    if (is_alone) {
-      const std::size_t after = std::min(line_end + 1, text_.size());
-      comment.removal = {source_, offset(line_begin), offset(after)};
+    if (first.text_begin == span.begin && last.text_end <= span.end) {  // there is nothing else
+      const std::size_t after = std::min(last.end + 1, text_.size());
+      comment.removal = {source_, offset(first.begin), offset(after)};
     } else {
       const std::size_t before =
           text_.find_last_not_of(kBlank, span.begin == 0 ? 0 : span.begin - 1);
       comment.removal.begin = before == std::string_view::npos ? 0 : offset(before + 1);
     }
     std::tie(comment.begin, comment.end) =
-        has_text_before ? Range{offset(line_begin), offset(line_end) + 1} : find_next(span.end);
+        is_above_entry ? find_next(span.end) : Range{offset(first.begin), offset(last.end) + 1};
 
     std::string_view words = text_.substr(at + kMarker.size(), span.end - at - kMarker.size());
     const std::size_t skipped = std::min(words.find_first_not_of(kBlank), words.size());
@@ -196,6 +239,7 @@ class Suppressions::Reader {
   std::string_view text_;
   SourceId source_;
   std::vector<Comment>& comments_;
+  Lines lines_;
 };
 
 /// A file is read once; what is missing where one model uses it may be found where another does,
@@ -268,8 +312,13 @@ std::size_t Suppressions::apply(std::vector<Diagnostic>& diagnostics, const Sour
 
   DiagnosticSink sink;
   for (const auto& [path, file] : files_) {
-    const auto is_unused = [&, &path = path, &file = file](const Item& item) {
-      return !item.is_used && file.is_complete && has_run(item.name, path, selection);
+    std::unordered_map<std::string_view, bool> have_run;  // of which many items may ask
+    FileSelection selected(selection, path);
+    const auto is_unused = [&, &file = file](const Item& item) {
+      if (item.is_used || !file.is_complete) return false;
+      const auto [known, is_new] = have_run.try_emplace(item.name, false);
+      if (is_new) known->second = has_run(item.name, selection, selected);
+      return known->second;
     };
     for (const Comment& comment : file.comments) judge(comment, is_unused, sink);
   }
@@ -298,11 +347,12 @@ std::vector<std::size_t> Suppressions::silence(std::span<const Diagnostic> diagn
     std::multimap<std::uint32_t, Item*> around;  // by their ends: the first is the narrowest
     auto next = scopes.begin();
     for (std::size_t i = 0; i < diagnostics.size(); ++i) {
+      if (!matches(*diagnostics[i].rule, name)) continue;
       const std::uint32_t at = diagnostics[i].span.begin;
       for (; next != scopes.end() && next->begin <= at; ++next)
         around.emplace(next->end, next->item);
       around.erase(around.begin(), around.upper_bound(at));
-      if (around.empty() || !matches(*diagnostics[i].rule, name)) continue;
+      if (around.empty()) continue;
       around.begin()->second->is_used = true;
       silent.push_back(i);
     }

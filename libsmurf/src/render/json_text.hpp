@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/utf8.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/source.hpp"
 
@@ -15,9 +16,22 @@ namespace smurf::render {
 
 using Json = nlohmann::ordered_json;
 
-/// Invalid UTF-8, which a path or a scalar may hold, becomes U+FFFD.
+/// Invalid UTF-8, which a path or a scalar may hold, becomes U+FFFD. The library escapes C0 only:
+/// DEL and C1, which can stand in strings alone, are escaped here.
 inline std::string dump(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  std::string out;
+  std::size_t copied = 0;
+  for (std::size_t at = 0; (at = text.find_first_of("\x7F\xC2", at)) != std::string::npos;) {
+    const utf8::CodePoint point = utf8::decode(std::string_view(text).substr(at));
+    if (utf8::is_control(point.value)) {
+      out.append(text, copied, at - copied);
+      utf8::append_escape(out, point.value);
+      copied = at + point.size;
+    }
+    at += point.size;
+  }
+  return out.empty() ? text : out.append(text, copied);
 }
 
 inline Json text(std::string_view view) { return std::string(view); }

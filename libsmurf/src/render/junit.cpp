@@ -27,7 +27,9 @@ struct TestCase {
 std::string lines(const std::vector<const Diagnostic*>& diagnostics, const SourceMap& sources) {
   std::string out;
   for (const Diagnostic* diagnostic : diagnostics) {
-    out += escape_xml(render_concise(*diagnostic, sources, {}));
+    std::string line = render_concise(*diagnostic, sources, {});
+    line.pop_back();
+    out += escape_xml(line) + "\n";
   }
   return out;
 }

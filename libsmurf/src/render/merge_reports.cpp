@@ -2,6 +2,7 @@
 // Reports of the parts of a check that several machines did, as the report of one.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <tuple>
 
 #include "render/json_text.hpp"
@@ -19,6 +20,13 @@ using Order = std::tuple<std::string, std::uint64_t, std::uint64_t, std::string,
 Order order_of(const Json& diagnostic) {
   return {diagnostic.at("file"), diagnostic.at("line"), diagnostic.at("column"),
           diagnostic.at("id"), diagnostic.at("message")};
+}
+
+/// Reports may come from anywhere: what is too much for a number stays at the largest.
+std::uint64_t sum(const Json& a, const Json& b) {
+  const auto first = a.get<std::uint64_t>();
+  const auto second = b.get<std::uint64_t>();
+  return second > UINT64_MAX - first ? UINT64_MAX : first + second;
 }
 
 /// The place of a word among words that get worse.
@@ -40,7 +48,7 @@ std::ptrdiff_t rank_of_first(const Json& target) {
 }
 
 void add_count(Json& target, const Json& other, const char* name) {
-  target[name] = target.at(name).get<std::uint64_t>() + other.at(name).get<std::uint64_t>();
+  target[name] = sum(target.at(name), other.at(name));
 }
 
 /// The worse of two verdicts on one reader.
@@ -61,8 +69,8 @@ void merge_target(Json& target, const Json& other) {
 
 void add(Json& merged, const Json& report) {
   for (const auto& [name, count] : report.at("summary").items()) {
-    Json& sum = merged["summary"][name];
-    sum = sum.get<std::uint64_t>() + count.get<std::uint64_t>();
+    Json& total = merged["summary"][name];
+    total = sum(total, count);
   }
   for (const Json& diagnostic : report.at("diagnostics"))
     merged["diagnostics"].push_back(diagnostic);
@@ -88,7 +96,7 @@ void drop_repeated(Json& merged) {
       continue;
     }
     Json& count = merged["summary"][diagnostic.at("severity").get<std::string>()];
-    count = count.get<std::uint64_t>() - 1;
+    count = std::max<std::uint64_t>(count.get<std::uint64_t>(), 1) - 1;
   }
   list = std::move(kept);
 }

@@ -8,10 +8,8 @@
 namespace smurf::render {
 namespace {
 
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+using utf8::kReplacement;
 constexpr char32_t kByteOrderMark = 0xFEFF;
-
-bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
 
 /// Line and paragraph separators, and marks that reorder what follows them on the screen.
 bool is_layout(char32_t c) {
@@ -19,7 +17,7 @@ bool is_layout(char32_t c) {
          (c >= 0x2066 && c <= 0x2069);
 }
 
-bool is_unsafe(char32_t c) { return is_control(c) || is_layout(c); }
+bool is_unsafe(char32_t c) { return utf8::is_control(c) || is_layout(c); }
 
 void append_escape(std::string& out, char32_t c) {
   switch (c) {
@@ -28,11 +26,19 @@ void append_escape(std::string& out, char32_t c) {
   case '\t': out += "\\t"; return;
   default: break;
   }
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  out += "\\u";
-  for (int shift = 12; shift >= 0; shift -= 4) {
-    out += kDigits[(static_cast<std::uint32_t>(c) >> static_cast<unsigned>(shift)) & 0xFU];
-  }
+  utf8::append_escape(out, c);
+}
+
+/// GitHub and Azure take a line that holds one of these for a command.
+bool starts_mark(std::string_view rest) {
+  return rest.starts_with("##[") || rest.starts_with("##vso[");
+}
+
+/// GitHub does the same with a line that begins with "::". A name may be at the start of a line, or
+/// come there where text is wrapped.
+bool starts_command(std::string_view text, std::size_t at) {
+  const std::string_view rest = text.substr(at);
+  return starts_mark(rest) || (rest.starts_with("::") && (at == 0 || text[at - 1] == ' '));
 }
 
 }  // namespace
@@ -52,7 +58,7 @@ std::vector<Glyph> to_glyphs(std::string_view line, std::uint32_t offset) {
     } else if (point.value == kByteOrderMark) {
       glyph.text = {};
       glyph.width = 0;
-    } else if (is_unsafe(point.value) || point.value == 0xFFFD) {
+    } else if (is_unsafe(point.value) || point.value == 0xFFFD || starts_mark(line.substr(at))) {
       glyph.text = kReplacement;
     } else {
       glyph.width = utf8::display_width(point.value);
@@ -69,7 +75,7 @@ std::string escape(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size()) {
     const utf8::CodePoint point = utf8::decode(text.substr(at));
-    if (is_unsafe(point.value) || point.value == kByteOrderMark) {
+    if (is_unsafe(point.value) || point.value == kByteOrderMark || starts_command(text, at)) {
       append_escape(out, point.value);
     } else if (point.value == 0xFFFD) {
       out += kReplacement;
@@ -77,6 +83,21 @@ std::string escape(std::string_view text) {
       out += text.substr(at, point.size);
     }
     at += point.size;
+  }
+  return out;
+}
+
+std::string escape_lines(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = text.find_first_of("\t\n");
+    const std::string_view part = text.substr(0, end);
+    const bool is_dos = part.ends_with('\r') && end != std::string_view::npos && text[end] == '\n';
+    out += escape(part.substr(0, part.size() - (is_dos ? 1 : 0)));
+    if (is_dos) out += '\r';
+    if (end == std::string_view::npos) break;
+    out += text[end];
+    text.remove_prefix(end + 1);
   }
   return out;
 }

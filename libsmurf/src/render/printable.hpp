@@ -22,8 +22,12 @@ struct Glyph {
 /// invalid bytes become U+FFFD.
 std::vector<Glyph> to_glyphs(std::string_view line, std::uint32_t offset);
 
-/// A message or path on one line: control characters and the like as "\n" or "\u001b".
+/// A message or path on one line: control characters and the like as "\n" or "\u001b". No line
+/// that begins with it is a command of a workflow ("::error::").
 std::string escape(std::string_view text);
+
+/// Lines as escape() has them; tabs and line ends, of either kind, stay.
+std::string escape_lines(std::string_view text);
 
 /// Columns of text that went through escape().
 std::size_t width_of(std::string_view text);

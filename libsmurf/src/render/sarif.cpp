@@ -68,6 +68,16 @@ std::string full_description(const Rule& rule) {
   return description.empty() ? std::string(rule.summary) : description;
 }
 
+/// A name such as "[click](http://...)" would be a link in a message (SARIF 3.11.6).
+std::string without_links(std::string_view message) {
+  std::string out;
+  for (const char c : message) {
+    if (c == '(' && out.ends_with(']')) out.insert(out.size() - 1, 1, '\\');
+    out += c;
+  }
+  return out;
+}
+
 std::string cut(std::string_view description) {
   if (description.size() <= kLongestDescription) return std::string(description);
   std::size_t end = kLongestDescription - 3;
@@ -116,7 +126,7 @@ class Log {
     result["level"] = text(level(diagnostic.severity));
     std::string message = diagnostic.message;
     if (!diagnostic.help.empty()) message += "; " + diagnostic.help;
-    result["message"] = {{"text", message}};
+    result["message"] = {{"text", without_links(message)}};
     Json location = place(diagnostic.span);
     if (!diagnostic.pointer.empty()) {
       location["logicalLocations"] = {{{"fullyQualifiedName", diagnostic.pointer}}};
@@ -126,7 +136,7 @@ class Log {
       const Label& label = diagnostic.labels[i];
       Json related = place(label.span);
       related["id"] = i + 1;
-      related["message"] = {{"text", label.message}};
+      related["message"] = {{"text", without_links(label.message)}};
       result["relatedLocations"].push_back(std::move(related));
     }
     result["partialFingerprints"] = {{"primaryLocationLineHash", fingerprint(diagnostic.span)}};
@@ -182,7 +192,8 @@ class Log {
     const std::string description = diagnostic.help.empty()
                                         ? std::string(kind)
                                         : diagnostic.help + " (" + std::string(kind) + ")";
-    return {{"description", {{"text", description}}}, {"artifactChanges", std::move(list)}};
+    return {{"description", {{"text", without_links(description)}}},
+            {"artifactChanges", std::move(list)}};
   }
 
   std::string fingerprint(Span span) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <regex>
 #include <string>
+#include <utility>
 
 #include "ast/keys.hpp"
 #include "base/numbers.hpp"
@@ -100,6 +101,13 @@ constexpr std::string_view kTypes[] = {"array",  "boolean", "integer", "null",
 constexpr int kDeepest = 32;
 constexpr double kMost = 256;
 constexpr std::size_t kLongestPattern = 300;
+/// Of all patterns of a schema: each takes memory for what it comes to, each pattern of names the
+/// time to be read again for every mapping.
+constexpr std::size_t kMostPatternSteps = 500'000;
+constexpr std::size_t kMostNamePatternSteps = 300;
+constexpr int kMostNamePatterns = 1000;
+/// Names, values and types that the library compares in a step.
+constexpr std::size_t kItemsForStep = 16;
 
 const Keyword* find_keyword(std::string_view name) {
   for (const Keyword& keyword : kKeywords) {
@@ -130,8 +138,8 @@ class SchemaChecker {
  public:
   SchemaChecker(yaml::View root, DiagnosticSink& sink) : root_(root), sink_(sink) {}
 
-  std::optional<json> run() {
-    if (!is_small(root_)) {
+  std::optional<CheckedSchema> run() {
+    if (size_of(root_) > kLargest) {
       fault(root_.span(), "the schema is too large");
       return std::nullopt;
     }
@@ -141,7 +149,8 @@ class SchemaChecker {
       if (!is_sound_) break;
       measure(id, {}, 0);
     }
-    return is_sound_ ? std::optional(std::move(checked)) : std::nullopt;
+    if (!is_sound_) return std::nullopt;
+    return CheckedSchema{std::move(checked), std::move(guards_)};
   }
 
  private:
@@ -174,35 +183,53 @@ class SchemaChecker {
       return true;
     }
     json checked = json::object();
-    checked[kGuardKey] = "";
     if (const yaml::View reference = node.find("$ref")) {  // the keys beside it have no effect
       add_reference(node, reference);
       return json{{"$ref", std::string(reference.text())}};
     }
+    SchemaGuard guard;
     for (const yaml::View value : node) {
-      if (!value.is_repeated()) add_keyword(node, value, checked);
+      if (!value.is_repeated()) add_keyword(node, value, checked, guard);
     }
+    add_guards(std::move(guard), checked);
     return checked;
   }
 
-  void add_keyword(yaml::View node, yaml::View value, json& checked) {
+  /// The library asks the guard of a schema last, but those of `allOf` before it compares items or
+  /// matches names.
+  void add_guards(SchemaGuard guard, json& checked) {
+    if (guard.has_name_patterns || guard.has_unique_items) {
+      checked["allOf"].push_back(json{{kGuardKey, guards_.size()}});
+      guards_.push_back({.steps = guard.steps,
+                         .has_name_patterns = std::exchange(guard.has_name_patterns, false),
+                         .has_unique_items = std::exchange(guard.has_unique_items, false)});
+    }
+    checked[kGuardKey] = guards_.size();
+    guards_.push_back(std::move(guard));
+  }
+
+  void add_keyword(yaml::View node, yaml::View value, json& checked, SchemaGuard& guard) {
     const Keyword* keyword = find_keyword(value.key());
     if (keyword == nullptr) return suggest_keyword(value);
     const std::string name(keyword->name);
+    const bool is_many = value.is_sequence() || value.is_mapping();
+    if (is_many) guard.steps += static_cast<std::int64_t>(value.size() / kItemsForStep);
     switch (keyword->holds) {
     case Holds::nothing: return;
-    case Holds::pattern:
-      if (check_pattern(value)) checked[kGuardKey] = std::string(value.text());
-      return;
+    case Holds::pattern: guard.pattern = pattern_of(value); return;
     case Holds::schema: checked[name] = inner(node, value, *keyword); return;
     case Holds::schemas: checked[name] = schemas(node, value, *keyword); return;
-    case Holds::schemas_by_name:
-    case Holds::schemas_by_pattern: checked[name] = schemas_by_name(node, value, *keyword); return;
+    case Holds::schemas_by_pattern:
+      guard.has_name_patterns = value.is_mapping() && value.size() > 0;
+      guard.steps += kStepsForNamePattern * static_cast<std::int64_t>(value.size());
+      [[fallthrough]];
+    case Holds::schemas_by_name: checked[name] = schemas_by_name(node, value, *keyword); return;
     case Holds::items:
       checked[name] =
           value.is_sequence() ? schemas(node, value, *keyword) : inner(node, value, *keyword);
       return;
     case Holds::dependencies: checked[name] = dependencies(node, value, *keyword); return;
+    case Holds::boolean: guard.has_unique_items = value.boolean().value_or(false); [[fallthrough]];
     default: check_plain(*keyword, value); checked[name] = to_json(value);
     }
   }
@@ -258,24 +285,29 @@ class SchemaChecker {
                            : "types are array, boolean, integer, null, number, object, string";
   }
 
-  bool check_pattern(yaml::View value) {
-    const Span span = value.place();
-    const std::string_view pattern = value.text();
-    if (!value.is_scalar()) {
-      expect(false, value, "a regular expression");
-      return false;
+  std::optional<Pattern> pattern_of(yaml::View value) {
+    if (value.is_scalar()) return compile(value.text(), value.place());
+    expect(false, value, "a regular expression");
+    return std::nullopt;
+  }
+
+  std::optional<Pattern> compile(std::string_view text, Span place) {
+    if (text.size() > kLongestPattern) {
+      fault(place, "a pattern has at most " + std::to_string(kLongestPattern) + " characters");
+      return std::nullopt;
     }
-    if (pattern.size() > kLongestPattern) {
-      fault(span, "a pattern has at most " + std::to_string(kLongestPattern) + " characters");
-      return false;
+    auto compiled = Pattern::compile(text);
+    if (const auto* reason = std::get_if<Pattern::Fault>(&compiled)) {
+      fault(place, quoted(text) + " is no regular expression: " + *reason);
+      return std::nullopt;
     }
-    try {
-      const std::regex compiled(std::string(pattern), kPatternSyntax);
-      return true;
-    } catch (const std::regex_error&) {
-      fault(span, quoted(pattern) + " is no regular expression, or one with references back");
-      return false;
+    Pattern& pattern = std::get<Pattern>(compiled);
+    pattern_steps_ += pattern.steps_for("");
+    if (pattern_steps_ > kMostPatternSteps) {
+      fault(place, "the repeats of all patterns up to here make the schema too large");
+      return std::nullopt;
     }
+    return std::move(pattern);
   }
 
   json inner(yaml::View outer, yaml::View node, const Keyword& keyword) {
@@ -303,9 +335,13 @@ class SchemaChecker {
   }
 
   void check_name_pattern(yaml::View node) {
-    if (node.key().size() > kLongestPattern || !is_simple_pattern(node.key())) {
+    const std::optional<Pattern> pattern = compile(node.key(), node.key_span());
+    if (!pattern) return;
+    if (++name_patterns_ > kMostNamePatterns || !is_simple_pattern(node.key()) ||
+        pattern->steps_for("") > kMostNamePatternSteps) {
       fault(node.key_span(), "this pattern of names is too costly").help =
-          "repeat no groups, and at most two characters";
+          "repeat no groups, at most two characters, and none hundreds of times; a schema has at most " +
+          std::to_string(kMostNamePatterns) + " such patterns";
       return;
     }
     try {
@@ -373,6 +409,9 @@ class SchemaChecker {
   yaml::View root_;
   DiagnosticSink& sink_;
   bool is_sound_ = true;
+  std::vector<SchemaGuard> guards_;
+  std::size_t pattern_steps_ = 0;
+  int name_patterns_ = 0;
   /// Every schema of the file, and those it applies to the same value.
   std::map<yaml::NodeId, std::vector<Applied>> applied_;
   std::vector<std::pair<yaml::NodeId, yaml::View>> references_;
@@ -419,9 +458,9 @@ json to_json(yaml::View value) {
   return std::string(value.text());
 }
 
-bool is_small(yaml::View value) {
-  std::size_t left = kLargest;
-  return fits(value, left);
+std::size_t size_of(yaml::View value) {
+  std::size_t left = kLargest + 1;
+  return fits(value, left) ? kLargest + 1 - left : kLargest + 1;
 }
 
 yaml::View child(yaml::View parent, std::string_view step) {
@@ -431,7 +470,7 @@ yaml::View child(yaml::View parent, std::string_view step) {
   return *std::next(parent.begin(), *index);
 }
 
-std::optional<json> check_schema(yaml::View root, DiagnosticSink& sink) {
+std::optional<CheckedSchema> check_schema(yaml::View root, DiagnosticSink& sink) {
   return SchemaChecker(root, sink).run();
 }
 

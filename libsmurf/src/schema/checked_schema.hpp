@@ -3,28 +3,42 @@
 // can be applied to any data without endless recursion.
 #pragma once
 
+#include <cstdint>
 #include <optional>
-#include <regex>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "schema/pattern.hpp"
 #include "smurf/diagnostic.hpp"
 #include "smurf/yaml.hpp"
 
 namespace smurf {
 
-/// The key of every subschema under which its `pattern` is kept ("" for none), so that our own
-/// matcher, which cannot run away, is asked instead of the library's.
+/// What a subschema needs to be safe to apply.
+struct SchemaGuard {
+  std::optional<Pattern> pattern{};  ///< of `pattern`, which the library is not told of
+  std::int64_t steps = 1;            ///< that the library takes to apply it, of about 1 us
+  bool has_name_patterns = false;
+  bool has_unique_items = false;
+};
+
+/// What it takes to read a pattern of names again, which the library does for every mapping.
+inline constexpr std::int64_t kStepsForNamePattern = 100;
+
+/// The key of every subschema that holds the index of its guard.
 inline constexpr const char* kGuardKey = "smurf:guard";
 
-/// libstdc++'s matcher without backtracking: its time is linear in the text, its stack constant.
-inline constexpr auto kPatternSyntax =
-    std::regex_constants::ECMAScript | std::regex_constants::__polynomial;
+struct CheckedSchema {
+  nlohmann::json schema;  ///< with known keywords only
+  std::vector<SchemaGuard> guards;
+};
 
 /// At most this many values with aliases followed; more are not turned into JSON.
 inline constexpr std::size_t kLargest = 200000;
-bool is_small(yaml::View value);
+/// The values that it holds, itself included; counted no further than one above kLargest.
+std::size_t size_of(yaml::View value);
 
 /// The value with this key, or at this index; null when there is none.
 yaml::View child(yaml::View parent, std::string_view step);
@@ -32,8 +46,8 @@ yaml::View child(yaml::View parent, std::string_view step);
 /// The value as JSON; numbers without fraction are integers. Repeated keys keep the first value.
 nlohmann::json to_json(yaml::View value);
 
-/// The schema with known keywords only; none, and SML9011 reported, when it is broken.
-std::optional<nlohmann::json> check_schema(yaml::View root, DiagnosticSink& sink);
+/// None, and SML9011 reported, when the schema is broken.
+std::optional<CheckedSchema> check_schema(yaml::View root, DiagnosticSink& sink);
 
 /// The node that "#/definitions/color" names; null when there is none or it is in another file.
 yaml::View follow_reference(yaml::View root, std::string_view reference);

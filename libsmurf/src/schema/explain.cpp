@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_set>
 
 #include "ast/keys.hpp"
 #include "base/quoted.hpp"
@@ -51,7 +52,8 @@ constexpr Phrase kPhrases[] = {
      "has several forms of which the schema allows only one", ""},
 };
 
-constexpr std::size_t kMostFaults = 20000;  ///< of one value, with their consequences
+constexpr std::size_t kNodesForStep = 64;  ///< of the schema and the value, that are looked at
+constexpr std::uint64_t kComparisonsForStep = 256;  ///< of characters, for suggestions
 constexpr std::size_t kMostNotes = 4;
 
 const Phrase* phrase_of(const SchemaFault& fault) {
@@ -171,23 +173,30 @@ class Candidates {
 
 class Explainer {
  public:
-  Explainer(const std::vector<SchemaFault>& faults, yaml::View schema, yaml::View value)
-      : faults_(faults.begin(),
-                faults.begin() + static_cast<std::ptrdiff_t>(std::min(faults.size(), kMostFaults))),
+  Explainer(const std::vector<SchemaFault>& faults, yaml::View schema, yaml::View value,
+            std::int64_t& steps_left)
+      : faults_(faults),
         schema_(schema),
         value_(value),
+        steps_left_(steps_left),
         is_dropped_(faults_.size(), false) {}
 
   std::vector<Violation> run() {
     drop_rejected_forms();
     drop_consequences();
     for (std::size_t i = 0; i < faults_.size(); ++i) {
-      if (!is_dropped_[i]) explain(i);
+      if (!is_dropped_[i] && spend(schema_.document().nodes.size())) explain(i);
     }
     return std::move(violations_);
   }
 
  private:
+  /// False when there are no steps left.
+  bool spend(std::size_t nodes) {
+    steps_left_ -= std::min(steps_left_, static_cast<std::int64_t>(nodes / kNodesForStep + 1));
+    return steps_left_ > 0;
+  }
+
   /// Of a choice of forms only the choice is reported. What is wrong with each form comes before
   /// it.
   void drop_rejected_forms() {
@@ -195,10 +204,14 @@ class Explainer {
     for (std::size_t i = 0; i < faults_.size(); ++i) {
       if (!is_choice(phrase_of(faults_[i]))) continue;
       for (std::size_t k = i; k-- > 0 && is_at_or_under(faults_[k], faults_[i]);) {
-        if (is_dropped_[k]) continue;
+        if (is_dropped_[k]) {
+          if (!spend(0)) return;
+          continue;
+        }
         is_dropped_[k] = true;
         const Phrase* phrase = phrase_of(faults_[k]);
         if (phrase == nullptr || notes_[i].size() >= kMostNotes) continue;
+        if (!spend(schema_.document().nodes.size())) return;
         const Located at(*this, faults_[k]);
         if (at.value) notes_[i].push_back("one form: " + message(faults_[k], *phrase, at));
       }
@@ -222,11 +235,12 @@ class Explainer {
   }
 
   struct Located {
-    Located(const Explainer& explainer, const SchemaFault& fault)
+    Located(Explainer& explainer, const SchemaFault& fault)
         : value(explainer.value_), candidates(explainer.schema_, fault.steps) {
       name = value.key();
       for (const std::string& step : fault.steps) {
         const bool is_item = value.is_sequence();
+        explainer.spend(value.size());
         value = child(value, step);
         if (!value) return;
         if (!is_item) {
@@ -284,11 +298,13 @@ class Explainer {
   }
 
   /// A slip of the pen is then the place.
-  static void suggest_key(const Located& at, const std::string& missing, Violation& violation) {
-    const std::vector<std::string_view> known = property_names(at);
+  void suggest_key(const Located& at, const std::string& missing, Violation& violation) {
+    if (!spend(kNodesForStep / 4 * at.value.size())) return;
+    const std::vector<std::string_view> names = property_names(at);
+    const std::unordered_set<std::string_view> known(names.begin(), names.end());
     const std::string_view meant[] = {missing};
     for (const yaml::View key : at.value) {
-      if (std::find(known.begin(), known.end(), key.key()) != known.end()) continue;
+      if (known.contains(key.key())) continue;
       if (!nearest(key.key(), meant)) continue;
       violation.span = key.key_span();
       violation.add_span = {};
@@ -332,12 +348,21 @@ class Explainer {
                                                       : mapping.place();
   }
 
-  static void suggest_value(const Located& at, Violation& violation) {
+  std::optional<std::string_view> nearest_of(std::string_view name,
+                                             std::span<const std::string_view> known) {
+    const auto most = static_cast<std::uint64_t>(std::max<std::int64_t>(steps_left_, 0));
+    std::uint64_t comparisons_left = most * kComparisonsForStep;
+    const auto near = nearest(name, known, comparisons_left);
+    steps_left_ = static_cast<std::int64_t>(comparisons_left / kComparisonsForStep);
+    return near;
+  }
+
+  void suggest_value(const Located& at, Violation& violation) {
     const yaml::View values = at.candidates.find("enum");
     if (!values || !values.is_sequence() || !at.value.is_scalar()) return;
     std::vector<std::string_view> names;
     for (const yaml::View value : values) names.push_back(value.text());
-    if (const auto near = nearest(at.value.text(), names)) {
+    if (const auto near = nearest_of(at.value.text(), names)) {
       suggest(violation, *near, without_quotes(at.value.span(), at.value.text()));
     }
   }
@@ -349,17 +374,19 @@ class Explainer {
 
   /// valijson names the first key that is too many; these are all.
   void explain_keys(const Located& at) {
-    const std::vector<std::string_view> known = property_names(at);
+    const std::vector<std::string_view> names = property_names(at);
+    const std::unordered_set<std::string_view> known(names.begin(), names.end());
     const bool has_patterns = static_cast<bool>(at.candidates.find("patternProperties"));
     for (const yaml::View key : at.value) {
-      if (std::find(known.begin(), known.end(), key.key()) != known.end()) continue;
+      if (known.contains(key.key())) continue;
       if (has_patterns) {  // which names they match is not asked again
         Violation& violation = add(at, "additionalProperties", head_of(at.value),
                                    at.subject() + " has a key that the schema does not know");
         violation.help.clear();
         return;
       }
-      const auto near = nearest(key.key(), known);
+      if (!spend(at.value.size())) return;
+      const auto near = nearest_of(key.key(), names);
       const bool is_slip = near && !at.value.find(*near);
       if (is_slip && is_required(at, *near)) continue;  // reported as missing
       Violation& violation =
@@ -370,9 +397,10 @@ class Explainer {
     }
   }
 
-  std::vector<SchemaFault> faults_;
+  const std::vector<SchemaFault>& faults_;
   yaml::View schema_;
   yaml::View value_;
+  std::int64_t& steps_left_;
   std::vector<bool> is_dropped_;
   std::vector<std::vector<std::string>> notes_;
   std::vector<Violation> violations_;
@@ -381,8 +409,8 @@ class Explainer {
 }  // namespace
 
 std::vector<Violation> explain(const std::vector<SchemaFault>& faults, yaml::View schema,
-                               yaml::View value) {
-  return Explainer(faults, schema, value).run();
+                               yaml::View value, std::int64_t& steps_left) {
+  return Explainer(faults, schema, value, steps_left).run();
 }
 
 }  // namespace smurf

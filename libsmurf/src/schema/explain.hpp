@@ -3,6 +3,7 @@
 // schema's own words.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "schema/json_schema.hpp"
@@ -22,7 +23,8 @@ struct Violation {
   std::vector<Fix> fixes;
 };
 
+/// Takes what it costs from the steps; when none are left, there may be more violations.
 std::vector<Violation> explain(const std::vector<SchemaFault>& faults, yaml::View schema,
-                               yaml::View value);
+                               yaml::View value, std::int64_t& steps_left);
 
 }  // namespace smurf

@@ -1,114 +1,111 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "schema/json_schema.hpp"
 
+#include <mutex>
+#include <utility>
+
 #include <nlohmann/json.hpp>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include "schema/checked_schema.hpp"
-
 namespace smurf {
 namespace {
 
 namespace vj = valijson;
 
-/// Schemas that apply themselves to the parts of a value several times double the work with every
-/// level.
-constexpr std::int64_t kMostSteps = 100000;
-constexpr std::int64_t kMostStepsPerValue = 20;
-constexpr std::size_t kLongestText = 10000;
-/// Comparing each item with each.
-constexpr std::size_t kMostUniqueItems = 2000;
+constexpr std::size_t kMatchesForStep = 30;  // of Pattern::steps_for(), in a step of 1 us
+constexpr std::size_t kPairsForStep = 64;    // items compared with each other
+/// std::regex, which the library asks about names, takes a stack frame for each character and the
+/// square of the name in time.
+constexpr std::size_t kLongestMatchedName = 256;
+constexpr std::size_t kNameForStep = 250;  // characters, squared
 
 struct TooMuchWork {};
 
-/// Counts every schema that is applied, and stands in for `pattern`.
+/// Counts the work of every schema that is applied, and stands in for `pattern`.
 class Guard final : public vj::constraints::PolyConstraint {
  public:
-  Guard(std::int64_t& steps_left, const std::string& pattern) : steps_left_(&steps_left) {
-    if (!pattern.empty()) pattern_.emplace(pattern, kPatternSyntax);
-  }
+  Guard(std::int64_t& steps_left, const SchemaGuard& guard)
+      : steps_left_(&steps_left), guard_(&guard) {}
 
   bool validate(const vj::adapters::Adapter& target, const std::vector<std::string>& context,
                 vj::ValidationResults* results) const override {
-    if (--*steps_left_ < 0) throw TooMuchWork{};
-    if (!pattern_ || !target.isString()) return true;
+    spend(guard_->steps);
+    if (guard_->has_unique_items && target.isArray()) {
+      const std::size_t items = target.getArraySize();
+      spend(static_cast<std::int64_t>(items * items / kPairsForStep));
+    }
+    if (guard_->has_name_patterns && target.isObject()) spend_for_names(target);
+    if (!guard_->pattern || !target.isString()) return true;
     const std::string text = target.asString();
-    if (text.size() > kLongestText) throw TooMuchWork{};
-    if (std::regex_search(text, *pattern_)) return true;
+    spend(static_cast<std::int64_t>(guard_->pattern->steps_for(text) / kMatchesForStep));
+    if (guard_->pattern->is_in(text)) return true;
     if (results != nullptr) results->pushError(context, "Failed to match regex");
     return false;
   }
 
  private:
+  void spend(std::int64_t steps) const {
+    *steps_left_ -= steps;
+    if (*steps_left_ < 0) throw TooMuchWork{};
+  }
+
+  void spend_for_names(const vj::adapters::Adapter& target) const {
+    target.applyToObject([&](const std::string& name, const vj::adapters::Adapter&) {
+      if (name.size() > kLongestMatchedName) throw TooMuchWork{};
+      spend(static_cast<std::int64_t>(1 + name.size() * name.size() / kNameForStep) *
+            guard_->steps / kStepsForNamePattern);
+      return true;
+    });
+  }
+
   vj::constraints::Constraint* cloneInto(void* place) const override {
     return new (place) Guard(*this);
   }
   size_t sizeOf() const override { return sizeof(Guard); }
 
   std::int64_t* steps_left_;
-  std::optional<std::regex> pattern_;
+  const SchemaGuard* guard_;
 };
 
 class GuardBuilder final : public vj::ConstraintBuilder {
  public:
-  explicit GuardBuilder(std::int64_t& steps_left) : steps_left_(steps_left) {}
-  vj::constraints::Constraint* make(const vj::adapters::Adapter& pattern) const override {
-    return new Guard(steps_left_, pattern.asString());
+  GuardBuilder(std::int64_t& steps_left, const std::vector<SchemaGuard>& guards)
+      : steps_left_(steps_left), guards_(guards) {}
+  vj::constraints::Constraint* make(const vj::adapters::Adapter& index) const override {
+    return new Guard(steps_left_, guards_[static_cast<std::size_t>(index.asInteger())]);
   }
 
  private:
   std::int64_t& steps_left_;
+  const std::vector<SchemaGuard>& guards_;
 };
-
-std::int64_t count(const nlohmann::json& value) {
-  std::int64_t values = 1;
-  if (!value.is_structured()) return values;
-  for (const nlohmann::json& item : value) values += count(item);
-  return values;
-}
-
-bool has_long_list(const nlohmann::json& value) {
-  if (value.is_array() && value.size() > kMostUniqueItems) return true;
-  if (!value.is_structured()) return false;
-  for (const nlohmann::json& item : value) {
-    if (has_long_list(item)) return true;
-  }
-  return false;
-}
-
-bool asks_for_unique_items(const nlohmann::json& schema) {
-  if (!schema.is_structured()) return false;
-  if (schema.is_object() && schema.contains("uniqueItems")) return true;
-  for (const nlohmann::json& item : schema) {
-    if (asks_for_unique_items(item)) return true;
-  }
-  return false;
-}
 
 }  // namespace
 
 struct JsonSchema::Parsed {
+  std::vector<SchemaGuard> guards;
   std::int64_t steps_left = 0;
+  std::mutex is_in_use;  ///< one file after the other: the guards count for one of them
   vj::Schema schema;
-  bool has_unique_items = false;
 };
 
-JsonSchema::JsonSchema(const nlohmann::json& checked) : parsed_(std::make_unique<Parsed>()) {
+JsonSchema::JsonSchema(CheckedSchema checked) : parsed_(std::make_unique<Parsed>()) {
+  parsed_->guards = std::move(checked.guards);
   vj::SchemaParser parser(vj::SchemaParser::kDraft7);
   // The parser deletes it.
-  parser.addConstraintBuilder(kGuardKey, new GuardBuilder(parsed_->steps_left));
-  parser.populateSchema(vj::adapters::NlohmannJsonAdapter(checked), parsed_->schema);
-  parsed_->has_unique_items = asks_for_unique_items(checked);
+  parser.addConstraintBuilder(kGuardKey, new GuardBuilder(parsed_->steps_left, parsed_->guards));
+  parser.populateSchema(vj::adapters::NlohmannJsonAdapter(checked.schema), parsed_->schema);
 }
 
 JsonSchema::~JsonSchema() = default;
 
-std::optional<std::vector<SchemaFault>> JsonSchema::check(const nlohmann::json& value) const {
-  if (parsed_->has_unique_items && has_long_list(value)) return std::nullopt;
-  parsed_->steps_left = kMostSteps + kMostStepsPerValue * count(value);
+std::optional<std::vector<SchemaFault>> JsonSchema::check(const nlohmann::json& value,
+                                                          std::int64_t& steps_left) const {
+  const std::lock_guard lock(parsed_->is_in_use);
+  parsed_->steps_left = std::exchange(steps_left, 0);
   vj::ValidationResults results;
   try {
     vj::Validator().validate(parsed_->schema, vj::adapters::NlohmannJsonAdapter(value), &results);
@@ -117,6 +114,7 @@ std::optional<std::vector<SchemaFault>> JsonSchema::check(const nlohmann::json& 
   } catch (const std::exception&) {  // a recursion or conversion that valijson refuses
     return std::nullopt;
   }
+  steps_left = parsed_->steps_left;
   std::vector<SchemaFault> faults;
   for (const vj::ValidationResults::Error& error : results) {
     SchemaFault& fault = faults.emplace_back();

@@ -2,12 +2,13 @@
 // Applies a checked schema to a value. The only place that knows valijson.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include "schema/checked_schema.hpp"
 
 namespace smurf {
 
@@ -19,12 +20,13 @@ struct SchemaFault {
 
 class JsonSchema {
  public:
-  /// `checked` comes from check_schema(). Throws std::exception when valijson refuses it.
-  explicit JsonSchema(const nlohmann::json& checked);
+  /// Throws std::exception when valijson refuses the schema.
+  explicit JsonSchema(CheckedSchema checked);
   ~JsonSchema();
 
-  /// None when the work or a text exceeds a bound.
-  std::optional<std::vector<SchemaFault>> check(const nlohmann::json& value) const;
+  /// Takes what it costs from the steps. None when they do not suffice; none are left then.
+  std::optional<std::vector<SchemaFault>> check(const nlohmann::json& value,
+                                                std::int64_t& steps_left) const;
 
  private:
   struct Parsed;

@@ -18,21 +18,32 @@ struct UserSchema {
 
 namespace {
 
-void check(const UserSchema* schema, yaml::View value, Findings& findings) {
+/// Schemas that apply themselves to the parts of a value several times double the work with every
+/// level.
+constexpr std::int64_t kStepsForValue = 4;
+
+void report_too_large(yaml::View value, std::string_view what, Findings& findings) {
+  findings
+      .report(value.key_span().empty() ? value.span() : value.key_span(),
+              "this is too large to be " + std::string(what))
+      .severity = Severity::info;
+}
+
+void check(const UserSchema* schema, yaml::View value, SchemaWork& work, Findings& findings) {
   if (schema == nullptr || !value) return;
-  const auto faults = is_small(value) ? schema->schema.check(to_json(value)) : std::nullopt;
-  if (!faults) {
-    Diagnostic& diagnostic =
-        findings.report(value.key_span().empty() ? value.span() : value.key_span(),
-                        "this is too large to be checked by its schema");
-    diagnostic.severity = Severity::info;
-    return;
-  }
-  for (Violation& violation : explain(*faults, schema->document.view(), value)) {
-    Diagnostic& diagnostic = findings.report(violation.span, std::move(violation.message));
-    diagnostic.help = std::move(violation.help);
-    diagnostic.notes = std::move(violation.notes);
-    diagnostic.fixes = std::move(violation.fixes);
+  const std::size_t size = size_of(value);
+  work.steps += kStepsForValue * static_cast<std::int64_t>(size);
+  const auto faults =
+      size <= kLargest ? schema->schema.check(to_json(value), work.steps) : std::nullopt;
+  if (!faults) return report_too_large(value, "checked by its schema", findings);
+  const std::vector<Violation> violations =
+      explain(*faults, schema->document.view(), value, work.steps);
+  if (work.steps <= 0) report_too_large(value, "told all that its schema refuses", findings);
+  for (const Violation& violation : violations) {
+    Diagnostic& diagnostic = findings.report(violation.span, violation.message);
+    diagnostic.help = violation.help;
+    diagnostic.notes = violation.notes;
+    diagnostic.fixes = violation.fixes;
     if (!violation.add_span.empty()) {
       diagnostic.labels.push_back({violation.add_span, "add it after this"});
     }
@@ -73,14 +84,14 @@ bool UserSchemas::add(Table& table, std::string name, SourceId schema, const Sou
     return false;
   }
   DiagnosticSink found;
-  const auto checked = check_schema(root, found);
+  auto checked = check_schema(root, found);
   for (Diagnostic& diagnostic : found.take()) {
     diagnostic.pointer = yaml::pointer(*document, yaml::node_at(*document, diagnostic.span.begin));
     sink.report(*diagnostic.rule, diagnostic.span, {}) = std::move(diagnostic);
   }
   if (!checked) return false;
   try {
-    entry.reset(new UserSchema{std::move(*document), JsonSchema(*checked)});
+    entry.reset(new UserSchema{std::move(*document), JsonSchema(*std::move(checked))});
   } catch (const std::exception& refused) {
     sink.report(rules::sml9011_broken_schema, {schema, 0, 0},
                 std::string("the schema cannot be used: ") + refused.what());
@@ -98,12 +109,13 @@ bool UserSchemas::add_entity_type(std::string type, SourceId schema, const Sourc
   return add(entity_types_, std::move(type), schema, sources, sink);
 }
 
-void UserSchemas::check_section(yaml::View value, Findings& findings) const {
-  check(find(sections_, value.key()), value, findings);
+void UserSchemas::check_section(yaml::View value, SchemaWork& work, Findings& findings) const {
+  check(find(sections_, value.key()), value, work, findings);
 }
 
-void UserSchemas::check_entity(std::string_view type, yaml::View entity, Findings& findings) const {
-  check(find(entity_types_, type), entity, findings);
+void UserSchemas::check_entity(std::string_view type, yaml::View entity, SchemaWork& work,
+                               Findings& findings) const {
+  check(find(entity_types_, type), entity, work, findings);
 }
 
 }  // namespace smurf

@@ -82,7 +82,20 @@ void YamlBuilder::add_alias(Span span, Anchor anchor) {
     if (kind == Kind::sequence || kind == Kind::mapping) report_complex_key(span);
     return take_key(span, text);
   }
+  // A long text costs as much as many short ones.
+  constexpr std::size_t kTextForNode = 100;
+  repeat(span, target->second.size + text.size() / kTextForNode);
   add(kind, span, target->second.size).set_target(target->second.node);
+}
+
+/// Whatever reads the tree comes by what an alias stands for as often as it is written.
+void YamlBuilder::repeat(Span alias, std::uint64_t size) {
+  repeated_ += size;
+  if (repeated_ <= limits_.yaml_expanded_nodes) return;
+  stop(rules::sml0015_alias_expansion, alias,
+       "up to here, aliases repeat more than " + std::to_string(limits_.yaml_expanded_nodes) +
+           " values",
+       "yaml-expanded-nodes");
 }
 
 void YamlBuilder::report_complex_key(Span place) {
@@ -118,7 +131,7 @@ Node& YamlBuilder::add(Kind kind, Span span, std::uint64_t size) {
   collection.last_child = last();
   collection.has_key = false;
   collection.end = std::max(collection.end, span.end);
-  grow(collection, size);
+  collection.size += size;
   return node;
 }
 
@@ -130,13 +143,6 @@ void YamlBuilder::stop(const Rule& rule, Span place, std::string message, std::s
 void YamlBuilder::stop_at_nodes(std::uint32_t at) {
   stop(rules::sml0002_file_too_large, span(at, at),
        "the file holds more than " + std::to_string(limits_.yaml_nodes) + " values", "yaml-nodes");
-}
-
-void YamlBuilder::stop_at_expanded_nodes(const Collection& collection) {
-  stop(rules::sml0015_alias_expansion, at(collection.node).span,
-       "aliases make this value larger than " + std::to_string(limits_.yaml_expanded_nodes) +
-           " nodes",
-       "yaml-expanded-nodes");
 }
 
 void YamlBuilder::stop_at_depth(Span place) {
@@ -179,7 +185,7 @@ void YamlBuilder::close(std::uint32_t end) {
   if (closed.is_key) {
     parent.key_span = node.span;
   } else {
-    grow(parent, closed.size - 1);
+    parent.size += closed.size - 1;
   }
 }
 

@@ -103,14 +103,10 @@ class YamlBuilder {
     return document_.nodes.emplace_back(kind, span);
   }
   yaml::Node& add(yaml::Kind kind, Span span, std::uint64_t size);
-  void grow(Collection& collection, std::uint64_t size) {
-    collection.size += size;
-    if (collection.size > limits_.yaml_expanded_nodes) stop_at_expanded_nodes(collection);
-  }
+  void repeat(Span alias, std::uint64_t size);
   /// Reports that a limit is reached, and leaves the document.
   [[noreturn]] void stop(const Rule& rule, Span place, std::string message, std::string_view limit);
   [[noreturn]] void stop_at_nodes(std::uint32_t at);
-  [[noreturn]] void stop_at_expanded_nodes(const Collection& collection);
   [[noreturn]] void stop_at_depth(Span place);
   void report_complex_key(Span place);
 
@@ -125,6 +121,7 @@ class YamlBuilder {
   std::vector<Collection> open_;
   std::vector<Entry> entries_;  ///< of report_duplicates(), kept for its memory
   std::unordered_map<Anchor, Anchored> anchors_;
+  std::uint64_t repeated_ = 0;  ///< nodes that the aliases so far stand for
 };
 
 }  // namespace smurf

@@ -182,7 +182,8 @@ NodeId node_at(const Document& document, std::uint32_t offset) {
       id = at(id).parent;
     }
     if (id == document.root) return id;
-    // A key that is an anchor or a collection: its nodes are not in the tree.
+    // A key that is an anchor or a collection: its nodes are not in the tree, and all behind it.
+    last = document.nodes.begin() + static_cast<std::ptrdiff_t>(id);
   }
   return kNoNode;
 }

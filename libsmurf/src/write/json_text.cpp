@@ -4,35 +4,42 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "base/utf8.hpp"
 
 namespace smurf {
 namespace {
 
-void append_character(std::string& out, char c) {
-  switch (c) {
+/// YAML readers take U+2028 and U+2029 for line ends, and some take U+FEFF away.
+bool is_escaped(char32_t c) {
+  return utf8::is_control(c) || c == 0x2028 || c == 0x2029 || c == 0xFEFF;
+}
+
+void append_character(std::string& out, const utf8::CodePoint& point, std::string_view text) {
+  switch (point.value) {
   case '"': out += "\\\""; return;
   case '\\': out += "\\\\"; return;
   case '\n': out += "\\n"; return;
   case '\r': out += "\\r"; return;
   case '\t': out += "\\t"; return;
+  case 0xFFFD: out += utf8::kReplacement; return;  // an invalid byte
   default: break;
   }
-  const auto byte = static_cast<unsigned char>(c);
-  if (byte >= 0x20 && byte != 0x7f) {
-    out += c;
-    return;
+  if (is_escaped(point.value)) {
+    utf8::append_escape(out, point.value);
+  } else {
+    out += text.substr(0, point.size);
   }
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  out += "\\u00";
-  out += kDigits[byte >> 4U];
-  out += kDigits[byte & 0xfU];
 }
 
 }  // namespace
 
 void append_json(std::string& out, std::string_view text) {
   out += '"';
-  for (const char c : text) append_character(out, c);
+  while (!text.empty()) {
+    const utf8::CodePoint point = utf8::decode(text);
+    append_character(out, point, text);
+    text.remove_prefix(point.size);
+  }
   out += '"';
 }
 

@@ -9,7 +9,7 @@
 
 namespace smurf {
 
-/// Each appends to `out`.
+/// Each appends to `out`. Bytes that are no UTF-8 become U+FFFD.
 void append_json(std::string& out, std::string_view text);
 void append_json(std::string& out, const Vector3& vector);
 /// By components, each within [-1, 1].

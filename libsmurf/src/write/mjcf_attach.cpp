@@ -102,7 +102,8 @@ class AttachWriter : MjcfParts {
       if (const auto joint = model.tree.parent_joint[link]) {
         const urdf::Joint& parent = model.joint(*joint);
         if (parent.has_one_axis()) {
-          add_start(format_number(start_position(model, parent, linked(i).joint_positions)));
+          add_start(format_number(
+              start_position(model, parent, scene_.scene.joint_positions(linked(i)))));
         }
       }
       const std::vector<JointIndex>& joints = model.tree.child_joints[link];

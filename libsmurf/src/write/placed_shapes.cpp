@@ -27,10 +27,9 @@ class GeometryReader {
   }
   std::optional<FlatGeometry> operator()(const urdf::Mesh& mesh) const {
     if (!mesh.filename) return std::nullopt;
-    for (const auto& [written, file] : model_.resources) {
-      if (written == *mesh.filename) return FlatMesh{file, mesh.scale.value_or({1, 1, 1})};
-    }
-    return FlatMesh{*mesh.filename, mesh.scale.value_or({1, 1, 1})};
+    const auto known = model_.resources.find(*mesh.filename);
+    const std::string& file = known != model_.resources.end() ? known->second : *mesh.filename;
+    return FlatMesh{file, mesh.scale.value_or({1, 1, 1})};
   }
 
  private:
@@ -43,15 +42,17 @@ std::optional<FlatGeometry> to_flat(const urdf::Geometry& geometry, const FlatMo
   return std::visit(GeometryReader(model), geometry.shape);
 }
 
-std::optional<Rgba> color_of(const urdf::Visual& visual, const urdf::Robot& robot) {
+std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& model) {
   if (!visual.material) return std::nullopt;
   if (visual.material->rgba) return *visual.material->rgba;
-  for (const urdf::Material& material : robot.materials) {
-    if (material.name && visual.material->name && *material.name == *visual.material->name) {
-      return material.rgba.value();
-    }
-  }
-  return std::nullopt;
+  if (!visual.material->name) return std::nullopt;
+  const auto index = model.material_names.find(*visual.material->name);
+  const std::vector<urdf::Material>& materials = model.robot->materials;
+  // The table holds the names of the materials of visuals as well, with the number of their link.
+  if (!index || *index >= materials.size()) return std::nullopt;
+  const urdf::Material& material = materials[*index];
+  if (!material.name || *material.name != *visual.material->name) return std::nullopt;
+  return material.rgba.value();
 }
 
 std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index,
@@ -80,7 +81,7 @@ std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index,
       }
     };
     for (const urdf::Visual& visual : written.visuals) {
-      add(visual, color_of(visual, *model->robot));
+      add(visual, color_of(visual, *model));
     }
     if (written.visuals.empty()) {
       for (const urdf::Collision& collision : written.collisions) add(collision, std::nullopt);

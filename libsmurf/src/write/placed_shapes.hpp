@@ -15,7 +15,7 @@ namespace smurf {
 std::optional<FlatGeometry> to_flat(const urdf::Geometry& geometry, const FlatModel& model);
 
 /// Colour of a visual: its own, or that of the robot's material of the same name.
-std::optional<Rgba> color_of(const urdf::Visual& visual, const urdf::Robot& robot);
+std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& model);
 
 struct LinkShape {
   Pose X_LS;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "write/json_text.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 
@@ -13,12 +14,9 @@ namespace {
 
 /// A flow scalar that YAML and Drake read as this text.
 std::string quoted(std::string_view text) {
-  std::string escaped = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') escaped += '\\';
-    escaped += c;
-  }
-  return escaped + '"';
+  std::string quoted;
+  append_json(quoted, text);
+  return quoted;
 }
 
 std::string list(const Vector3& v) {

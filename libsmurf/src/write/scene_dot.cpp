@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is fixed to what, as a graph for Graphviz. Nested scenes are boxes around their entities.
+#include "base/utf8.hpp"
 #include "smurf/write_scene.hpp"
 
 namespace smurf {
@@ -8,9 +9,9 @@ namespace {
 /// A quoted string of the language; a backslash would start an escape of labels.
 std::string quoted(std::string_view text) {
   std::string escaped = "\"";
-  for (const char c : text) {
+  for (const char c : utf8::replace_controls(text)) {
     if (c == '"' || c == '\\') escaped += '\\';
-    if (c == '\n' || c == '\r') {
+    if (c == '\n' || c == '\t') {
       escaped += ' ';
     } else {
       escaped += c;

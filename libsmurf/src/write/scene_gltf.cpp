@@ -332,6 +332,7 @@ class GltfWriter {
 extern constinit const SceneFormat scene_gltf{
     .name = "gltf",
     .help = "a glTF 2.0 preview with the shapes of the models",
-    .write = [](const SceneExport& scene) { return GltfWriter(scene).run(); }};
+    .write = [](const SceneExport& scene) { return GltfWriter(scene).run(); },
+    .repeats_models = true};
 
 }  // namespace smurf

@@ -3,6 +3,7 @@
 // and one keyframe `initial` that holds every joint's start.
 #include <map>
 #include <set>
+#include <unordered_set>
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
@@ -60,6 +61,10 @@ class MjcfWriter : MjcfParts {
     for (std::size_t m = 0; m < scene_.scene.models.size(); ++m) {
       const LinkedModel& model = scene_.scene.models[m];
       if (!model.robot) continue;
+      existing_.clear();
+      for (const MeshReference& reference : model.meshes) {
+        if (reference.exists) existing_.insert(reference.filename);
+      }
       for (const urdf::Link& link : model.robot->links) {
         for (const urdf::Visual& visual : link.visuals) add_mesh(m, visual.geometry, visual.span);
         for (const urdf::Collision& shape : link.collisions)
@@ -79,11 +84,7 @@ class MjcfWriter : MjcfParts {
     const auto* mesh = flat_geometry ? std::get_if<FlatMesh>(&*flat_geometry) : nullptr;
     if (mesh == nullptr || meshes_.contains(mesh_key(*mesh))) return;
     const std::string extension = path::to_lower(path::extension(mesh->file));
-    bool exists = false;
-    for (const MeshReference& reference : scene_.scene.models[model].meshes) {
-      const auto* written = std::get_if<urdf::Mesh>(&geometry.shape);
-      exists = exists || (reference.filename == *written->filename && reference.exists);
-    }
+    const bool exists = existing_.contains(*std::get<urdf::Mesh>(geometry.shape).filename);
     if ((extension != ".stl" && extension != ".obj") || !exists) {
       losses_.shape(span, "the mesh `" + mesh->file + "`" +
                               (exists ? ", which is neither STL nor OBJ," : ", which is missing,"));
@@ -203,7 +204,7 @@ class MjcfWriter : MjcfParts {
          {"damping", format_number(joint.dynamics ? joint.dynamics->damping.value_or(0) : 0)},
          {"frictionloss",
           format_number(joint.dynamics ? joint.dynamics->friction.value_or(0) : 0)}});
-    add_start(format_number(start_position(model, joint, linked(i).joint_positions)));
+    add_start(format_number(start_position(model, joint, scene_.scene.joint_positions(linked(i)))));
     if (joint.mimic && joint.mimic->joint && joint.name) followers_.emplace_back(i, &joint);
     return true;
   }
@@ -212,8 +213,7 @@ class MjcfWriter : MjcfParts {
     const FlatModel& flat_model = scene_.flat.models[*flat(i).model];
     for (const urdf::Visual& visual : link.visuals) {
       if (const auto geometry = to_flat(visual.geometry, flat_model)) {
-        add_link_geom("visual", urdf::to_pose(visual.origin), *geometry,
-                      color_of(visual, *model.robot));
+        add_link_geom("visual", urdf::to_pose(visual.origin), *geometry, color_of(visual, model));
       }
     }
     for (const urdf::Collision& collision : link.collisions) {
@@ -256,7 +256,8 @@ class MjcfWriter : MjcfParts {
 
   std::vector<bool> is_top_level_;
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
-  std::map<std::string, std::string> meshes_;  ///< mesh_key -> name
+  std::map<std::string, std::string> meshes_;      ///< mesh_key -> name
+  std::unordered_set<std::string_view> existing_;  ///< names of the model's meshes that are there
   std::set<const urdf::Joint*> reported_;
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;
 };
@@ -271,6 +272,7 @@ extern constinit const SceneFormat scene_mjcf{
         [](const SceneExport& scene) {
           return scene.form == SceneForm::expand ? MjcfWriter(scene).run() : write_attached(scene);
         },
-    .has_reference_form = true};
+    .has_reference_form = true,
+    .repeats_models = true};
 
 }  // namespace smurf

@@ -2,9 +2,9 @@
 #include "write/scene_parts.hpp"
 
 #include <cmath>
-#include <unordered_set>
 
 #include "base/path.hpp"
+#include "base/unique_names.hpp"
 #include "flatten/shapes.hpp"
 #include "link/kinematics.hpp"
 
@@ -71,14 +71,10 @@ std::string safe_name(std::string_view text) {
 
 std::vector<std::string> safe_names(const FlatScene& scene) {
   std::vector<std::string> names;
-  std::unordered_set<std::string> taken{"world"};
+  UniqueNames unique;
+  unique.take("world");
   for (const FlatInstance& instance : scene.instances) {
-    const std::string base = safe_name(instance.path);
-    std::string name = base;
-    for (int number = 2; !taken.insert(name).second; ++number) {
-      name = base + "_" + std::to_string(number);
-    }
-    names.push_back(std::move(name));
+    names.push_back(unique.add(safe_name(instance.path)));
   }
   return names;
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/numbers.hpp"
+#include "base/unique_names.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/xml_text.hpp"
@@ -19,8 +20,13 @@ std::string sdf_name(const LinkedModel& model, std::size_t link) {
   std::string name = link_name(model, link);
   const bool is_reserved = name == "world" || (name.starts_with("__") && name.ends_with("__"));
   if (!is_reserved && name.find("::") == std::string::npos) return name;
-  for (std::size_t at; (at = name.find("::")) != std::string::npos;) name.replace(at, 2, "_");
-  name += "_link";
+  std::string plain;
+  for (std::size_t at = 0; at < name.size(); ++at) {
+    const bool is_separator = name.compare(at, 2, "::") == 0;
+    plain += is_separator ? '_' : name[at];
+    if (is_separator) ++at;
+  }
+  name = plain + "_link";
   while (model.link_names.contains(name)) name += "_";
   return name;
 }
@@ -88,13 +94,10 @@ class SdfWriter {
   }
 
   void add_lights() {
-    std::set<std::string> taken(names_.begin(), names_.end());
+    UniqueNames unique;
+    for (const std::string& name : names_) unique.take(name);
     for (const Light* light : world_lights(scene_)) {
-      const std::string base = light->name.value_or("light");
-      std::string name = base;
-      for (int number = 2; !taken.insert(name).second; ++number) {
-        name = base + "_" + std::to_string(number);
-      }
+      const std::string name = unique.add(light->name.value_or("light"));
       const bool is_directional = light->directional.value_or(false);
       const bool is_spot = !is_directional && light->type.value_or(1) == 2;
       const std::string type = is_directional ? "directional" : is_spot ? "spot" : "point";
@@ -161,7 +164,9 @@ class SdfWriter {
     }
     const auto link = parent->link_names.find(flat(i).anchor.link);
     if (!link) return;
-    const std::vector<std::size_t> bodies = bodies_of(*parent, refers(*parent));
+    const auto [known, is_new] = bodies_.try_emplace(parent);
+    if (is_new) known->second = bodies_of(*parent, refers(*parent));
+    const std::vector<std::size_t>& bodies = known->second;
     add_fixed_joint("anchor_of_" + names_[i],
                     names_[other] + "::" + sdf_name(*parent, bodies[*link]),
                     names_[i] + "::" + root_name(i));
@@ -283,7 +288,7 @@ class SdfWriter {
         const auto geometry = to_flat(visual.geometry, flat_model);
         if (!geometry || !can_say(*geometry, visual.span)) continue;
         add_shape("visual", "visual_" + std::to_string(visuals++),
-                  X_BL * urdf::to_pose(visual.origin), *geometry, color_of(visual, *model.robot));
+                  X_BL * urdf::to_pose(visual.origin), *geometry, color_of(visual, model));
       }
       for (const urdf::Collision& collision : link.collisions) {
         const auto geometry = to_flat(collision.geometry, flat_model);
@@ -392,7 +397,7 @@ class SdfWriter {
     xml_.leaf("parent", parent);
     xml_.leaf("child", child);
     if (joint.has_one_axis())
-      add_axis(joint, start_position(model, joint, linked(i).joint_positions));
+      add_axis(joint, start_position(model, joint, scene_.scene.joint_positions(linked(i))));
     xml_.close();
   }
 
@@ -456,6 +461,8 @@ class SdfWriter {
   SceneLosses losses_;
   std::vector<std::string> names_;
   LinkFrames frames_;
+  /// By model that another is anchored to: the bodies of its links.
+  std::map<const LinkedModel*, std::vector<std::size_t>> bodies_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;
   XmlText xml_;
 };
@@ -466,11 +473,13 @@ extern constinit const SceneFormat scene_sdf{
     .name = "sdf",
     .help = "an SDFormat 1.9 world, for Gazebo",
     .write = [](const SceneExport& scene) { return SdfWriter(scene, false).run(); },
-    .has_reference_form = true};
+    .has_reference_form = true,
+    .repeats_models = true};
 
 extern constinit const SceneFormat scene_sdf16{
     .name = "sdf1.6",
     .help = "an SDFormat 1.6 world, for older readers",
-    .write = [](const SceneExport& scene) { return SdfWriter(scene, true).run(); }};
+    .write = [](const SceneExport& scene) { return SdfWriter(scene, true).run(); },
+    .repeats_models = true};
 
 }  // namespace smurf

@@ -341,7 +341,9 @@ std::string write(const SceneExport& scene) { return TopView(scene).run(); }
 
 }  // namespace
 
-extern constinit const SceneFormat scene_svg{
-    .name = "svg", .help = "a picture from above, with axes and names", .write = write};
+extern constinit const SceneFormat scene_svg{.name = "svg",
+                                             .help = "a picture from above, with axes and names",
+                                             .write = write,
+                                             .repeats_models = true};
 
 }  // namespace smurf

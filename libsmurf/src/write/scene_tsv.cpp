@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A table of poses, for shells, spreadsheets and spawn scripts.
 #include "base/numbers.hpp"
+#include "base/utf8.hpp"
 #include "smurf/write_scene.hpp"
 
 namespace smurf {
 namespace {
 
-/// Tabs and line ends would break the table.
+/// Tabs and line ends would break the table, other control characters a terminal. A backslash in
+/// front keeps a spreadsheet from taking a name for a formula.
 std::string cell(std::string_view text) {
+  constexpr std::string_view kFormula = "=+-@";
   std::string escaped;
-  for (const char c : text) {
-    switch (c) {
+  if (!text.empty() && kFormula.find(text.front()) != std::string_view::npos) escaped = "\\";
+  while (!text.empty()) {
+    const utf8::CodePoint point = utf8::decode(text);
+    switch (point.value) {
     case '\\': escaped += "\\\\"; break;
     case '\t': escaped += "\\t"; break;
     case '\n': escaped += "\\n"; break;
     case '\r': escaped += "\\r"; break;
-    default: escaped += c;
+    case 0xFFFD: escaped += utf8::kReplacement; break;  // an invalid byte
+    default:
+      if (utf8::is_control(point.value)) {
+        utf8::append_escape(escaped, point.value);
+      } else {
+        escaped += text.substr(0, point.size);
+      }
     }
+    text.remove_prefix(point.size);
   }
   return escaped;
 }

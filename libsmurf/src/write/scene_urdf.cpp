@@ -6,6 +6,7 @@
 
 #include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/utf8.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/xml_text.hpp"
@@ -88,9 +89,12 @@ class UrdfMerger {
     return scene_.sources.text(model.robot->document.source);
   }
 
-  static std::string comment(std::string text) {
-    for (std::size_t at; (at = text.find("--")) != std::string::npos;) text.replace(at, 2, "- ");
-    return text;
+  static std::string comment(std::string_view path) {
+    std::string safe;
+    for (const char c : utf8::replace_controls(path)) {
+      safe += c == '-' && safe.ends_with('-') ? ' ' : c;
+    }
+    return safe;
   }
 
   void edit(const xml::Document& document, const xml::Element& element, std::size_t i,
@@ -129,11 +133,10 @@ class UrdfMerger {
         path::is_absolute(attribute.value())) {
       return;
     }
-    for (const auto& [written, file] : scene_.flat.models[*flat(i).model].resources) {
-      if (written != attribute.value()) continue;
-      if (written != file) edits.push_back({attribute.value_span(), escape_xml(file)});
-      return;
-    }
+    const auto& resources = scene_.flat.models[*flat(i).model].resources;
+    const auto known = resources.find(attribute.value());
+    if (known == resources.end() || known->first == known->second) return;
+    edits.push_back({attribute.value_span(), escape_xml(known->second)});
   }
 
   /// Extensions may use prefixes that their <robot> declares.
@@ -271,6 +274,7 @@ class UrdfMerger {
 extern constinit const SceneFormat scene_urdf{
     .name = "urdf",
     .help = "one URDF with a prefix before the names of each model",
-    .write = [](const SceneExport& scene) { return UrdfMerger(scene).run(); }};
+    .write = [](const SceneExport& scene) { return UrdfMerger(scene).run(); },
+    .repeats_models = true};
 
 }  // namespace smurf

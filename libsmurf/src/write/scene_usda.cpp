@@ -4,11 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
-#include "write/json_text.hpp"
+#include "base/unique_names.hpp"
+#include "base/utf8.hpp"
 #include "write/placed_shapes.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
@@ -35,10 +35,19 @@ std::string tuple(const std::array<float, 3>& point) {
 
 std::string tuple(const Vector3& vector) { return tuple({vector[0], vector[1], vector[2]}); }
 
+/// USD knows the escapes of JSON but those with a number.
 std::string quoted(std::string_view text) {
-  std::string out;
-  append_json(out, text);
-  return out;
+  std::string out = "\"";
+  for (const char c : utf8::replace_controls(text)) {
+    switch (c) {
+    case '\n': out += "\\n"; break;
+    case '\t': out += "\\t"; break;
+    case '"':
+    case '\\': out += '\\'; [[fallthrough]];
+    default: out += c;
+    }
+  }
+  return out + "\"";
 }
 
 class UsdaWriter {
@@ -116,7 +125,7 @@ class UsdaWriter {
     line("custom string smurf:path = " + quoted(instance.path));
     line("custom string smurf:type = " + quoted(instance.type));
     line("custom string smurf:anchor = " + quoted(anchor(instance)));
-    std::set<std::string> taken;
+    UniqueNames taken;
     for (const ShownLink& link : shown_links(scene_, index, frames_)) {
       if (instance.model) {
         open("Xform", unique(link.name, taken));
@@ -142,13 +151,8 @@ class UsdaWriter {
   }
 
   /// A prim's name, not yet used by its siblings.
-  static std::string unique(std::string_view link, std::set<std::string>& taken) {
-    const std::string base = safe_name(link);
-    std::string name = base;
-    for (int number = 2; !taken.insert(name).second; ++number) {
-      name = base + "_" + std::to_string(number);
-    }
-    return name;
+  static std::string unique(std::string_view link, UniqueNames& taken) {
+    return taken.add(safe_name(link));
   }
 
   void add_shape(const LinkShape& shape, const std::string& name) {
@@ -270,7 +274,7 @@ class UsdaWriter {
   std::size_t depth_ = 0;
   std::vector<Mesh> meshes_;
   std::map<std::string, std::size_t> mesh_of_file_;
-  std::set<std::string> mesh_names_;
+  UniqueNames mesh_names_;
 };
 
 }  // namespace
@@ -278,6 +282,7 @@ class UsdaWriter {
 extern constinit const SceneFormat scene_usda{
     .name = "usda",
     .help = "an OpenUSD preview with the shapes of the models",
-    .write = [](const SceneExport& scene) { return UsdaWriter(scene).run(); }};
+    .write = [](const SceneExport& scene) { return UsdaWriter(scene).run(); },
+    .repeats_models = true};
 
 }  // namespace smurf

@@ -80,6 +80,42 @@ SvgCanvas::SvgCanvas(const Box2& world) {
   }
   width_ = side[0] + 2 * kMargin;
   height_ = side[1] + 2 * kMargin;
+  columns_ = static_cast<std::size_t>(width_ / kCell) + 1;
+  rows_ = static_cast<std::size_t>(height_ / kCell) + 1;
+  cells_.resize(columns_ * rows_);
+}
+
+template <class Visit>
+bool SvgCanvas::for_each_cell(const Box2& pixels, const Visit& visit) const {
+  const auto cell = [](double at, std::size_t count) {
+    const double last = static_cast<double>(count - 1);
+    return static_cast<std::size_t>(std::clamp(std::floor(at / kCell), 0.0, last));
+  };
+  for (std::size_t y = cell(pixels.low[1], rows_); y <= cell(pixels.high[1], rows_); ++y) {
+    for (std::size_t x = cell(pixels.low[0], columns_); x <= cell(pixels.high[0], columns_); ++x) {
+      if (!visit(y * columns_ + x)) return false;
+    }
+  }
+  return true;
+}
+
+// Where more boxes meet in a cell, no label is readable: all of the cell counts as occupied.
+constexpr std::size_t kCrowd = 16;
+
+void SvgCanvas::occupy(const Box2& pixels) {
+  for_each_cell(pixels, [&](std::size_t cell) {
+    if (cells_[cell].size() < kCrowd) cells_[cell].push_back(pixels);
+    return true;
+  });
+}
+
+bool SvgCanvas::is_free(const Box2& pixels) const {
+  return for_each_cell(pixels, [&](std::size_t cell) {
+    const std::vector<Box2>& boxes = cells_[cell];
+    return boxes.size() < kCrowd &&
+           std::none_of(boxes.begin(), boxes.end(),
+                        [&](const Box2& other) { return other.overlaps(pixels); });
+  });
 }
 
 Point2 SvgCanvas::to_pixels(const Point2& world) const {
@@ -122,22 +158,21 @@ void SvgCanvas::add_label(const Point2& at, std::string_view text) {
   };
   // Right, left, above, below; then farther away.
   Box2 chosen = box_at(at[0] + 12, at[1] - 10);
-  bool is_free = false;
-  for (double far = 0; far < 60 && !is_free; far += kFontSize + 3) {
+  bool is_placed = false;
+  for (double far = 0; far < 60 && !is_placed; far += kFontSize + 3) {
     for (const Point2& offset : {Point2{12, -10 - far}, Point2{-12 - width, -10 - far},
                                  Point2{12, 20 + far}, Point2{-12 - width, 20 + far},
                                  Point2{-width / 2, -16 - far}, Point2{-width / 2, 26 + far}}) {
       const Box2 box = box_at(at[0] + offset[0], at[1] + offset[1]);
       const bool is_inside = box.low[0] >= area.low[0] && box.high[0] <= area.high[0] &&
                              box.low[1] >= area.low[1] && box.high[1] <= area.high[1];
-      is_free = is_inside && std::none_of(occupied_.begin(), occupied_.end(),
-                                          [&](const Box2& other) { return other.overlaps(box); });
-      if (!is_free) continue;
+      is_placed = is_inside && is_free(box);
+      if (!is_placed) continue;
       chosen = box;
       break;
     }
   }
-  occupied_.push_back(chosen);
+  occupy(chosen);
   body_ += "<text class=\"name\" x=\"" + pixels(chosen.low[0]) + "\" y=\"" +
            pixels(chosen.high[1] - 3) + "\">" + escape_xml(text) + "</text>\n";
 }

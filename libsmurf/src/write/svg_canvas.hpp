@@ -39,20 +39,29 @@ class SvgCanvas {
   /// Grid lines at round numbers of metres, with their numbers at the border.
   void add_grid();
   /// Keeps labels out of a place.
-  void occupy(const Box2& pixels) { occupied_.push_back(pixels); }
+  void occupy(const Box2& pixels);
   /// A label beside a point, where it covers no other one.
   void add_label(const Point2& pixels, std::string_view text);
   std::string finish(std::string_view title, std::string_view legend) const;
 
  private:
   static constexpr double kMargin = 48;
+  static constexpr double kCell = 16;
+
+  bool is_free(const Box2& pixels) const;
+  /// Calls `visit(cell)` for the cells that a box covers, until it returns false.
+  template <class Visit>
+  bool for_each_cell(const Box2& pixels, const Visit& visit) const;
 
   Point2 origin_{};  ///< metres at the lower left corner of the sheet
   double scale_ = 1;
   double width_ = 0;
   double height_ = 0;
   std::string body_;
-  std::vector<Box2> occupied_;
+  std::size_t columns_ = 0, rows_ = 0;
+  /// What is occupied, by squares of kCell pixels of the sheet: a label is compared with what is
+  /// near it only.
+  std::vector<std::vector<Box2>> cells_;
 };
 
 /// Rounded to a hundredth of a pixel.

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/xml_text.hpp"
 
+#include <algorithm>
+
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 
 namespace smurf {
 
+void XmlText::indent() {
+  // Bodies of MuJoCo lie in each other: a long chain would be mostly blanks.
+  constexpr std::size_t kDeepest = 50;
+  out_.append(2 * std::min(open_.size(), kDeepest), ' ');
+}
+
 void XmlText::start(std::string_view name, Attributes attributes) {
-  out_.append(2 * open_.size(), ' ');
+  indent();
   out_ += '<';
   out_ += name;
   for (const auto& [key, value] : attributes) {
@@ -26,7 +34,7 @@ void XmlText::open(std::string_view name, Attributes attributes) {
 void XmlText::close() {
   const std::string name = std::move(open_.back());
   open_.pop_back();
-  out_.append(2 * open_.size(), ' ');
+  indent();
   out_ += "</" + name + ">\n";
 }
 

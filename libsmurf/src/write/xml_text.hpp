@@ -29,6 +29,7 @@ class XmlText {
   std::string finish();
 
  private:
+  void indent();
   void start(std::string_view name, Attributes attributes);
 
   std::string out_;

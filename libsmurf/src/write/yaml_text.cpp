@@ -8,6 +8,7 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/utf8.hpp"
 
 namespace smurf {
 namespace {
@@ -28,48 +29,34 @@ bool is_plain(std::string_view text) {
          kOtherTypes.end();
 }
 
-bool is_control(char c) {
-  return static_cast<unsigned char>(c) < 0x20U || static_cast<unsigned char>(c) == 0x7FU;
+/// Not printable for YAML, a line break for YAML 1.1, or, as U+FEFF, taken away by some.
+bool is_escaped(char32_t c) {
+  return utf8::is_control(c) || c == 0x2028 || c == 0x2029 || c == 0xFEFF || c == 0xFFFE ||
+         c == 0xFFFF;
 }
 
-/// Printable for YAML, and on one line. U+0085, U+2028, U+2029 break lines for YAML 1.1, and
-/// U+FEFF is taken away by some.
 bool is_one_line(std::string_view text) {
-  for (const std::string_view breaking :
-       {"\xC2\x85", "\xE2\x80\xA8", "\xE2\x80\xA9", "\xEF\xBB\xBF"}) {
-    if (text.find(breaking) != std::string_view::npos) return false;
+  while (!text.empty()) {
+    const utf8::CodePoint point = utf8::decode(text);
+    if (is_escaped(point.value) || point.value == 0xFFFD) return false;
+    text.remove_prefix(point.size);
   }
-  return std::none_of(text.begin(), text.end(), is_control);
+  return true;
 }
 
 std::string double_quoted(std::string_view text) {
-  constexpr std::string_view kHex = "0123456789abcdef";
-  const auto escaped = [&](unsigned code) {
-    return std::string("\\u") + kHex[code >> 12U & 15U] + kHex[code >> 8U & 15U] +
-           kHex[code >> 4U & 15U] + kHex[code & 15U];
-  };
   std::string quoted = "\"";
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::string_view rest = text.substr(i);
-    if (rest.front() == '"' || rest.front() == '\\') {
-      quoted += '\\';
-      quoted += rest.front();
-    } else if (rest.front() == '\n') {
+  while (!text.empty()) {
+    const utf8::CodePoint point = utf8::decode(text);
+    if (point.value == '\n') {
       quoted += "\\n";
-    } else if (is_control(rest.front())) {
-      quoted += escaped(static_cast<unsigned char>(rest.front()));
-    } else if (rest.starts_with("\xC2\x85")) {
-      quoted += escaped(0x85);
-      i += 1;
-    } else if (rest.starts_with("\xE2\x80\xA8") || rest.starts_with("\xE2\x80\xA9")) {
-      quoted += escaped(rest[2] == '\xA8' ? 0x2028 : 0x2029);
-      i += 2;
-    } else if (rest.starts_with("\xEF\xBB\xBF")) {
-      quoted += escaped(0xFEFF);
-      i += 2;
+    } else if (is_escaped(point.value)) {
+      utf8::append_escape(quoted, point.value);
     } else {
-      quoted += rest.front();
+      if (point.value == '"' || point.value == '\\') quoted += '\\';
+      quoted += point.value == 0xFFFD ? utf8::kReplacement : text.substr(0, point.size);
     }
+    text.remove_prefix(point.size);
   }
   return quoted + "\"";
 }
@@ -86,9 +73,7 @@ bool fits_block(std::string_view text) {
 
 /// Comments may hold names of a file; whatever those hold, the comment ends with its line.
 std::string comment_text(std::string_view text) {
-  std::string line(text);
-  std::replace_if(line.begin(), line.end(), is_control, '?');
-  return is_one_line(line) ? line : double_quoted(line);
+  return is_one_line(text) ? std::string(text) : double_quoted(text);
 }
 
 class Writer {
@@ -209,7 +194,7 @@ std::string yaml_comment(std::string_view text) {
   std::string comment;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    comment += "# " + std::string(text.substr(0, end)) + "\n";
+    comment += "# " + comment_text(text.substr(0, end)) + "\n";
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return comment;

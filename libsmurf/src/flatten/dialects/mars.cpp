@@ -7,6 +7,7 @@
 
 #include "ast/scene_reader.hpp"
 #include "base/path.hpp"
+#include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "flatten/dialect_parts.hpp"
 #include "smurf/archive_files.hpp"
@@ -144,10 +145,11 @@ class CreationOrder {
 
 class EntityReader {
  public:
-  explicit EntityReader(const LinkedScene& scene)
-      : scene_(scene), readings_(scene.instances.size()) {}
+  explicit EntityReader(const LinkedScene& scene) : scene_(scene) {
+    result_.entities.resize(scene.instances.size());
+  }
 
-  std::vector<EntityReading> run() {
+  SceneReading run() {
     std::vector<Keys> uses;
     for (const SceneUse& use : scene_.uses) uses.push_back(keys_of(use, uses));
     std::vector<Keys> keys;
@@ -155,7 +157,7 @@ class EntityReader {
       keys.push_back(keys_of(instance, uses[to_size(instance.use)]));
     }
     for (const std::size_t index : CreationOrder(scene_, keys).run()) create(index, keys[index]);
-    return std::move(readings_);
+    return std::move(result_);
   }
 
  private:
@@ -221,7 +223,7 @@ class EntityReader {
 
   void create(std::size_t index, Keys keys) {
     const Instance& instance = scene_.instances[index];
-    EntityReading& reading = readings_[index];
+    EntityReading& reading = result_.entities[index];
     reading.note = keys.refusal;
     if (!keys.refusal.empty() || !instance.X_WE) return;
     const Entity& entity = scene_.entity(instance);
@@ -268,15 +270,15 @@ class EntityReader {
     const auto found = first_of_name_.find(reference.substr(0, separator));
     if (found == first_of_name_.end()) return std::nullopt;
     const std::string link = reference.substr(separator + 2);
-    const EntityReading& target = readings_[to_size(found->second)];
-    const auto X_EF = link_frame(scene_, found->second, link, target.joint_positions, frames_);
+    const EntityReading& target = result_.entities[to_size(found->second)];
+    const auto X_EF = link_frame(scene_, result_, found->second, link, frames_);
     if (!X_EF || !target.X_WE) return std::nullopt;
     return Frame{{Attachment::Kind::link, found->second, link}, *target.X_WE * *X_EF};
   }
 
   void place(std::size_t index, const Keys& keys) {
     const Placement& meant = scene_.instances[index].placement;
-    EntityReading& reading = readings_[index];
+    EntityReading& reading = result_.entities[index];
     Pose X_WP;
     const bool has_frame =
         keys.has_parent && !keys.parent.empty() && keys.parent != "none" && keys.parent != "world";
@@ -290,6 +292,12 @@ class EntityReader {
       }
     }
     reading.X_WE = X_WP * Pose{keys.position, normalized(keys.rotation)};
+    if (!is_usable(*reading.X_WE)) {
+      // It does not normalise quaternions, so that those of nested scenes multiply.
+      reading.X_WE.reset();
+      reading.note = "computes a pose that is not finite";
+      return;
+    }
     reading.anchor = anchor_of(keys.anchor, reading.parent);
     if (reading.anchor == meant.anchor) return;
     if (reading.anchor.kind == Attachment::Kind::none) add_note(reading.note, "loses the anchor");
@@ -308,25 +316,32 @@ class EntityReader {
   }
 
   /// Sliders go the other way (SimJoint.cpp:524-528).
-  static void add_joints(const Entity& entity, const LinkedModel& model, const std::string& pose,
-                         EntityReading& reading) {
-    reading.joint_positions = positions_of_pose(entity, model, pose, joint_of_motor(model));
-    for (auto& [name, position] : reading.joint_positions) {
-      const auto joint = model.joint_names.find(name);
-      if (!joint || model.robot->joints[*joint].type != urdf::JointType::prismatic) continue;
-      position = -position;
-      if (position != 0)
-        add_note(reading.note, "moves the slider " + quoted(name) + " the other way");
-    }
+  void add_joints(const Entity& entity, const LinkedModel& model, const std::string& pose,
+                  EntityReading& reading) {
+    reading.joint_pose = poses_.of(entity, model, pose, [&] {
+      JointPositions positions = positions_of_pose(entity, model, pose, joint_of_motor(model));
+      std::string& note = notes_.emplace_back();
+      for (auto& [name, position] : positions) {
+        const auto joint = model.joint_names.find(name);
+        if (!joint || model.robot->joints[*joint].type != urdf::JointType::prismatic) continue;
+        position = -position;
+        if (position != 0) add_note(note, "moves the slider " + quoted(name) + " the other way");
+      }
+      return positions;
+    });
+    const std::string& note = notes_[to_size(reading.joint_pose)];
+    if (!note.empty()) add_note(reading.note, note);
   }
 
   const LinkedScene& scene_;
-  std::vector<EntityReading> readings_;
+  SceneReading result_;
+  JointPoseTable poses_{result_.joint_poses};
+  std::vector<std::string> notes_{1};  ///< by joint pose
   std::unordered_map<std::string, InstanceIndex> first_of_name_;
   LinkFrames frames_;
 };
 
-std::vector<EntityReading> read(const LinkedScene& scene) { return EntityReader(scene).run(); }
+SceneReading read(const LinkedScene& scene) { return EntityReader(scene).run(); }
 
 }  // namespace
 

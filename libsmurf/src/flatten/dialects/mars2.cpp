@@ -10,12 +10,11 @@ class EntityReader {
  public:
   explicit EntityReader(const LinkedScene& scene) : scene_(scene) {}
 
-  std::vector<EntityReading> run() {
+  SceneReading run() {
     find_stop();
-    std::vector<EntityReading> readings;
-    readings.reserve(scene_.instances.size());
-    for (const Instance& instance : scene_.instances) readings.push_back(read(instance));
-    return readings;
+    result_.entities.reserve(scene_.instances.size());
+    for (const Instance& instance : scene_.instances) result_.entities.push_back(read(instance));
+    return std::move(result_);
   }
 
  private:
@@ -52,7 +51,7 @@ class EntityReader {
     return entity;
   }
 
-  EntityReading read(const Instance& instance) const {
+  EntityReading read(const Instance& instance) {
     const Entity& entity = scene_.entity(instance);
     if (scene_.scenes.front().drawing) return left_out("reads no drawings");
     if (entity.list != EntityList::entities) return left_out("reads no list but `entities`");
@@ -75,8 +74,9 @@ class EntityReader {
       }
     }
     if (const LinkedModel* model = scene_.model(instance); model != nullptr && entity.pose) {
-      reading.joint_positions =
-          positions_of_pose(entity, *model, *entity.pose, joint_of_motor(*model));
+      reading.joint_pose = poses_.of(entity, *model, *entity.pose, [&] {
+        return positions_of_pose(entity, *model, *entity.pose, joint_of_motor(*model));
+      });
     }
     return reading;
   }
@@ -90,9 +90,11 @@ class EntityReader {
   const LinkedScene& scene_;
   std::optional<std::size_t> stop_;
   std::string_view why_stopped_;
+  SceneReading result_;
+  JointPoseTable poses_{result_.joint_poses};
 };
 
-std::vector<EntityReading> read(const LinkedScene& scene) { return EntityReader(scene).run(); }
+SceneReading read(const LinkedScene& scene) { return EntityReader(scene).run(); }
 
 }  // namespace
 

@@ -43,13 +43,13 @@ class EntityReader {
  public:
   explicit EntityReader(const LinkedScene& scene) : scene_(scene) {}
 
-  std::vector<EntityReading> run() {
+  SceneReading run() {
     // Outer uses come first.
     for (const SceneUse& use : scene_.uses) uses_.push_back(read(use));
     for (const Instance& instance : scene_.instances) placed_.push_back(read(instance));
-    readings_.resize(placed_.size());
+    result_.entities.resize(placed_.size());
     for (std::size_t i = 0; i < placed_.size(); ++i) compose(i);
-    return std::move(readings_);
+    return std::move(result_);
   }
 
  private:
@@ -137,7 +137,7 @@ class EntityReader {
   void compose_one(std::size_t index) {
     const Instance& instance = scene_.instances[index];
     Placed& placed = placed_[index];
-    EntityReading& reading = readings_[index];
+    EntityReading& reading = result_.entities[index];
     reading.note = placed.refusal.empty() ? placed.note : placed.refusal;
     if (!placed.refusal.empty() || !instance.X_WE) return;
     reading.parent = instance.placement.parent;
@@ -147,9 +147,9 @@ class EntityReader {
       reading.X_WE = placed.X_PE;
       return;
     }
-    const EntityReading& parent = readings_[to_size(reading.parent.instance)];
-    const auto X_RL = link_frame(scene_, reading.parent.instance, reading.parent.link,
-                                 parent.joint_positions, frames_);
+    const EntityReading& parent = result_.entities[to_size(reading.parent.instance)];
+    const auto X_RL =
+        link_frame(scene_, result_, reading.parent.instance, reading.parent.link, frames_);
     if (parent.X_WE && X_RL) {
       reading.X_WE = *parent.X_WE * *X_RL * placed.X_PE;
       if (reading.note.empty()) reading.note = parent.note;
@@ -159,29 +159,36 @@ class EntityReader {
   }
 
   /// Names are those of joints, and positions stay within the limits.
-  void add_joints(const Instance& instance, EntityReading& reading) const {
+  void add_joints(const Instance& instance, EntityReading& reading) {
     const LinkedModel* model = scene_.model(instance);
     const Entity& entity = scene_.entity(instance);
     if (model == nullptr || !model->robot || !entity.pose) return;
-    reading.joint_positions =
-        positions_of_pose(entity, *model, *entity.pose, [model](const std::string& entry) {
-          return model->joint_names.contains(entry) ? std::optional(entry) : std::nullopt;
-        });
-    for (auto& [name, position] : reading.joint_positions) {
-      const urdf::Joint& joint = model->robot->joints[*model->joint_names.find(name)];
+    reading.joint_pose = poses_.of(entity, *model, *entity.pose,
+                                   [&] { return positions(entity, *model, *entity.pose); });
+  }
+
+  static JointPositions positions(const Entity& entity, const LinkedModel& model,
+                                  std::string_view pose) {
+    JointPositions read = positions_of_pose(entity, model, pose, [&](const std::string& entry) {
+      return model.joint_names.contains(entry) ? std::optional(entry) : std::nullopt;
+    });
+    for (auto& [name, position] : read) {
+      const urdf::Joint& joint = model.robot->joints[*model.joint_names.find(name)];
       const double lower = joint.limit ? joint.limit->lower.value_or(0) : 0;
       const double upper = joint.limit ? joint.limit->upper.value_or(0) : 0;
       if (lower != 0 && upper != 0 && lower < upper) position = std::clamp(position, lower, upper);
     }
+    return read;
   }
 
   const LinkedScene& scene_;
   std::vector<Placed> uses_, placed_;
-  std::vector<EntityReading> readings_;
+  SceneReading result_;
+  JointPoseTable poses_{result_.joint_poses};
   LinkFrames frames_;
 };
 
-std::vector<EntityReading> read(const LinkedScene& scene) { return EntityReader(scene).run(); }
+SceneReading read(const LinkedScene& scene) { return EntityReader(scene).run(); }
 
 }  // namespace
 

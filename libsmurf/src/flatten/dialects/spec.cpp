@@ -4,17 +4,18 @@
 namespace smurf::readings {
 namespace {
 
-std::vector<EntityReading> read(const LinkedScene& scene) {
-  std::vector<EntityReading> readings;
-  readings.reserve(scene.instances.size());
+SceneReading read(const LinkedScene& scene) {
+  SceneReading reading;
+  reading.joint_poses = scene.joint_poses;
+  reading.entities.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances) {
-    readings.push_back({instance.X_WE,
-                        instance.placement.parent,
-                        instance.placement.anchor,
-                        instance.joint_positions,
-                        {}});
+    reading.entities.push_back({instance.X_WE,
+                                instance.placement.parent,
+                                instance.placement.anchor,
+                                instance.joint_pose,
+                                {}});
   }
-  return readings;
+  return reading;
 }
 
 }  // namespace

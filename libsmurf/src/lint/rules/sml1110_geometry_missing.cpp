@@ -1,44 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <vector>
 
+#include "ast/urdf_schema.hpp"
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-constexpr std::string_view kShapes[] = {"box",     "sphere", "cylinder", "mesh",
-                                        "capsule", "plane",  "cdf",      "ellipsoid"};
+/// Any that some reader knows. A slip for one is reported as that, and is none to readers.
+bool has_shape(const LinkedModel& model, const urdf::Geometry& geometry, Findings& findings) {
+  const urdf::ElementSpec& spec = *urdf::find_element_spec("geometry");
+  std::vector<std::string_view> shapes;
+  for (const urdf::ChildSpec& child : spec.children) shapes.push_back(child.name);
+  const xml::View element(model.robot->document, geometry.element);
+  for (const xml::View child : element) {
+    const bool is_vendors =  // `verbose` is no shape
+        child.name() != "verbose" && std::ranges::count(spec.extensions, child.name()) > 0;
+    if (is_vendors || std::ranges::count(shapes, child.name()) > 0) return true;
+  }
+  for (const xml::View child : element) {
+    if (!urdf::meant_name(child.name(), shapes)) continue;
+    findings.add_consequence(child.name_span());
+    return true;
+  }
+  return false;
+}
 
-/// A geometry in which no reader of plain URDF finds a shape. A shape with a prefix is one to the
-/// readers of that vocabulary; what is misspelt or unknown is reported where it stands.
-void check_shape(const LinkedModel& model, const GeometryUse& use, Findings& findings) {
-  const xml::View geometry(model.robot->document, use.geometry.element);
-  xml::View prefixed;
-  for (const xml::View child : geometry) {
-    const std::string_view name = child.name();
-    if (std::find(std::begin(kShapes), std::end(kShapes), name) != std::end(kShapes)) return;
-    if (!prefixed && name.find(':') != std::string_view::npos) prefixed = child;
-  }
-  const xml::View first = *geometry.begin();
-  if (!prefixed || first.name().starts_with("xacro:")) {
-    return findings.add_consequence(first.name_span());
-  }
-  Diagnostic& diagnostic = findings.report(
-      prefixed.name_span(), "a " + std::string(to_string(use.role)) + " of " + title(use.link) +
-                                " has no shape but " + quoted(prefixed.name()));
-  diagnostic.severity = Severity::warning;
-  diagnostic.construct = "foreign";
+/// Of another vocabulary, whose readers may know it.
+bool has_foreign_shape(const LinkedModel& model, const urdf::Geometry& geometry) {
+  if (geometry.element == xml::kNoElement) return false;
+  const xml::View element(model.robot->document, geometry.element);
+  return std::any_of(element.begin(), element.end(), [](const xml::View child) {
+    return child.name().find(':') != std::string_view::npos;
+  });
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_geometry(model, [&](const GeometryUse& use) {
-    if (use.geometry.shape_element != xml::kNoElement) return check_shape(model, use, findings);
-    const bool is_empty = use.geometry.element != xml::kNoElement;
-    if (!is_empty && is_slip(model, use.element, "geometry", findings)) return;
-    findings.report(tag_name(model, is_empty ? use.geometry.element : use.element),
-                    "a " + std::string(to_string(use.role)) + " of " + title(use.link) +
-                        (is_empty ? " has an empty geometry" : " has no geometry"));
+    const bool is_written = use.geometry.element != xml::kNoElement;
+    if (is_written && has_shape(model, use.geometry, findings)) return;
+    if (!is_written && is_slip(model, use.element, "geometry", findings)) return;
+    const bool is_empty = use.geometry.shape_element == xml::kNoElement;
+    Diagnostic& diagnostic =
+        findings.report(tag_name(model, is_written ? use.geometry.element : use.element),
+                        "a " + std::string(to_string(use.role)) + " of " + title(use.link) +
+                            (!is_written ? " has no geometry"
+                             : is_empty  ? " has an empty geometry"
+                                         : " has a geometry without a shape"));
+    if (has_foreign_shape(model, use.geometry)) diagnostic.construct = "foreign";
   });
 }
 
@@ -61,7 +72,7 @@ extern constinit const Rule sml1110_geometry_missing{
     .id = "SML1110",
     .name = "geometry-missing",
     .severity = Severity::error,
-    .summary = "A visual or collision has no geometry, or an empty one.",
+    .summary = "A visual or collision has no geometry, or one without a shape.",
     .why = "urdf-loader crashes.",
     .remedy = "Add a shape.",
     .sources = "urdf-loader 0.13, executed.",

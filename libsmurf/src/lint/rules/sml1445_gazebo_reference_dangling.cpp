@@ -33,8 +33,8 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(reference->value_span(), "no link and no joint is called " + quoted(name));
     diagnostic.notes.push_back("Gazebo ignores this element and all it holds");
-    auto near = nearest(name, model.link_names.names());
-    if (!near) near = nearest(name, model.joint_names.names());
+    auto near = findings.suggest(name, model.link_names.names());
+    if (!near) near = findings.suggest(name, model.joint_names.names());
     if (!near) continue;
     diagnostic.help = "did you mean " + quoted(*near) + "?";
     diagnostic.fixes.push_back(

@@ -9,9 +9,11 @@ void check(const LinkedModel& model, Findings& findings) {
     if (mesh.file.lost.empty()) continue;
     const MeshDependency& first = mesh.file.lost.front();
     Diagnostic& diagnostic = findings.report(
-        mesh.reference.span, std::string("the mesh names the ") +
-                                 (first.is_texture ? "texture " : "material library ") +
-                                 quoted(first.filename) + ", which is not there");
+        mesh.reference.span,
+        std::string("the mesh names the ") + (first.is_texture ? "texture " : "material library ") +
+            quoted(first.filename) +
+            (first.is_denied ? ", which lies outside of the project" : ", which is not there"));
+    if (first.is_denied) diagnostic.help = "read it with `--allow-outside`";
     if (!first.is_texture) diagnostic.severity = Severity::info;
     if (mesh.file.lost.size() > 1) {
       diagnostic.notes.push_back("nor are " + std::to_string(mesh.file.lost.size() - 1) +

@@ -9,7 +9,10 @@ namespace smurf::rules {
 namespace {
 
 void report(const MeshReference& reference, std::string_view what, Findings& findings) {
-  findings.report(reference.span, "the mesh cannot be read: " + std::string(what));
+  Diagnostic& diagnostic =
+      findings.report(reference.span, (reference.is_texture ? "the texture" : "the mesh") +
+                                          std::string(" cannot be read: ") + std::string(what));
+  if (reference.is_texture) diagnostic.severity = Severity::warning;
 }
 
 void check(const LinkedModel& model, Findings& findings) {

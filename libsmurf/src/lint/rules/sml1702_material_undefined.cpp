@@ -2,7 +2,6 @@
 #include <map>
 
 #include "base/readers.hpp"
-#include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -44,7 +43,7 @@ class MaterialCheck {
     if (uses_[*name] > 1) {
       diagnostic.notes.push_back("it is used " + std::to_string(uses_[*name]) + " times");
     }
-    if (const auto near = nearest(*name, defined_.names())) {
+    if (const auto near = findings_.suggest(*name, defined_.names())) {
       diagnostic.help = "did you mean " + quoted(*near) + "?";
       diagnostic.fixes.push_back({Applicability::unsafe, {{name.span, std::string(*near)}}});
     }

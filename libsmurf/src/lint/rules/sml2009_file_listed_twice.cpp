@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <map>
-
-#include "base/path.hpp"
 #include "base/readers.hpp"
-#include "lint/annotation_queries.hpp"
+#include "base/rules.hpp"
 
 namespace smurf::rules {
 namespace {
-
-void check(const LinkedModel& model, Findings& findings) {
-  if (!model.main.files) return;
-  std::map<std::string, Span> first;
-  for (const Spanned<std::string>& file : *model.main.files) {
-    const auto [found, is_new] = first.emplace(path::normalize(file.value), file.span);
-    if (is_new) continue;
-    Diagnostic& diagnostic =
-        findings.report(file.span, "MARS reads " + quoted(file.value) + " twice");
-    diagnostic.labels.push_back({found->second, "listed here before"});
-  }
-}
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
@@ -33,7 +18,6 @@ extern constinit const Rule sml2009_file_listed_twice{.id = "SML2009",
                                                       .severity = Severity::error,
                                                       .summary = "`files` lists one file twice.",
                                                       .remedy = "List the file once.",
-                                                      .check_model = check,
                                                       .facts = kFacts};
 
 }  // namespace smurf::rules

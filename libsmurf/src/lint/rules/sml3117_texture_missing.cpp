@@ -8,8 +8,11 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for (const TextureReference& texture : model.annotation_textures) {
     if (texture.exists) continue;
-    Diagnostic& diagnostic =
-        findings.report(texture.span, "texture file not found: " + quoted(texture.filename));
+    Diagnostic& diagnostic = findings.report(
+        texture.span, (texture.is_denied ? "the texture lies outside of the project: "
+                                         : "texture file not found: ") +
+                          quoted(texture.filename));
+    if (texture.is_denied) diagnostic.help = "read it with `--allow-outside`";
     if (texture.path != texture.filename) {
       diagnostic.caret = "resolved to " + quoted(texture.path);
     }

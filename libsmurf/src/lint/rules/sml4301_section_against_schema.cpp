@@ -5,26 +5,28 @@
 namespace smurf::rules {
 namespace {
 
-void check_sections(const yaml::Document& document, const UserSchemas& schemas,
+void check_sections(const yaml::Document& document, const UserSchemas& schemas, SchemaWork& work,
                     Findings& findings) {
   const yaml::View root = document.view();
   if (!root || !root.is_mapping()) return;
   for (const yaml::View section : root) {
-    if (!section.is_repeated()) schemas.check_section(section, findings);
+    if (!section.is_repeated()) schemas.check_section(section, work, findings);
   }
 }
 
 void check_model(const LinkedModel& model, Findings& findings) {
   if (model.schemas == nullptr) return;
+  SchemaWork work;
   for (const ModelFile& file : model.files) {
-    if (file.document) check_sections(*file.document, *model.schemas, findings);
+    if (file.document) check_sections(*file.document, *model.schemas, work, findings);
   }
 }
 
 void check_scene(const LinkedScene& scene, Findings& findings) {
   if (scene.schemas == nullptr) return;
+  SchemaWork work;
   for (const DataFile& file : scene.data_files) {
-    check_sections(file.document, *scene.schemas, findings);
+    check_sections(file.document, *scene.schemas, work, findings);
   }
 }
 

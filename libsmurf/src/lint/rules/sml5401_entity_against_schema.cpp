@@ -20,10 +20,11 @@ bool is_reported(const Entity& entity, const Diagnostic& diagnostic) {
 
 void check(const LinkedScene& scene, Findings& findings) {
   if (scene.schemas == nullptr) return;
+  SchemaWork work;
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
     DiagnosticSink sink;
     Findings found(rules::sml5401_entity_against_schema, findings.tolerance(), sink);
-    scene.schemas->check_entity(entity_type(entity), mapping_of(file, entity), found);
+    scene.schemas->check_entity(entity_type(entity), mapping_of(file, entity), work, found);
     for (Diagnostic& diagnostic : sink.take()) {
       if (is_reported(entity, diagnostic)) continue;
       Diagnostic& reported = findings.report(diagnostic.span, {});

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A file that was found, but not opened yet.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <optional>
+#include <string>
+
+namespace smurf {
+
+/// Owns a file descriptor; -1 is none.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor();
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// What a path leads to. Devices and pipes notice nothing of it, and what is opened later is what
+/// was found, whatever becomes of the path in between.
+class FoundFile {
+ public:
+  explicit FoundFile(const std::string& path);
+
+  /// 0, or the errno of why nothing was found.
+  int error() const { return error_; }
+  const struct stat& status() const { return status_; }
+  /// Where it really is, all links followed; none when it has no place in the file system.
+  std::optional<std::string> real_path() const;
+  /// A descriptor to read a regular file or a folder, or -1 with errno.
+  int open() const;
+
+ private:
+  std::string path_;
+  mutable std::optional<std::string> looked_up_;  ///< where the system does not keep places
+  Descriptor place_;
+  struct stat status_ {};
+  int error_ = 0;
+};
+
+}  // namespace smurf

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names for what may be called the same: "a", "a_2", "a_3".
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+namespace smurf {
+
+class UniqueNames {
+ public:
+  bool empty() const { return taken_.empty(); }
+  void take(std::string name) { taken_.insert(std::move(name)); }
+
+  /// `base`, or with the first number that makes a name that is not taken.
+  std::string add(const std::string& base) {
+    if (taken_.insert(base).second) return base;
+    int& number = numbers_.try_emplace(base, 1).first->second;
+    std::string name;
+    do {
+      name = base + "_" + std::to_string(++number);
+    } while (!taken_.insert(name).second);
+    return name;
+  }
+
+ private:
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> numbers_;  ///< the last that was tried, by base
+};
+
+}  // namespace smurf

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How large a scene is when it is written out: a small file may name a large one any number of
+// times.
+#include <algorithm>
+#include <unordered_map>
+
+#include "base/limits.hpp"
+#include "base/path.hpp"
+#include "base/rules.hpp"
+#include "smurf/flatten.hpp"
+
+namespace smurf {
+namespace {
+
+class SizeCheck {
+ public:
+  SizeCheck(const LinkedScene& scene, const SourceMap& sources, const FlattenOptions& options,
+            const Limits& limits)
+      : scene_(scene),
+        sources_(sources),
+        options_(options),
+        most_(limits.scene_bytes),
+        of_model_(scene.models.size()),
+        of_pose_(scene.joint_poses.size()) {}
+
+  /// What does not fit any more; null when all of it does.
+  const Entity* run() {
+    for (const SceneUse& use : scene_.uses) {
+      total_ += world_of(scene_.file(use));
+      if (total_ > most_) return use.outer ? scene_.entity(use) : first_entity();
+    }
+    for (const Instance& instance : scene_.instances) {
+      total_ += of(instance);
+      if (total_ > most_) return &scene_.entity(instance);
+    }
+    return nullptr;
+  }
+
+ private:
+  const Entity* first_entity() const {
+    const std::vector<Entity>& entities = scene_.scenes.front().scene.entities;
+    return entities.empty() ? nullptr : &entities.front();
+  }
+
+  /// Lights are repeated for each use of their scene.
+  std::uint64_t world_of(const SceneFile& file) {
+    const auto [known, is_new] = of_world_.try_emplace(&file);
+    if (!is_new || !file.document) return known->second;
+    for (const Light& light : file.scene.lights) {
+      known->second += bytes_of({*file.document, light.node});
+    }
+    return known->second;
+  }
+
+  std::uint64_t of(const Instance& instance) {
+    std::uint64_t bytes = instance.path.size() + instance.name.size() + instance.type.size() +
+                          instance.file.size() + of(scene_.entity(instance), instance) +
+                          of(instance.placement.parent) + of(instance.placement.anchor) +
+                          of_pose(instance.joint_pose);
+    if (instance.model) {
+      if (options_.links || options_.repeats_models) {
+        bytes += of_model(*instance.model) + of_prefixes(instance);
+      }
+    } else if (options_.old_scenes != nullptr) {
+      bytes += of_old_scene(instance.file);
+    }
+    return bytes;
+  }
+
+  std::uint64_t of(const Attachment& attachment) const {
+    if (attachment.kind != Attachment::Kind::link) return 0;
+    return scene_.instance(attachment.instance).path.size() + attachment.link.size();
+  }
+
+  /// The keys of an entity, which are the same in each use of its scene.
+  std::uint64_t of(const Entity& entity, const Instance& instance) {
+    const SceneFile& file = scene_.file(scene_.use(instance));
+    if (!file.document || (instance.model && entity.extra.empty())) return 0;
+    const auto [known, is_new] = of_entity_.try_emplace(&entity);
+    if (!is_new) return known->second;
+    if (!instance.model) return known->second = bytes_of({*file.document, entity.node});
+    for (const CustomSection& key : entity.extra) {
+      known->second += bytes_of({*file.document, key.node});
+      if (known->second > most_) break;
+    }
+    return known->second;
+  }
+
+  /// What a value takes in memory, aliases followed. The walk ends where it is too much.
+  std::uint64_t bytes_of(yaml::View value) const {
+    constexpr std::uint64_t kNode = 40;
+    std::uint64_t bytes = kNode + value.key().size() + value.text().size();
+    for (const yaml::View child : value) {
+      if (bytes > most_) break;
+      bytes += bytes_of(child);
+    }
+    return bytes;
+  }
+
+  std::uint64_t of_pose(JointPoseIndex index) {
+    std::optional<std::uint64_t>& known = of_pose_[to_size(index)];
+    if (known) return *known;
+    constexpr std::uint64_t kNumber = 40;
+    known = 0;
+    for (const auto& [joint, position] : scene_.joint_poses[to_size(index)]) {
+      *known += kNumber + joint.size();
+    }
+    return *known;
+  }
+
+  /// Formats write some hundred bytes for the shortest link or shape, and else what the URDF says.
+  std::uint64_t of_model(ModelIndex index) {
+    std::optional<std::uint64_t>& known = of_model_[to_size(index)];
+    if (known) return *known;
+    constexpr std::uint64_t kPart = 400;
+    const LinkedModel& model = scene_.models[to_size(index)];
+    known = 0;
+    if (!model.robot) return *known;
+    std::uint64_t parts = 0;
+    for (const urdf::Link& link : model.robot->links) {
+      parts += 1 + link.visuals.size() + link.collisions.size();
+    }
+    known =
+        std::max<std::uint64_t>(kPart * parts, sources_.text(model.robot->document.source).size());
+    return *known;
+  }
+
+  /// Some formats write the path of the entity before each name of its model.
+  std::uint64_t of_prefixes(const Instance& instance) const {
+    const LinkedModel& model = *scene_.model(instance);
+    if (!model.robot) return 0;
+    return 2 * instance.path.size() * (model.robot->links.size() + model.robot->joints.size());
+  }
+
+  /// A node of some 60 bytes becomes a shape of 200.
+  std::uint64_t of_old_scene(const std::string& file) const {
+    const auto found = options_.old_scenes->find(file);
+    if (found == options_.old_scenes->end()) return 0;
+    const OldSceneFile& old = found->second;
+    constexpr std::uint64_t kGrowth = 4;
+    if (old.xml) return kGrowth * sources_.text(old.xml->source).size();
+    return old.yaml ? kGrowth * sources_.text(old.yaml->source).size() : 0;
+  }
+
+  const LinkedScene& scene_;
+  const SourceMap& sources_;
+  const FlattenOptions& options_;
+  std::uint64_t most_;
+  std::uint64_t total_ = 0;
+  std::vector<std::optional<std::uint64_t>> of_model_, of_pose_;
+  std::unordered_map<const Entity*, std::uint64_t> of_entity_;
+  std::unordered_map<const SceneFile*, std::uint64_t> of_world_;
+};
+
+}  // namespace
+
+bool check_scene_size(const LinkedScene& scene, const SourceMap& sources,
+                      const FlattenOptions& options, const Limits& limits, DiagnosticSink& sink) {
+  const Entity* last = SizeCheck(scene, sources, options, limits).run();
+  if (last == nullptr) return true;
+  sink.report(rules::sml5022_too_many_instances, place_of(*last),
+              "with this entity the scene, written out, has more than " +
+                  std::to_string(limits.scene_bytes) + " bytes")
+      .help = raise_limit("scene-bytes");
+  return false;
+}
+
+}  // namespace smurf

@@ -1,0 +1,448 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What comes with the checked files (configuration, models, scenes, archives, names, links) chooses no place to write,
+is no option, and no output takes the place of an input.
+
+Usage: stranger_test.py FOLDER_OF_TOOLS [unittest option]...
+"""
+import json
+import os
+import pathlib
+import resource
+import shutil
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+FIXTURES = ROOT / "fixtures"
+TOOLS = None
+MESH = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"
+WARNED = "smurfs:\n- {name: a, type: box, position: [0, 0, 0]}\n"
+
+
+def urdf(*meshes, name="r"):
+    shapes = "".join(f'<visual><geometry><mesh filename="{mesh}"/></geometry></visual>' for mesh in meshes)
+    return f'<robot name="{name}"><link name="a">{shapes}</link></robot>\n'
+
+
+class StrangerTest(unittest.TestCase):
+    maxDiff = None
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="smurf-stranger-"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        self.victim = self.folder / "victim"
+        self.victim.mkdir()
+        (self.victim / "mine").write_text("mine\n")
+        self.project = self.folder / "project"
+        self.project.mkdir()
+        (self.project / ".git").mkdir()
+
+    def write(self, path, text):
+        target = self.project / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_bytes(text if isinstance(text, bytes) else text.encode())
+
+    def run_tool(self, tool, *arguments, cwd=None, **keywords):
+        variables = {k: v for k, v in os.environ.items() if k not in ("FORCE_COLOR", "GITHUB_ACTIONS")}
+        return subprocess.run([TOOLS / tool, *map(str, arguments)], cwd=cwd or self.project, env=variables, timeout=60,
+                              capture_output=True, encoding="utf-8", errors="replace", check=False, **keywords)
+
+    def expect(self, code, tool, *arguments, **keywords):
+        done = self.run_tool(tool, *arguments, **keywords)
+        self.assertEqual(done.returncode, code, f"{tool} {arguments}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def texts(self, folder):
+        return {str(path.relative_to(folder)): path.read_bytes()
+                for path in sorted(folder.rglob("*")) if path.is_file() and not path.is_symlink()}
+
+    def assert_unharmed(self):
+        self.assertEqual(self.texts(self.victim), {"mine": b"mine\n"})
+
+
+class Configuration(StrangerTest):
+    def setUp(self):
+        super().setUp()
+        self.write("r.urdf", urdf())
+
+    def test_one_that_was_found_names_no_reports(self):
+        (self.project / "link").symlink_to(self.victim / "mine")
+        for place in (self.victim / "mine", "../victim/mine", "link", "report.json"):
+            for text in (f'format: "json={place}"\n', f'extends: other.yaml\n# {place}\n'):
+                with self.subTest(place=place, text=text):
+                    self.write("other.yaml", f'format: [concise, "json={place}"]\n')
+                    self.write(".smurf-lint.yaml", text)
+                    done = self.expect(1, "smurf-lint", "--select", "SML9", ".")
+                    self.assertIn("SML9002", done.stdout)
+                    self.assertIn("names no file to write", done.stdout)
+                    self.assert_unharmed()
+                    self.assertFalse((self.project / "report.json").exists())
+
+    def test_one_that_is_named_does_as_it_is_trusted(self):
+        self.write("base.yaml", "format: [concise, json=report.json]\n")
+        self.write("c.yaml", "extends: base.yaml\n")
+        self.expect(0, "smurf-lint", "--config", "c.yaml", ".")
+        json.loads((self.project / "report.json").read_text())
+
+    def test_a_format_without_a_file_stays(self):
+        self.write(".smurf-lint.yaml", "format: concise\n")
+        self.assertEqual(self.expect(0, "smurf-lint", ".").stdout, "")
+
+    def test_baseline(self):
+        self.write("r.urdf", '<robot name="r"><link nam="a"/></robot>')
+        self.write(".smurf-lint.yaml", "baseline: ../victim/mine\n")
+        done = self.expect(2, "smurf-lint", "--generate-baseline", ".")
+        self.assertIn("add --baseline '../victim/mine'", done.stderr)
+        self.assert_unharmed()
+        self.write(".smurf-lint.yaml", "baseline: .smurf-lint-baseline.yaml\n")
+        self.expect(0, "smurf-lint", "--generate-baseline", ".")
+        self.assertIn("suppressed", self.expect(0, "smurf-lint", ".").stdout)
+        self.expect(0, "smurf-lint", "--generate-baseline", ".")  # again
+        self.write(".smurf-lint.yaml", "")
+        (self.project / ".smurf-lint-baseline.yaml").unlink()
+        done = self.expect(0, "smurf-lint", "--generate-baseline", ".")
+        self.assertIn("add --baseline .smurf-lint-baseline.yaml", done.stdout)
+
+    def test_a_baseline_replaces_baselines_only(self):
+        self.write("notes.txt", "mine\n")
+        for arguments in (["--baseline", "notes.txt"], ["--baseline", "r.urdf"]):
+            before = self.texts(self.project)
+            self.expect(2, "smurf-lint", *arguments, "--generate-baseline", ".")
+            self.assertEqual(self.texts(self.project), before)
+
+    def test_the_usual_baseline_is_no_link(self):
+        self.expect(0, "smurf-lint", "--baseline", self.victim / "mine2", "--generate-baseline", ".")
+        before = self.texts(self.victim)
+        self.write("r.urdf", '<robot name="r"><link nam="a"/></robot>')
+        for target in (self.victim / "mine2", self.victim / "new"):
+            (self.project / ".smurf-lint-baseline.yaml").symlink_to(target)
+            self.expect(2, "smurf-lint", "--generate-baseline", ".")
+            self.assertEqual(self.texts(self.victim), before)
+            (self.project / ".smurf-lint-baseline.yaml").unlink()
+
+    def test_fixes_do_not_follow_links_out_of_the_project(self):
+        text = '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/>' \
+               '<child link="b"/><dynamics/></joint></robot>\n'
+        (self.victim / "mine").write_text(text)
+        (self.victim / ".git").mkdir()
+        (self.project / "l.urdf").symlink_to(self.victim / "mine")
+        self.write("sound.urdf", text)
+        self.expect(2, "smurf-lint", "--fix", "l.urdf", "sound.urdf")
+        self.assertEqual((self.victim / "mine").read_text(), text)
+        self.assertEqual((self.project / "sound.urdf").read_text(), text)
+        self.expect(0, "smurf-lint", "--fix", "--allow-outside", "l.urdf", "sound.urdf")
+        self.assertNotEqual((self.victim / "mine").read_text(), text)
+
+
+class Pipes(StrangerTest):
+    def test_a_pipe_that_nobody_reads(self):
+        self.write("r.urdf", urdf())
+        os.mkfifo(self.project / "pipe")
+        for option in (["-o", "pipe"], ["--format", "json=pipe"]):
+            done = self.expect(2, "smurf-lint", *option, "r.urdf")
+            self.assertIn("cannot write 'pipe': it is a pipe that nobody reads", done.stderr)
+
+    def test_a_pipe_of_a_configuration(self):
+        self.write("r.urdf", urdf())
+        os.mkfifo(self.project / "pipe")
+        self.write(".smurf-lint.yaml", "format: json=pipe\nbaseline: pipe\n")
+        self.expect(1, "smurf-lint", "r.urdf")
+        self.expect(2, "smurf-lint", "--generate-baseline", "r.urdf")
+
+    def test_pipes_of_the_user(self):
+        self.write("r.urdf", urdf())
+        for script in ("smurf-lint --format json=/dev/stdout r.urdf",
+                       "smurf-lint -o >(cat) --format json r.urdf; sleep 0.3",
+                       "mkfifo p; cat p & smurf-lint -o p --format json r.urdf; wait",
+                       "mkfifo q; { sleep 0.2; cat q; } & smurf-lint -o q --format json r.urdf; wait",
+                       "smurf-lint --format json=/dev/stderr r.urdf 2>&1"):
+            with self.subTest(script):
+                done = subprocess.run(["bash", "-c", f"PATH={TOOLS}:$PATH; {script}"], cwd=self.project, timeout=60,
+                                      capture_output=True, text=True, check=False)
+                self.assertEqual(done.stderr, "")
+                self.assertEqual(json.loads(done.stdout)["summary"]["files"], 1)
+
+    def test_standard_error_in_a_file_keeps_what_is_in_it(self):
+        with (self.project / "log").open("w") as log:
+            log.write("before\n")
+            log.flush()
+            subprocess.run([TOOLS / "smurf-lint", "--fix", "-"], input=urdf().encode(), stderr=log, cwd=self.project,
+                           stdout=subprocess.DEVNULL, timeout=60, check=False)
+        text = (self.project / "log").read_text()
+        self.assertTrue(text.startswith("before\n") and "no findings" in text, text)
+
+
+class Names(StrangerTest):
+    """Names of models become names of folders."""
+
+    def copy(self, model, mesh="m.stl", folder="out/files", code=0):
+        self.write(f"in/{model}", "modelname: r\nfiles: [r.urdf]\n")
+        self.write("in/r.urdf", urdf(mesh))
+        self.write(f"in/{mesh}", MESH)
+        self.write("in/s.smurfs", f"smurfs:\n- {{name: a, file: {json.dumps(model)}, type: smurf}}\n")
+        return self.expect(code, "smurfs-flatten", "--format", "sdf", "--force", "in/s.smurfs", "-o", "w.sdf",
+                           "--copy-assets", folder)
+
+    def test_folders_of_copies(self):
+        self.write("out/m.stl", "mine\n")
+        for model in ("...smurf", "-x.smurf", ".git.smurf", "a\nb\x1b.smurf", "....smurf", ".smurf"):
+            with self.subTest(model=model):
+                shutil.rmtree(self.project / "out/files", ignore_errors=True)
+                shutil.rmtree(self.project / "in", ignore_errors=True)
+                self.copy(model)
+                self.assertEqual(self.texts(self.project / "out").pop("m.stl"), b"mine\n")
+                copies = [path for path in self.texts(self.project / "out") if path != "m.stl"]
+                self.assertEqual(len(copies), 1)
+                self.assertRegex(copies[0], r"^files/[\w][\w. -]*/m\.stl$")
+
+    def test_names_of_copies(self):
+        for mesh in (".bashrc", "-rf.stl", "a;b.stl"):
+            shutil.rmtree(self.project / "out/files", ignore_errors=True)
+            self.copy("r.smurf", mesh)
+            copies = list(self.texts(self.project / "out"))
+            self.assertEqual(len(copies), 1)
+            self.assertRegex(copies[0], r"^files/r/[\w][\w.-]*$")
+            self.assertIn(copies[0], (self.project / "w.sdf").read_text())
+
+    def test_an_obj_keeps_its_materials(self):
+        self.write("in/größe (1).mtl", "newmtl a\n")
+        self.copy("r.smurf", "größe (1).obj")
+        self.assertEqual(sorted(path.name for path in (self.project / "out/files/r").iterdir()),
+                         ["größe (1).mtl", "größe (1).obj"])
+
+    def test_names_of_new_models(self):
+        for name in ("-x.urdf", "...urdf", ".hidden.urdf"):
+            shutil.rmtree(self.project / "out", ignore_errors=True)
+            self.write(name, urdf())
+            self.expect(0, "urdf2smurf", "-o", "out", "--", name)
+            for path in self.texts(self.project / "out"):
+                self.assertRegex(path, r"^(smurf|urdf)/[\w][\w.-]*$")
+
+
+class Links(StrangerTest):
+    """Links below a folder that the user names."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("r.urdf", urdf("m.stl"))
+        self.write("m.stl", MESH)
+
+    def test_copies(self):
+        (self.project / "assets").mkdir()
+        (self.victim / "m.stl").write_text("mine\n")
+        before = self.texts(self.victim)
+        (self.project / "assets/r").symlink_to(self.victim)
+        done = self.expect(2, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf")
+        self.assertIn("cannot write 'assets/r': it is a symbolic link", done.stderr)
+        (self.project / "assets/r").unlink()
+        (self.project / "assets/r").mkdir()
+        for target in (self.victim / "m.stl", self.victim / "new"):
+            (self.project / "assets/r/m.stl").symlink_to(target)
+            self.expect(2, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf")
+            (self.project / "assets/r/m.stl").unlink()
+        self.assertEqual(self.texts(self.victim), before)
+
+    def test_new_models(self):
+        (self.project / "robot").mkdir()
+        (self.project / "robot/smurf").symlink_to(self.victim)
+        for options in ([], ["--overwrite"]):
+            self.expect(2, "urdf2smurf", "r.urdf", "-o", "robot", *options)
+            self.assert_unharmed()
+            self.assertFalse((self.project / "robot/urdf").exists())
+        (self.project / "robot/smurf").unlink()
+        (self.project / "robot/smurf").mkdir()
+        for target in (self.victim / "mine", self.victim / "new"):
+            (self.project / "robot/smurf/r.smurf").symlink_to(target)
+            self.expect(2, "urdf2smurf", "r.urdf", "-o", "robot", "--overwrite")
+            self.assert_unharmed()
+            (self.project / "robot/smurf/r.smurf").unlink()
+
+    def test_the_users_own_folder_and_file_may_be_links(self):
+        (self.folder / "elsewhere").mkdir()
+        (self.project / "robot").symlink_to(self.folder / "elsewhere")
+        self.expect(0, "urdf2smurf", "r.urdf", "-o", "robot")
+        self.assertTrue((self.folder / "elsewhere/smurf/r.smurf").is_file())
+        (self.project / "w.sdf").symlink_to(self.victim / "mine")
+        self.expect(0, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "robot", "-o", "w.sdf")
+        self.assertTrue((self.folder / "elsewhere/r/m.stl").is_file())
+        self.assertTrue((self.project / "w.sdf").is_symlink())
+        self.assertIn("<sdf", (self.victim / "mine").read_text())
+
+
+class Inputs(StrangerTest):
+    """No output takes the place of an input: every option that writes, on every input."""
+
+    MODEL = ["arm/smurf/arm.smurf", "arm/urdf/arm.urdf", "arm/smurf/arm_motors.yml", "arm/meshes/forearm.obj"]
+
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(FIXTURES / "models/arm", self.project / "arm")
+        self.write("s.smurfs", "smurfs:\n- {name: a, file: arm/smurf/arm.smurf, type: smurf, anchor: world}\n")
+        self.write(".smurf-lint.yaml", "fail-on: never\n")
+        self.write("report.json", "{}")
+
+    def refuse(self, tool, arguments, option, victims, code=2):
+        for victim in victims:
+            os.link(self.project / victim, self.project / "other_name")
+            (self.project / "link").symlink_to(victim)
+            names = (victim, self.project / victim, "other_name", "link") if option == "-o" else (victim,)
+            for name in names:
+                before = self.texts(self.project)
+                with self.subTest(tool, option=option, victim=str(name)):
+                    value = [option + str(name)] if option.endswith("=") else [option, name]
+                    done = self.expect(code, tool, *arguments, *value, "--", *self.inputs)
+                    self.assertIn("is an input of this run", done.stderr)
+                    self.assertEqual(self.texts(self.project), before)
+            (self.project / "other_name").unlink()
+            (self.project / "link").unlink()
+
+    def test_smurf_lint(self):
+        self.inputs = ["arm"]
+        for option in ("-o", "--format=json=", "--report=sarif="):
+            self.refuse("smurf-lint", [], option, [*self.MODEL, ".smurf-lint.yaml"])
+        self.refuse("smurf-lint", ["--fix"], "-o", self.MODEL[:1])
+        self.refuse("smurf-lint", ["--list-files"], "-o", self.MODEL[:1])
+        self.refuse("smurf-lint", ["--generate-baseline"], "--baseline", self.MODEL[:2])
+        self.inputs = []
+        self.refuse("smurf-lint", ["--show-config", "arm"], "-o", [".smurf-lint.yaml"])
+
+    def test_reports(self):
+        self.expect(0, "smurf-lint", "--format", "json=report.json", "arm")
+        self.inputs = ["report.json"]
+        self.refuse("smurf-lint", ["--merge-reports"], "-o", ["report.json"])
+
+    def test_smurf2urdf(self):
+        self.inputs = ["arm/smurf/arm.smurf"]
+        for option in ("-o", "--srdf", "--loss-report", "--report=json="):
+            self.refuse("smurf2urdf", [], option, self.MODEL)
+        self.refuse("smurf2urdf", ["--loss-report", "lost.json"], "-o", self.MODEL[:1])
+        self.assertFalse((self.project / "lost.json").exists())
+
+    def test_urdf2smurf(self):
+        self.inputs = ["arm/urdf/arm.urdf"]
+        self.refuse("urdf2smurf", ["-o", "new"], "--report=json=", ["arm/urdf/arm.urdf"])
+        before = self.texts(self.project)
+        self.expect(2, "urdf2smurf", "arm/urdf/arm.urdf", "-o", "arm/urdf", "--flat", "--overwrite")
+        self.expect(2, "urdf2smurf", "arm/urdf/arm.urdf", "-o", "arm", "--overwrite")
+        self.assertEqual(self.texts(self.project), before)
+        self.expect(0, "urdf2smurf", "arm/urdf/arm.urdf", "--in-place")
+
+    def test_smurfs_flatten(self):
+        self.inputs = ["s.smurfs"]
+        for option in ("-o", "--report=json="):
+            self.refuse("smurfs-flatten", ["--format", "sdf"], option, ["s.smurfs", *self.MODEL])
+        for arguments in (["--compare-dialects"], ["--explain", "a"]):
+            self.refuse("smurfs-flatten", arguments, "-o", ["s.smurfs"])
+
+    def test_smurf_load_check(self):
+        arguments = ["--time", "0.01", "--stages", "still"]
+        self.inputs = ["s.smurfs"]
+        for option in ("-o", "--trace", "--report=json="):
+            self.refuse("smurf-load-check", arguments, option, ["s.smurfs", self.MODEL[0]])
+        self.inputs = self.MODEL[:1]
+        self.refuse("smurf-load-check", arguments, "--plot", self.MODEL[:2])
+
+    def test_copies(self):
+        """The mesh of one model would take the place of another one's."""
+        self.write("a.urdf", urdf("a/m.stl", "a/b/m.stl"))
+        self.write("a/m.stl", MESH)
+        self.write("a/b/m.stl", MESH.replace("solid a", "solid b"))
+        before = self.texts(self.project)
+        self.expect(0, "smurfs-flatten", "--format", "sdf", "a.urdf", "--copy-assets", ".", "-o", "w.sdf")
+        self.assertEqual({p: t for p, t in self.texts(self.project).items() if p in before}, before)
+        self.write("b.urdf", urdf("a/b/m.stl", "b/m.stl"))
+        self.write("b/m.stl", MESH)
+        before = self.texts(self.project)
+        done = self.expect(2, "smurfs-flatten", "--format", "sdf", "b.urdf", "--copy-assets", ".", "-o", "w.sdf")
+        self.assertIn("'b/m.stl' is an input of this run", done.stderr)
+        self.assertEqual(self.texts(self.project), before)
+
+    def test_standard_input(self):
+        self.write("in.urdf", urdf())
+        with (self.project / "in.urdf").open() as file:
+            done = subprocess.run([TOOLS / "smurf-lint", "-o", "in.urdf", "-"], stdin=file, cwd=self.project, timeout=60,
+                                  capture_output=True, check=False)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual((self.project / "in.urdf").read_text(), urdf())
+
+
+class Permissions(StrangerTest):
+    def test_mode_and_owner_without_privileges(self):
+        self.write("r.urdf", urdf())
+        report = self.project / "report.json"
+        for mode in (0o4755, 0o2755, 0o1644, 0o640, 0o444):
+            report.write_text("old")
+            if os.geteuid() == 0:
+                os.chown(report, 65534, 65534)
+            report.chmod(mode)
+            self.expect(0, "smurf-lint", "--format", "json=report.json", "r.urdf")
+            status = report.stat()
+            self.assertEqual(stat.S_IMODE(status.st_mode), mode & 0o777)
+            if os.geteuid() == 0:
+                self.assertEqual((status.st_uid, status.st_gid), (65534, 65534))
+            report.unlink()
+
+    def test_killed_by_a_limit_no_more(self):
+        self.write("r.urdf", urdf())
+
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (10, 10))
+
+        done = self.expect(2, "smurf-lint", "--format", "json=report.json", "r.urdf", preexec_fn=limit)
+        self.assertIn("File too large", done.stderr)
+        self.assertEqual(sorted(path.name for path in self.project.iterdir()), [".git", "r.urdf"])
+
+
+class CurrentFolder(StrangerTest):
+    def test_it_is_gone(self):
+        self.write("r.urdf", urdf())
+        self.write("s.smurfs", WARNED)
+        absolute = self.project
+        for tool, arguments in {"smurf2urdf": [absolute / "r.urdf"],
+                                "urdf2smurf": [absolute / "r.urdf", "-o", absolute / "out"],
+                                "smurfs-flatten": [absolute / "r.urdf"],
+                                "smurf-lint": ["."], "smurf-load-check": ["."]}.items():
+            with self.subTest(tool):
+                script = 'mkdir gone; cd gone; rmdir ../gone; exec "$@"'
+                done = subprocess.run(["sh", "-c", script, "sh", TOOLS / tool, *arguments], cwd=self.folder, timeout=60,
+                                      capture_output=True, encoding="utf-8", check=False)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertTrue(done.stderr.startswith(tool + ": "), done.stderr)
+
+
+class Action(StrangerTest):
+    def test_paths(self):
+        text = (ROOT / "action.yml").read_text()
+        script = text[text.index("run: |") + 6:].replace("\n      ", "\n")
+        tool = self.folder / "bin/smurf-lint"
+        tool.parent.mkdir()
+        tool.write_text("#!/bin/sh\nprintf '%s\\n' \"$@\"\n")
+        tool.chmod(0o755)
+        head = ["--format", "github", "--fail-on=error"]
+        for paths, wanted in {"robots models": ["robots", "models"], "one folder\nmore\n": ["one folder", "more"],
+                              "--output=x": ["--output=x"], "a\n\n-ox\n": ["a", "-ox"], "": [],
+                              "a b\n": ["a", "b"]}.items():
+            done = subprocess.run(["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", script], cwd=self.project,
+                                  env={"PATH": f"{tool.parent}:{os.environ['PATH']}", "PATHS": paths,
+                                       "FAIL_ON": "error", "SARIF": ""},
+                                  capture_output=True, text=True, timeout=60, check=False)
+            self.assertEqual((done.returncode, done.stdout.splitlines()), (0, [*head, "--", *wanted]), done.stderr)
+
+    def test_operands_are_no_options(self):
+        self.write("--output=x.urdf", urdf())
+        for tool in ("smurf-lint", "smurfs-flatten", "smurf2urdf"):
+            before = self.texts(self.project)
+            self.run_tool(tool, "--", "--output=x.urdf")
+            self.assertEqual(self.texts(self.project), before)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(f"usage: {sys.argv[0]} FOLDER_OF_TOOLS [unittest option]...")
+    TOOLS = pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""A megabyte of one piece, again and again, takes smurf-lint at most two seconds and 300 MB.
+
+repeated_pieces_test.py FOLDER_OF_TOOLS [WORD...]: with words, only the pieces that hold one of them.
+
+In a piece, @ is its number and ~ that of the piece before.
+"""
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+BYTES = 1_000_000
+SECONDS, MEGABYTES = 2.0, 300
+MODEL = "modelname: a\nfiles: [a.urdf]\n"
+URDF = '<robot name="a"><link name="b"/></robot>'
+SECTIONS = ("materials motors sensors controllers collision visuals links nodes joints lights poses submechanisms "
+            "interfaces submodels custom").split()
+ITEMS = ("- {name: a@}\n", "- {name: a}\n", "- a@\n", "- []\n", "- {name: a@, joint: j@, link: k@}\n",
+         "- {name: a@, joints: {j: 1}}\n", "- {name: a@, type: JointPosition, id: [j, j, j]}\n")
+COMMENTS = ("#smurf-lint:ignore[SML3101]\n", "#smurf-lint:ignore[A]\n", "# smurf-lint: ignore[SML@]\n", "#smurf-lint:\n")
+ELEMENTS = ('<link name="l@"/>', "<link/>", '<joint name="j@"/>', '<gazebo reference="l@"/>', "<x@/>",
+            "<!--smurf-lint:ignore[A]-->", '<transmission name="t@"><joint name="j@"/></transmission>')
+ENTITIES = ("- {name: e@, type: smurf, file: a.smurf}\n", "- {name: e@, type: x@}\n",
+            '- {name: e@, type: smurf, file: a.smurf, parent: "e~::x"}\n',
+            '- {name: e@, type: smurf, file: a.smurf, parent: "f@::b"}\n',
+            "- {name: e@, type: smurf, file: a.smurf, pose: p@}\n")
+SETTINGS = {
+    **{f"{key}:\n": ("- a@\n", "- SML3101\n") for key in ("select", "ignore", "targets", "format", "exclude")},
+    **{f"{key}:\n": ("  a@: error\n", "  SML3101: 1\n") for key in ("severity", "tolerances", "packages")},
+    "paths:\n": ("  a@: {ignore: SML3}\n",),
+    "": ("k@: 1\n",),
+}
+VALUES = {
+    "pattern: 'a*a*a*a*b'": '"' + "a" * 9999 + '"',
+    "patternProperties: {'^.*z$': {type: string}}": "{? " + "a" * 30000 + " : 1}",
+    "items: {oneOf: [" + ",".join(f"{{const: {i}}}" for i in range(200)) + "]}": "[" + "[[]]," * 60000 + "]",
+    "items: {enum: [" + ",".join(map(str, range(50000))) + "]}": "[" + ",".join(f"a{i}" for i in range(60000)) + "]",
+    "required: [" + ",".join(f"a{i}" for i in range(60000)) + "]":
+        "{" + ",".join(f"b{i}: 1" for i in range(60000)) + "}",
+    "uniqueItems: true": "[" + "1," * 100000 + "]",
+}
+
+
+def pieces(piece: str, head: str = "", tail: str = "") -> str:
+    parts, size, number = [head], len(head), 0
+    while size < BYTES:
+        parts.append(piece.replace("@", str(number)).replace("~", str(number - 1)))
+        size += len(parts[-1])
+        number += 1
+    return "".join(parts) + tail
+
+
+def cases():
+    """Of a title, the files by name and the one to check."""
+    for section in SECTIONS:
+        for item in ITEMS:
+            yield f"{section}: {item}", {"a.urdf": URDF, "a.smurf": pieces(item, f"{MODEL}{section}:\n")}, "a.smurf"
+    for comment in COMMENTS:
+        yield f"comments {comment}", {"a.urdf": URDF, "a.smurf": pieces(comment, MODEL)}, "a.smurf"
+    for comment in COMMENTS:
+        text = pieces(" " + comment.strip(), f"{MODEL}#") + "\n"
+        yield f"one line of {comment}", {"a.urdf": URDF, "a.smurf": text}, "a.smurf"
+    yield "a list in a comment", {"a.urdf": URDF, "a.smurf": pieces("SML3101,", f"{MODEL}#smurf-lint:ignore[", "]\n")}, \
+        "a.smurf"
+    for element in ELEMENTS:
+        yield f"robot of {element}", {"a.urdf": pieces(element, '<robot name="r"><link name="a"/>', "</robot>")}, "a.urdf"
+    for entity in ENTITIES:
+        files = {"a.urdf": URDF, "a.smurf": MODEL, "s.smurfs": pieces(entity, "smurfs:\n")}
+        yield f"scene of {entity}", files, "s.smurfs"
+    for head, entries in SETTINGS.items():
+        for entry in entries:
+            files = {".smurf-lint.yaml": pieces(entry, head), "a.urdf": URDF, "a.smurf": MODEL + "motors: [{name: a}]\n"}
+            yield f"configuration {head}{entry}", files, "a.smurf"
+    for schema, value in VALUES.items():
+        files = {".smurf-lint.yaml": "schemas: {sections: {foo: s.yaml}}\n", "s.yaml": schema + "\n",
+                 "a.urdf": URDF, "a.smurf": f"{MODEL}foo: {value}\n"}
+        yield f"schema {schema[:60]}", files, "a.smurf"
+
+
+def fault(tool: pathlib.Path, files: dict, main: str) -> str:
+    """Empty when the bounds are kept."""
+    with tempfile.TemporaryDirectory() as work:
+        folder = pathlib.Path(work)
+        (folder / ".git").mkdir()
+        for name, text in files.items():
+            (folder / name).write_text(text, encoding="utf-8")
+        with subprocess.Popen([tool, "-q", "--statistics", main], cwd=folder, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as run:
+            _, status, used = os.wait4(run.pid, 0)
+            run.returncode = os.waitstatus_to_exitcode(status)
+    seconds, megabytes = used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
+    if run.returncode not in (0, 1, 2):
+        return f"ended with {run.returncode}"
+    is_within = seconds <= SECONDS and megabytes <= MEGABYTES
+    return "" if is_within else f"took {seconds:.1f} s and {megabytes:.0f} MB"
+
+
+def main() -> int:
+    tool, words = pathlib.Path(sys.argv[1]).resolve() / "smurf-lint", sys.argv[2:]
+    failed = passed = 0
+    for title, files, name in cases():
+        if words and not any(word in title for word in words):
+            continue
+        what = fault(tool, files, name)
+        failed, passed = failed + bool(what), passed + (not what)
+        if what:
+            print(f"{title.strip()!r}: {what}", flush=True)
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

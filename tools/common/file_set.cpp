@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/file_set.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "base/path.hpp"
+
+namespace smurf::tools {
+namespace {
+
+constexpr int kFolder = O_PATH | O_DIRECTORY | O_CLOEXEC;
+
+bool is_link(int folder, const std::string& name) {
+  struct stat status {};
+  return ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+         S_ISLNK(status.st_mode);
+}
+
+FileSet::Problem problem(const std::string& path, int error) {
+  // Of names that others chose: a link would choose the place.
+  if (error == ELOOP) return {path, "it is a symbolic link, which is not followed here"};
+  return {path, std::generic_category().message(error), error == EEXIST};
+}
+
+}  // namespace
+
+FileSet::~FileSet() {
+  for (Written& written : written_) {
+    const int folder = written.file.folder();
+    const char* const name = written.file.name().c_str();
+    if (!is_done_ && written.is_placed) {
+      if (written.replaces) {
+        ::renameat(folder, written.backup.c_str(), folder, name);
+      } else {
+        ::unlinkat(folder, name, 0);
+      }
+    } else if (!written.backup.empty()) {
+      ::unlinkat(folder, written.backup.c_str(), 0);
+    }
+  }
+  written_.clear();
+  if (is_done_) return;
+  for (auto made = made_folders_.rbegin(); made != made_folders_.rend(); ++made) {
+    ::unlinkat(made->first, made->second.c_str(), AT_REMOVEDIR);
+  }
+}
+
+std::optional<FileSet::Problem> FileSet::write(bool overwrite) {
+  for (const OutputFile& file : files_) {
+    if (auto found = prepare(file, overwrite)) return found;
+  }
+  for (Written& written : written_) {
+    if (auto found = place(written, &written == &written_.back())) return found;
+  }
+  is_done_ = true;
+  return std::nullopt;
+}
+
+std::optional<FileSet::Problem> FileSet::prepare(const OutputFile& file, bool overwrite) {
+  const std::string shown = path::join(file.folder, file.path);
+  int folder = -1;
+  if (auto found = open_folder(file, folder)) return found;
+  Written& written = written_.emplace_back(folder, std::string(path::file_name(file.path)));
+  written.shown = shown;
+  struct stat status {};
+  if (::fstatat(folder, written.file.name().c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) {
+    written.replaces = true;
+    if (S_ISLNK(status.st_mode)) return problem(shown, ELOOP);
+    if (!S_ISREG(status.st_mode)) {
+      return problem(shown, S_ISDIR(status.st_mode) ? EISDIR : ENOTSUP);
+    }
+    if (!overwrite) return problem(shown, EEXIST);
+  }
+  const int error =
+      written.file.write(file.text, written.replaces ? std::optional(status) : std::nullopt);
+  return error == 0 ? std::nullopt : std::optional(problem(shown, error));
+}
+
+std::optional<FileSet::Problem> FileSet::place(Written& written, bool is_last) {
+  int error = 0;
+  if (written.replaces && !is_last) {  // nothing can fail after the last
+    error = with_free_name(written.backup, [&](const std::string& name) {
+      const int folder = written.file.folder();
+      const char* const old = written.file.name().c_str();
+      return ::linkat(folder, old, folder, name.c_str(), 0) == 0 ? 0 : errno;
+    });
+    if (error != 0) written.backup.clear();
+  }
+  if (error == 0) error = written.file.take_place();
+  if (error != 0) return problem(written.shown, error);
+  written.is_placed = true;
+  return std::nullopt;
+}
+
+std::optional<FileSet::Problem> FileSet::open_folder(const OutputFile& file, int& folder) {
+  std::string path = file.folder.empty() ? "." : file.folder;
+  if (missing_ == MissingFolders::make) {
+    if (const int error = make_all(path); error != 0) return problem(path, error);
+  }
+  Descriptor& users = folders_[path];
+  if (!users.is_open()) users.reset(::open(path.c_str(), kFolder));
+  if (!users.is_open()) return problem(path, errno);
+  folder = users.number();
+  std::string_view rest = path::parent(file.path);
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('/'), rest.size());
+    const std::string name(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    path += "/" + name;
+    Descriptor& below = folders_[path];
+    if (!below.is_open()) {
+      int opened = -1;
+      const int error = open_below(folder, name, opened);
+      if (error != 0) return problem(path, error);
+      below.reset(opened);
+    }
+    folder = below.number();
+  }
+  return std::nullopt;
+}
+
+/// 0 or an errno; ELOOP for a link.
+int FileSet::open_below(int above, const std::string& name, int& folder) {
+  if (name.empty() || name == "." || name == "..") return EINVAL;
+  if (missing_ == MissingFolders::make && ::mkdirat(above, name.c_str(), 0777) == 0) {
+    made_folders_.emplace_back(above, name);
+  }
+  folder = ::openat(above, name.c_str(), kFolder | O_NOFOLLOW);
+  if (folder >= 0) return 0;
+  const int error = errno;
+  return is_link(above, name) ? ELOOP : error;
+}
+
+/// 0 or an errno.
+int FileSet::make_all(const std::string& folder) {
+  struct stat status {};
+  if (folder.empty() || ::stat(folder.c_str(), &status) == 0) return 0;
+  if (const int error = make_all(std::string(path::parent(folder))); error != 0) return error;
+  if (::mkdir(folder.c_str(), 0777) != 0) return errno;
+  made_folders_.emplace_back(AT_FDCWD, folder);
+  return 0;
+}
+
+bool write_files(std::string_view tool, const std::vector<OutputFile>& files, bool overwrite) {
+  FileSet set(files, FileSet::MissingFolders::make);
+  const std::optional<FileSet::Problem> found = set.write(overwrite);
+  if (!found) return true;
+  const std::string_view remedy = found->exists ? "; see --overwrite" : "";
+  complain(tool, "cannot write '" + found->path + "': " + found->reason + std::string(remedy) +
+                     "; nothing was written");
+  return false;
+}
+
+}  // namespace smurf::tools

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several files as one step: all are written out of sight first, where a full disk or a missing
+// permission shows; only then do they take their places, and what was replaced can be brought back.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/new_file.hpp"
+#include "common/output.hpp"
+
+namespace smurf::tools {
+
+class FileSet {
+ public:
+  struct Problem {
+    std::string path;
+    std::string reason;
+    bool exists = false;  ///< a file is there that must not be replaced
+  };
+
+  enum class MissingFolders { make, refuse };
+
+  /// `files` must outlive it.
+  FileSet(const std::vector<OutputFile>& files, MissingFolders missing)
+      : files_(files), missing_(missing) {}
+  FileSet(const FileSet&) = delete;
+  FileSet& operator=(const FileSet&) = delete;
+  /// Takes everything back that was not finished.
+  ~FileSet();
+
+  std::optional<Problem> write(bool overwrite);
+
+ private:
+  struct Written {
+    Written(int folder, std::string name) : file(folder, std::move(name)) {}
+    NewFile file;
+    std::string shown;
+    bool replaces = false;
+    std::string backup;  ///< a second name of the file that was there
+    bool is_placed = false;
+  };
+
+  std::optional<Problem> prepare(const OutputFile& file, bool overwrite);
+  std::optional<Problem> place(Written& written, bool is_last);
+  std::optional<Problem> open_folder(const OutputFile& file, int& folder);
+  int open_below(int above, const std::string& name, int& folder);
+  int make_all(const std::string& folder);
+
+  const std::vector<OutputFile>& files_;
+  MissingFolders missing_;
+  std::map<std::string, Descriptor> folders_;              ///< open, by path
+  std::deque<Written> written_;                            ///< one a file, in their order
+  std::vector<std::pair<int, std::string>> made_folders_;  ///< and where they were made
+  bool is_done_ = false;
+};
+
+}  // namespace smurf::tools

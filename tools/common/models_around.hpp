@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which models a file belongs to.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+
+namespace smurf::tools {
+
+/// Finds the models around files. Each model is looked at once, however many files are asked for.
+/// Knows nothing of files that are too large to be looked at on the way (docs/limits.md).
+class ModelsAround {
+ public:
+  explicit ModelsAround(const FileReader& files) : files_(files) {}
+
+  /// The .smurf files that list a file, sought in its folder, the folder above, and the `smurf`
+  /// folders in both; sorted.
+  std::vector<std::string> listing(const std::string& path);
+
+  /// The .smurf files, and the .urdf files that none of them lists, whose meshes or textures
+  /// include a file; sought in the three folders above it and the `smurf` and `urdf` folders there;
+  /// sorted.
+  std::vector<std::string> using_resource(const std::string& path);
+
+ private:
+  /// A model that uses a file. All identities are those of identity().
+  struct User {
+    std::string path, identity;
+    std::string urdf;  ///< identity
+    bool is_model = false;
+  };
+  /// The users of each file, by its identity.
+  using Users = std::unordered_map<std::string, std::vector<User>>;
+
+  const Users& listing_in(const std::string& folder);
+  const Users& using_in(const std::string& folder);
+
+  const FileReader& files_;
+  std::map<std::string, Users> listing_, using_;  ///< by the folder that holds the models
+};
+
+}  // namespace smurf::tools

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/new_file.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace smurf::tools {
+namespace {
+
+/// By way of /proc, since only root may link a descriptor itself.
+std::string way_to(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
+
+}  // namespace
+
+void Descriptor::reset(int number) {
+  if (number_ >= 0) ::close(number_);
+  number_ = number;
+}
+
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && errno == EAGAIN) {  // someone made the shared terminal or pipe non-blocking
+      pollfd ready{descriptor, POLLOUT, 0};
+      ::poll(&ready, 1, -1);
+      continue;
+    }
+    if (count < 0) return errno;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return 0;
+}
+
+int with_free_name(std::string& name, const std::function<int(const std::string& name)>& make) {
+  int error = EEXIST;
+  for (int attempt = 0; attempt < 1000 && error == EEXIST; ++attempt) {
+    name = ".smurf-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+    error = make(name);
+  }
+  return error;
+}
+
+int NewFile::write(std::string_view text, const std::optional<struct stat>& replaced) {
+  text_ = text;
+  replaced_ = replaced;
+  const int error = open_nameless() == 0 ? 0 : open_named();
+  return error != 0 ? error : write_open();
+}
+
+int NewFile::take_place() {
+  if (temporary_.empty()) {
+    int error = replaced_ ? EEXIST : link_to(name_);
+    if (error == 0 || (error == EEXIST && !replaced_)) return error;
+    if (error == EEXIST) {
+      error = with_free_name(temporary_, [&](const std::string& name) { return link_to(name); });
+    }
+    if (error != 0) {  // this file system names no file that had no name
+      temporary_.clear();
+      error = open_named();
+      if (error == 0) error = write_open();
+    }
+    if (error != 0) return error;
+  }
+  if (!replaced_) {
+    if (::linkat(folder_, temporary_.c_str(), folder_, name_.c_str(), 0) == 0) return 0;
+    if (errno == EEXIST) return errno;
+  }
+  if (::renameat(folder_, temporary_.c_str(), folder_, name_.c_str()) != 0) return errno;
+  temporary_.clear();
+  return 0;
+}
+
+int NewFile::open_nameless() {
+#ifdef O_TMPFILE
+  file_.reset(::openat(folder_, ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+  if (!file_.is_open()) return errno;
+  if (::faccessat(AT_FDCWD, way_to(file_.number()).c_str(), F_OK, 0) == 0) return 0;
+  file_.reset();
+#endif
+  return ENOTSUP;
+}
+
+int NewFile::open_named() {
+  return with_free_name(temporary_, [&](const std::string& name) {
+    constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    file_.reset(::openat(folder_, name.c_str(), kNew, 0666));
+    if (file_.is_open()) return 0;
+    const int error = errno;
+    temporary_.clear();
+    return error;
+  });
+}
+
+int NewFile::write_open() const {
+  const int file = file_.number();
+  if (replaced_) {
+    // First the owner: the mode is for this one. An ordinary user gives no file away.
+    const bool is_given = ::fchown(file, replaced_->st_uid, replaced_->st_gid) == 0;
+    [[maybe_unused]] const bool is_kept =
+        is_given || ::fchown(file, static_cast<uid_t>(-1), replaced_->st_gid) == 0;
+    if (::fchmod(file, replaced_->st_mode & 0777U) != 0) return errno;
+  }
+  const int error = write_all(file, text_);
+  if (error != 0) return error;
+  return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
+}
+
+int NewFile::link_to(const std::string& name) const {
+  const std::string file = way_to(file_.number());
+  const int failed = ::linkat(AT_FDCWD, file.c_str(), folder_, name.c_str(), AT_SYMLINK_FOLLOW);
+  return failed == 0 ? 0 : errno;
+}
+
+void NewFile::drop() {
+  file_.reset();
+  if (!temporary_.empty()) ::unlinkat(folder_, temporary_.c_str(), 0);
+}
+
+}  // namespace smurf::tools
