@@ -6,8 +6,11 @@ repeated_pieces_test.py FOLDER_OF_TOOLS [WORD...]: with words, only the pieces t
 
 In a piece, @ is its number and ~ that of the piece before.
 """
+import hashlib
+import itertools
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -18,7 +21,7 @@ MODEL = "modelname: a\nfiles: [a.urdf]\n"
 URDF = '<robot name="a"><link name="b"/></robot>'
 SECTIONS = ("materials motors sensors controllers collision visuals links nodes joints lights poses submechanisms "
             "interfaces submodels custom").split()
-ITEMS = ("- {name: a@}\n", "- {name: a}\n", "- a@\n", "- []\n", "- {name: a@, joint: j@, link: k@}\n",
+ITEMS = ("- {name: a@}\n", "- {}\n", "- {name: a}\n", "- a@\n", "- []\n", "- {name: a@, joint: j@, link: k@}\n",
          "- {name: a@, joints: {j: 1}}\n", "- {name: a@, type: JointPosition, id: [j, j, j]}\n")
 COMMENTS = ("#smurf-lint:ignore[SML3101]\n", "#smurf-lint:ignore[A]\n", "# smurf-lint: ignore[SML@]\n", "#smurf-lint:\n")
 ELEMENTS = ('<link name="l@"/>', "<link/>", '<joint name="j@"/>', '<gazebo reference="l@"/>', "<x@/>",
@@ -53,6 +56,27 @@ def pieces(piece: str, head: str = "", tail: str = "") -> str:
     return "".join(parts) + tail
 
 
+def long_name(number: int) -> str:
+    """A long one that is near to no other."""
+    return "".join(chr(ord("a") + byte % 16) for byte in hashlib.sha512(b"%d" % number).digest())
+
+
+def names(first: int, count: int) -> list:
+    return [long_name(number) for number in range(first, first + count)]
+
+
+def cases_of_names():
+    """Each name that is looked for is compared with all that there are."""
+    links = "".join(f'<link name="{link}"/>' for link in names(0, 4900))
+    joints = "".join(f'<joint name="{joint}"/>' for joint in names(0, 4900))
+    mechanism = "submechanisms: [{name: a, type: serial, jointnames: [%s]}]\n" % ", ".join(names(5000, 14000))
+    lights = "lights:\n" + "".join(f"- {{name: a, node_name: {link}}}\n" for link in names(5000, 9000))
+    nodes = "nodes:\n" + "".join(f"- {{name: inertial_{i}}}\n" for i in range(40000))
+    for title, robot, annotations in (("joints of a mechanism", joints, mechanism), ("nodes of lights", links, lights),
+                                      ("nodes of links", links, nodes)):
+        yield title, {"a.urdf": f'<robot name="a">{robot}</robot>', "a.smurf": MODEL + annotations}, "a.smurf"
+
+
 def cases():
     """Of a title, the files by name and the one to check."""
     for section in SECTIONS:
@@ -80,15 +104,27 @@ def cases():
         yield f"schema {schema[:60]}", files, "a.smurf"
 
 
+def cases_of_folders():
+    deep = "/".join("b" * 200) + "/a.smurf"
+    yield "a class in an ignore file", {".smurf-lintignore": "**/[" + "b-c" * 340_000 + "]/x\n", deep: MODEL}, "."
+
+
+def limit_time() -> None:
+    """What hangs fails too, with a signal."""
+    resource.setrlimit(resource.RLIMIT_CPU, (int(5 * SECONDS), int(5 * SECONDS)))
+
+
 def fault(tool: pathlib.Path, files: dict, main: str) -> str:
     """Empty when the bounds are kept."""
     with tempfile.TemporaryDirectory() as work:
         folder = pathlib.Path(work)
         (folder / ".git").mkdir()
         for name, text in files.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_text(text, encoding="utf-8")
         with subprocess.Popen([tool, "-q", "--statistics", main], cwd=folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as run:
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              preexec_fn=limit_time) as run:
             _, status, used = os.wait4(run.pid, 0)
             run.returncode = os.waitstatus_to_exitcode(status)
     seconds, megabytes = used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
@@ -101,7 +137,7 @@ def fault(tool: pathlib.Path, files: dict, main: str) -> str:
 def main() -> int:
     tool, words = pathlib.Path(sys.argv[1]).resolve() / "smurf-lint", sys.argv[2:]
     failed = passed = 0
-    for title, files, name in cases():
+    for title, files, name in itertools.chain(cases(), cases_of_names(), cases_of_folders()):
         if words and not any(word in title for word in words):
             continue
         what = fault(tool, files, name)

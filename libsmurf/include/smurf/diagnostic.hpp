@@ -94,7 +94,7 @@ struct Diagnostic {
 class DiagnosticSink {
  public:
   /// Of each rule, `most` findings are kept. The next one becomes an SML0002 that says so.
-  /// `suggestions` bounds the work of suggest().
+  /// `suggestions` bounds the work of suggest() and near_name().
   explicit DiagnosticSink(std::uint64_t most = Limits{}.findings,
                           std::uint64_t suggestions = Limits{}.suggestions)
       : most_(most), most_suggestions_(suggestions), suggestions_left_(suggestions) {}
@@ -107,6 +107,9 @@ class DiagnosticSink {
   /// the known names come from a file.
   std::optional<std::string_view> suggest(std::string_view name,
                                           std::span<const std::string_view> known);
+  /// The same for what decides whether there is a finding at all, whatever was reported last.
+  std::optional<std::string_view> near_name(std::string_view name,
+                                            std::span<const std::string_view> known);
 
   std::span<const Diagnostic> diagnostics() const { return diagnostics_; }
   std::vector<Diagnostic> take();

@@ -50,6 +50,11 @@ class Findings {
                                           std::span<const std::string_view> known) {
     return sink_.suggest(name, known);
   }
+  /// As DiagnosticSink::near_name().
+  std::optional<std::string_view> near_name(std::string_view name,
+                                            std::span<const std::string_view> known) {
+    return sink_.near_name(name, known);
+  }
   /// What Rule::tolerance says, or the user's number in its place.
   double tolerance() const { return tolerance_; }
 

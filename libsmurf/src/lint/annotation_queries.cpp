@@ -129,13 +129,13 @@ bool is_clearly_less(double a, double b) {
   return b - a > kRounding * std::max({1.0, std::fabs(a), std::fabs(b)});
 }
 
-bool is_slip(const LinkedModel& model, NameKind kind, std::string_view name) {
+bool is_slip(const LinkedModel& model, NameKind kind, std::string_view name, Findings& findings) {
   if (!can_judge(model, kind) || names(model, kind).contains(name)) return false;
   for (const NameKind other : {NameKind::link, NameKind::joint, NameKind::visual,
                                NameKind::collision, NameKind::material}) {
     if (names(model, other).contains(name)) return true;
   }
-  const auto near = nearest(name, names(model, kind).names());
+  const auto near = findings.near_name(name, names(model, kind).names());
   return near && edit_distance(name, *near, 1) <= 1 && !differ_only_in_digits(name, *near);
 }
 

@@ -61,6 +61,6 @@ bool is_clearly_less(double a, double b);
 
 /// True when a name is no name of this kind, but surely was meant to be one: it is nearly one, or
 /// the name of something else.
-bool is_slip(const LinkedModel& model, NameKind kind, std::string_view name);
+bool is_slip(const LinkedModel& model, NameKind kind, std::string_view name, Findings& findings);
 
 }  // namespace smurf

@@ -27,8 +27,7 @@ class NodeNames {
         model_.visual_names.contains(name) || entries_.contains(name)) {
       return true;
     }
-    return name.starts_with(kInertial) &&
-           model_.link_names.contains(name.substr(kInertial.size()));
+    return name.starts_with(kInertial) && model_.link_names.contains(name.substr(kInertial.size()));
   }
 
  private:
@@ -100,7 +99,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const Light& light : model.annotations.lights) {
     // The node may belong to another robot of the scene.
     if (!light.node_name || nodes.has(*light.node_name)) continue;
-    if (!is_slip(model, NameKind::link, *light.node_name)) continue;
+    if (!is_slip(model, NameKind::link, *light.node_name, findings)) continue;
     check_link(model, light.node_name, subject("light", light), findings);
   }
   for (const Submodel& entry : model.annotations.submodels) {

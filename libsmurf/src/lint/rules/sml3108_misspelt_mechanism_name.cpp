@@ -6,7 +6,7 @@ namespace {
 
 void check_name(const LinkedModel& model, NameKind kind, const Spanned<std::string>& name,
                 const Subject& who, Findings& findings) {
-  if (!is_slip(model, kind, name.value)) return;
+  if (!is_slip(model, kind, name.value, findings)) return;
   check_reference(model, kind, name.value, name.span, who, findings);
 }
 
