@@ -107,6 +107,18 @@ KinematicTree build_tree(const LinkedModel& model) {
   return tree;
 }
 
+std::uint64_t steps_of_kinematics(const LinkedModel& model) {
+  if (!model.robot) return 0;
+  std::uint64_t steps = model.robot->links.size();
+  for (const urdf::Joint& joint : model.robot->joints) {
+    if (!joint.mimic || !joint.mimic->joint) continue;
+    const auto leader = model.joint_names.find(*joint.mimic->joint);
+    const bool is_chain = leader && model.robot->joints[*leader].mimic;
+    steps += is_chain ? kLongestChain : 1;
+  }
+  return steps;
+}
+
 std::vector<std::optional<Pose>> forward_kinematics(const LinkedModel& model,
                                                     const JointPositions& positions) {
   std::vector<std::optional<Pose>> poses;

@@ -17,6 +17,10 @@ bool is_followable(const LinkedModel& model, const urdf::Joint& joint);
 
 JointPositions to_joint_positions(const LinkedModel& model, const JointPoseSet& set);
 
+/// What the poses of all links of a model take to compute: one step for each link, and more for
+/// each joint that follows one that follows another.
+std::uint64_t steps_of_kinematics(const LinkedModel& model);
+
 /// Position of one joint, with mimic joints following their leader. The chain is bounded, so that a
 /// cycle of mimics (which a rule reports) ends.
 double position_of(const LinkedModel& model, const urdf::Joint& joint,

@@ -59,10 +59,13 @@ class LinkFrames {
   const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, ModelIndex model,
                                              JointPoseIndex pose,
                                              const std::vector<JointPositions>& poses);
+  /// What all of them took to compute.
+  std::uint64_t steps() const { return steps_; }
 
  private:
   std::map<std::pair<ModelIndex, JointPoseIndex>, std::vector<std::optional<Pose>>> frames_;
   std::size_t kept_ = 0;  ///< poses in frames_
+  std::uint64_t steps_ = 0;
   std::vector<std::optional<Pose>> none_;
 };
 

@@ -2,8 +2,10 @@
 // Named joint pose sets and world poses. X_WE = X_WP * X_PE, where P may be a link of another
 // instance in its own joint pose set.
 #include <unordered_map>
+#include <utility>
 
 #include "base/edits.hpp"
+#include "base/limits.hpp"
 #include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
@@ -117,7 +119,10 @@ class JointPoses {
 class WorldPoses {
  public:
   WorldPoses(LoadContext& context, LinkedScene& scene)
-      : sink_(context.sink), scene_(scene), states_(scene.instances.size(), State::open) {}
+      : sink_(context.sink),
+        scene_(scene),
+        most_steps_(kStepsOfInstance * context.limits.instances),
+        states_(scene.instances.size(), State::open) {}
 
   void run() {
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) resolve(i);
@@ -131,6 +136,7 @@ class WorldPoses {
 
  private:
   enum class State : std::uint8_t { open, walking, done };
+  static constexpr std::uint64_t kStepsOfInstance = 30;  ///< links of a large robot
 
   std::optional<std::size_t> above(std::size_t index) const {
     const Placement& placement = scene_.instances[index].placement;
@@ -165,9 +171,23 @@ class WorldPoses {
     const Instance& parent = scene_.instance(placement.parent.instance);
     const LinkedModel* model = scene_.model(parent);
     if (!parent.X_WE || model == nullptr) return;
+    if (!has_steps(instance)) return;
     const auto link = model->link_names.find(placement.parent.link);
     const std::optional<Pose>& X_RL = frames_.of(scene_, parent)[*link];
     if (X_RL) instance.X_WE = *parent.X_WE * *X_RL * placement.X_PE;
+  }
+
+  /// Few scenes place things at links of large robots that each have a joint pose of their own.
+  bool has_steps(const Instance& instance) {
+    if (frames_.steps() <= most_steps_) return true;
+    if (std::exchange(is_over_, true)) return false;
+    sink_
+        .report(rules::sml5022_too_many_instances, parent_place(scene_, instance),
+                "from here on, entities at links have no pose: those before took more than " +
+                    std::to_string(most_steps_) +
+                    " poses of links; each joint pose set of a model needs those of all its links")
+        .help = raise_limit("instances");
+    return false;
   }
 
   void report_cycle(std::size_t on_cycle) {
@@ -199,6 +219,8 @@ class WorldPoses {
   DiagnosticSink& sink_;
   LinkedScene& scene_;
   LinkFrames frames_;
+  std::uint64_t most_steps_;
+  bool is_over_ = false;
   std::vector<State> states_;
 };
 
@@ -224,6 +246,7 @@ const std::vector<std::optional<Pose>>& LinkFrames::of(const LinkedScene& scene,
   std::vector<std::optional<Pose>>& frames = frames_[{model, pose}];
   frames = forward_kinematics(scene.models[to_size(model)], poses[to_size(pose)]);
   kept_ += frames.size();
+  steps_ += steps_of_kinematics(scene.models[to_size(model)]);
   return frames;
 }
 
