@@ -88,18 +88,27 @@ class ModelLoader {
     return document;
   }
 
-  /// False when the model has too many entries with those of this file; that is reported. An entry
-  /// takes far more memory once it is read than a value of the file.
-  bool has_room(const yaml::Document& document) {
+  /// The limit, and less where most of them are empty: an entry takes up to 2 kB of memory, and
+  /// `{},` three bytes of a file.
+  std::uint64_t most_entries() const {
+    constexpr std::uint64_t kFewestBytes = 16;  // of what people write as an entry
+    const std::uint64_t limit = context_.limits.annotation_entries;
+    return std::min(limit, limit / 10 + annotation_bytes_ / kFewestBytes);
+  }
+
+  /// False when the model has too many entries with those of this file; that is reported.
+  bool has_room(const yaml::Document& document, SourceId source) {
     if (!document.view() || !document.view().is_mapping()) return true;
+    annotation_bytes_ += context_.sources.text(source).size();
+    const std::uint64_t most = most_entries();
     for (const yaml::View section : document.view()) {
       if (!section.is_sequence()) continue;
       entries_ += section.size();
-      if (entries_ <= context_.limits.annotation_entries) continue;
+      if (entries_ <= most) continue;
       context_.sink
           .report(rules::sml0002_file_too_large, section.place(),
-                  "with this list, the model has more than " +
-                      std::to_string(context_.limits.annotation_entries) + " entries")
+                  "with this list, the model has more than " + std::to_string(most) + " entries" +
+                      (most < context_.limits.annotation_entries ? ", most of them empty" : ""))
           .help = raise_limit("annotation-entries");
       model_.is_complete = false;
       return false;
@@ -133,7 +142,7 @@ class ModelLoader {
       return;
     }
     auto document = parse(*source, ModelFile::Kind::main);
-    if (!document || !has_room(*document)) return;
+    if (!document || !has_room(*document, *source)) return;
     auto main = read_model(*document, context_.sink);
     model_.files.back().document = std::move(document);
     if (!main) {
@@ -217,7 +226,7 @@ class ModelLoader {
       return;
     }
     auto document = parse(*source, ModelFile::Kind::annotation);
-    if (!document || !has_room(*document)) return;
+    if (!document || !has_room(*document, *source)) return;
     if (!model_.has_main && holds_templates(*document)) return;
     auto annotations = read_annotations(*document, context_.sink);
     model_.files.back().document = std::move(document);
@@ -304,6 +313,7 @@ class ModelLoader {
   LoadContext& context_;
   LinkedModel model_;
   std::uint64_t entries_ = 0;  ///< of all lists of all annotation files
+  std::uint64_t annotation_bytes_ = 0;
 };
 
 }  // namespace
