@@ -14,7 +14,7 @@ constexpr std::uint32_t kBracketHead = 4;  ///< of a longer one
 constexpr std::uint32_t kBracketTail = 2;
 /// Without a terminal, lines are cut only for the sake of files that are one line: with a finding
 /// in each of its n elements, such a file would be printed n times.
-constexpr int kUncutColumns = 2000;
+constexpr int kUncutColumns = 500;
 
 }  // namespace
 
