@@ -131,7 +131,7 @@ def shards_of_models_and_robots(n, write):
         write(f"x{i}.urdf", URDF)
 
 
-@grows(3000, "smurf-lint", "-q", "a.smurf")
+@grows(1000, "smurf-lint", "-q", "a.smurf")
 def markers_on_one_line(n, write):
     write("a.smurf", MODEL + "#" + " #smurf-lint:" * n + "\n")
 
@@ -141,7 +141,7 @@ def comments_behind_many_values(n, write):
     write("a.smurf", MODEL + "x: [" + "1," * 8 * n + "1]\n" + "#smurf-lint:ignore[A]\n" * n)
 
 
-@grows(1500, "smurf-lint", "-q", "a.urdf")
+@grows(700, "smurf-lint", "-q", "a.urdf")
 def comments_behind_many_elements(n, write):
     write("a.urdf", '<robot name="a"><link name="b"/>' + "<a/>" * 4 * n + "<!--smurf-lint:ignore[A]-->" * n + "</robot>")
 
@@ -223,7 +223,7 @@ def instances_in_one_pose_to_mars(n, write):
     many_in_one_pose(n, write)
 
 
-@flattens(5000)
+@flattens(2000)
 def poses_of_one_model(n, write):
     write("r.smurf", "modelname: r\nfiles: [r.urdf, p.yml]\n")
     write("p.yml", "poses:\n" + "".join(f"- {{name: p{i}, joints: {{}}}}\n" for i in range(n)))
