@@ -44,7 +44,8 @@ TEST_CASE("the limit is that of all archives together") {
   ArchiveBudget budget(at_most(10));
   CHECK(read_zip(zip({{"a", "12345"}}), budget).reason == "");
   CHECK(read_zip(zip({{"a", "12345"}}), budget).reason == "");
-  CHECK(read_zip(zip({{"a", "1"}}), budget).reason.find("to more than 10 bytes") != std::string::npos);
+  CHECK(read_zip(zip({{"a", "1"}}), budget).reason.find("to more than 10 bytes") !=
+        std::string::npos);
 }
 
 TEST_CASE("files do not share their bytes") {

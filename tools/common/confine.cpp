@@ -72,8 +72,8 @@ std::optional<fs::path> project_of(const fs::path& folder) {
   return project;
 }
 
-/// Where an input is; none when that cannot be told. A link that leads out of its repository may have
-/// come with a pull request: where it leads is no project of the user.
+/// Where an input is; none when that cannot be told. A link that leads out of its repository may
+/// have come with a pull request: where it leads is no project of the user.
 std::optional<fs::path> folder_of(const std::string& input) {
   std::error_code error;
   const std::string link = link_out_of_repository(input);

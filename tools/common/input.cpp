@@ -62,9 +62,9 @@ InputKind kind_of(std::string_view path) {
   if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
     return InputKind::annotation;
   }
-  constexpr std::array kResources = {".stl", ".obj", ".dae",  ".bobj", ".ply", ".gltf",
-                                     ".glb", ".3ds", ".mesh", ".mtl",  ".png", ".jpg",
-                                     ".jpeg", ".bmp", ".tga",  ".tif",  ".tiff", ".gif", ".dds"};
+  constexpr std::array kResources = {".stl", ".obj",  ".dae",  ".bobj", ".ply", ".gltf", ".glb",
+                                     ".3ds", ".mesh", ".mtl",  ".png",  ".jpg", ".jpeg", ".bmp",
+                                     ".tga", ".tif",  ".tiff", ".gif",  ".dds"};
   const bool is_resource =
       std::find(kResources.begin(), kResources.end(), extension) != kResources.end();
   return is_resource ? InputKind::resource : InputKind::other;

@@ -46,7 +46,7 @@ class ModelsAround {
   static constexpr std::uint64_t kMost = 64'000'000;  // bytes, a second
 
   const FileReader& files_;
-  std::uint64_t bytes_ = 0;  ///< of all files looked at
+  std::uint64_t bytes_ = 0;                       ///< of all files looked at
   std::map<std::string, Users> listing_, using_;  ///< by the folder that holds the models
 };
 

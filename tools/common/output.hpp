@@ -19,9 +19,9 @@ void write_error(std::string_view text);
 /// Writes the whole text to standard output (`path` "" or "-") or to a file, and complains if it
 /// cannot; a reader that closes its end of a pipe is no news to the user, so that is not said.
 /// A file is written beside its place and renamed, with the mode of the file it replaces, so that a
-/// failed run leaves the old one. Links are followed, as the user names the file, unless one lies in
-/// a repository and leads out of it. Devices and pipes are written directly; a pipe that nobody reads
-/// is an error.
+/// failed run leaves the old one. Links are followed, as the user names the file, unless one lies
+/// in a repository and leads out of it. Devices and pipes are written directly; a pipe that nobody
+/// reads is an error.
 bool write_output(std::string_view tool, const std::string& path, std::string_view text);
 
 /// A file that is to be written below a folder.

@@ -120,7 +120,8 @@ class Planner {
            raise_limit("ignore-checks"));
     }
     if (models_.is_exhausted()) {
-      fail("so much lies around the named files that not all models were looked at; name the models");
+      fail(
+          "so much lies around the named files that not all models were looked at; name the models");
     }
     return std::move(plan_);
   }

@@ -67,8 +67,8 @@ class Redirection {
     return file.substr(0, file.size() - path::extension(file).size()) + std::string(extension);
   }
 
-  /// Files of one name from several folders get folders of their own, so that the name stays, and no
-  /// copy takes the place of another source.
+  /// Files of one name from several folders get folders of their own, so that the name stays, and
+  /// no copy takes the place of another source.
   std::string unique(const std::string& group, const std::string& from) {
     const std::string name = safe_name(path::file_name(from));
     std::string inside = path::join(group, name);

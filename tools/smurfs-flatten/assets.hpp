@@ -37,8 +37,9 @@ MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
 /// Where copies are made: not where the file itself is already.
 std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& inputs);
 
-/// False when a file cannot be copied; that has been said. Names come from the model: only files with
-/// the name of a mesh or an image are copied, and no other file is replaced unless `overwrite`.
+/// False when a file cannot be copied; that has been said. Names come from the model: only files
+/// with the name of a mesh or an image are copied, and no other file is replaced unless
+/// `overwrite`.
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
                 const Limits& limits, bool overwrite);
 

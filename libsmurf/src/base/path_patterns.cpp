@@ -87,8 +87,8 @@ bool match_name(std::string_view pattern, std::string_view name, std::uint64_t& 
       pattern.size(), name.size(), [&](std::size_t p) { return pattern[p] == '*'; }, match, steps);
 }
 
-bool match_path(const std::vector<std::string>& pattern,
-                const std::vector<std::string_view>& names, std::uint64_t& steps) {
+bool match_path(const std::vector<std::string>& pattern, const std::vector<std::string_view>& names,
+                std::uint64_t& steps) {
   const auto match = [&](std::size_t p, std::size_t i) {
     return match_name(pattern[p], names[i], steps) ? 1U : 0U;
   };
@@ -146,8 +146,7 @@ void PathPatterns::add_lines(std::string_view text) {
   }
 }
 
-PathVerdict PathPatterns::judge(std::string_view path, bool is_folder,
-                                std::uint64_t* steps) const {
+PathVerdict PathPatterns::judge(std::string_view path, bool is_folder, std::uint64_t* steps) const {
   if (patterns_.empty()) return PathVerdict::unmentioned;
   const std::vector<std::string_view> names = split(path);
   std::uint64_t taken = 0;

@@ -112,9 +112,8 @@ std::optional<std::string_view> nearest(std::string_view name,
   return nearest(name, known, steps);
 }
 
-std::optional<std::string_view> nearest(std::string_view name,
-                                        std::span<const std::string_view> known,
-                                        std::uint64_t& steps_left) {
+std::optional<std::string_view>
+nearest(std::string_view name, std::span<const std::string_view> known, std::uint64_t& steps_left) {
   if (name.empty() || name.size() > kLongestName || known.size() > kMostNames) return std::nullopt;
   const int limit = std::max(1, static_cast<int>(name.size()) / 3);
   int best = limit + 1;

@@ -20,9 +20,8 @@ std::optional<std::string_view> nearest(std::string_view name,
 
 /// The same as long as there are steps left, of which each comparison of two characters takes one.
 /// None, and none left, when they do not suffice.
-std::optional<std::string_view> nearest(std::string_view name,
-                                        std::span<const std::string_view> known,
-                                        std::uint64_t& steps_left);
+std::optional<std::string_view>
+nearest(std::string_view name, std::span<const std::string_view> known, std::uint64_t& steps_left);
 
 /// Names in a row, such as `finger_1` and `finger_3`: nobody means the one by the other.
 bool differ_only_in_digits(std::string_view a, std::string_view b);

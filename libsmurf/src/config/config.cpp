@@ -24,9 +24,9 @@ using Levels = std::map<std::string, Spanned<Severity>>;
 using Files = std::map<std::string, Spanned<std::string>>;
 
 constexpr std::size_t kLongestChain = 16;  // of configurations that extend each other
-// Bytes. Thousands of folders may extend one configuration, and a thousand sections name one schema.
-constexpr std::uint64_t kMostOfConfig = 100'000;
-constexpr std::uint64_t kMostOfSchemas = 2'000'000;
+// Bytes. Thousands of folders may extend one configuration, and a thousand sections name one
+// schema.
+constexpr std::uint64_t kMostOfConfig = 100'000, kMostOfSchemas = 2'000'000;
 /// Of one setting. Each pattern is compared with every rule or file, and no project has as many.
 constexpr std::size_t kMostEntries = 1000;
 
@@ -387,9 +387,7 @@ class ConfigReader {
   /// A file that cannot be read is reported where it is named.
   std::optional<SourceId> open(const std::string& path, Span reference, std::uint64_t most) {
     FileContent content = files_.read(path, most);
-    if (content.status == ReadStatus::too_large) {
-      content.reason += "; only " + std::to_string(most) + " more may be read";
-    }
+    if (content.status == ReadStatus::too_large) content.reason += "; it may be no larger";
     if (content.status == ReadStatus::ok) return sources_.add(path, std::move(content.text));
     const bool is_named = reference != Span{};  // an absent path has a place as well
     const Rule& rule = is_named ? rules::sml9002_wrong_setting : rules::sml0001_unreadable_file;
@@ -404,8 +402,8 @@ class ConfigReader {
   std::span<const std::string_view> formats_;
   const ConfigOrigin origin_;
   std::vector<std::string> chain_;  ///< each extends the next
-  std::set<std::string> read_;  ///< by identity
-  std::string folder_;  ///< of the configuration that is being read
+  std::set<std::string> read_;      ///< by identity
+  std::string folder_;              ///< of the configuration that is being read
   std::uint64_t schema_bytes_ = 0;
   Config config_;
 };

@@ -93,9 +93,9 @@ bool JointPoseTable::has_own(const Entity& entity, std::string_view pose) {
   if (entity.poses.empty()) return false;
   const auto [known, is_new] = has_own_.try_emplace({&entity, std::string(pose)});
   if (is_new) {
-    known->second = std::any_of(
-        entity.poses.begin(), entity.poses.end(),
-        [&](const JointPoseSet& set) { return set.name.value_or({}) == pose; });
+    known->second =
+        std::any_of(entity.poses.begin(), entity.poses.end(),
+                    [&](const JointPoseSet& set) { return set.name.value_or({}) == pose; });
   }
   return known->second;
 }

@@ -25,7 +25,8 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
                                     LoadContext& context) {
   FileContent content = context.files.read(path, context.limits.file_bytes);
   if (content.status == ReadStatus::ok && !has_room(path, content.text.size(), context)) {
-    if (reference.empty()) reference = {context.sources.add_unreadable(path::normalize(path)), 0, 0};
+    if (reference.empty())
+      reference = {context.sources.add_unreadable(path::normalize(path)), 0, 0};
     context.sink.report(rules::sml0002_file_too_large, reference,
                         "with this file, more than " + std::to_string(kMostRepeated) +
                             " bytes are read again of files that other models read before");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/scene_names.hpp"
 
-
 namespace smurf {
 
 void SceneNames::add(UseIndex scope, std::string_view name, EntityIndex entity) {
