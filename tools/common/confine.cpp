@@ -22,10 +22,6 @@ bool has(const fs::path& folder, std::string_view name) {
   return fs::exists(folder / name, ignored);
 }
 
-bool is_repository(const fs::path& folder) {
-  return has(folder, ".git") || has(folder, ".hg") || has(folder, ".svn");
-}
-
 /// `folder` or above it?
 bool is_around(const fs::path& around, const fs::path& folder) {
   const auto [end, other] =

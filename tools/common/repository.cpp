@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/repository.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -10,12 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where a repository keeps its history.
+constexpr const char* kHistories[] = {".git", ".hg", ".svn"};
+
 std::optional<fs::path> root_above(const fs::path& folder) {
-  std::error_code ignored;
   for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
-    for (const char* const kept : {".git", ".hg", ".svn"}) {
-      if (fs::exists(at / kept, ignored)) return at;
-    }
+    if (is_repository(at)) return at;
   }
   return std::nullopt;
 }
@@ -30,11 +31,17 @@ bool leads_out(const fs::path& link, const fs::path& folder) {
   if (!root) return false;
   std::error_code failed;
   const fs::path target = fs::canonical(link, failed);  // fails where the link leads nowhere
-  return failed || !is_inside(target, *root) || is_inside(target, *root / ".git") ||
-         is_inside(target, *root / ".hg") || is_inside(target, *root / ".svn");
+  const auto has_target = [&](const char* history) { return is_inside(target, *root / history); };
+  return failed || !is_inside(target, *root) || std::ranges::any_of(kHistories, has_target);
 }
 
 }  // namespace
+
+bool is_repository(const fs::path& folder) {
+  std::error_code ignored;
+  return std::ranges::any_of(
+      kHistories, [&](const char* history) { return fs::exists(folder / history, ignored); });
+}
 
 RepositoryPath in_repository() {
   std::error_code error;

@@ -2,13 +2,17 @@
 // Where files stand in their repository.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "smurf/render.hpp"
 
 namespace smurf::tools {
 
-/// Paths from the folder that holds `.git`, sought from the current folder upward; from the current
+/// True for the top folder of a repository of git, Mercurial or Subversion.
+bool is_repository(const std::filesystem::path& folder);
+
+/// Paths from the top of the repository, sought from the current folder upward; from the current
 /// folder when there is none. Links are resolved, as code hosts know no file by two names.
 RepositoryPath in_repository();
 
