@@ -13,8 +13,8 @@ SOURCE = ROOT / "libsmurf" / "src"
 PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
 
 # Each stage and the stages it may include besides itself. An include points left only:
-# base < {archive, syntax}; syntax < {ast, mesh} < link < {lint, flatten, convert} < write ; base < render ;
-# ast < {schema, config}.
+# base < {archive, syntax}; syntax < {ast, mesh} < link < {lint, flatten, convert} < write; base < render;
+# ast < {schema, config}; lint < check.
 STAGES = {
     "base": set(),
     "archive": {"base"},
@@ -25,6 +25,7 @@ STAGES = {
     "link": {"base", "archive", "syntax", "ast", "mesh"},
     "lint": {"base", "ast", "link"},
     "config": {"base", "syntax", "ast"},
+    "check": {"base", "syntax", "lint"},
     "flatten": {"base", "syntax", "ast", "link"},
     "convert": {"base", "syntax", "ast", "link"},
     "write": {"base", "syntax", "ast", "link", "lint", "flatten", "convert"},
@@ -54,6 +55,37 @@ PRINTING = re.compile(
 )
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 LONGEST_FILE = 500
+
+# The rules are run, places named and comments heeded in one place: whoever goes another way judges
+# a model otherwise.
+PIPELINE = re.compile(r"\b(lint_model|lint_scene|locate|apply_targets)\s*\(|\b(Suppressions|Baseline)\b")
+PIPELINE_FOLDERS = [SOURCE / "check", SOURCE / "lint"]
+# Private headers that tools still include: what they offer is to become public, or the tool to do
+# without. The list gets shorter, never longer.
+PRIVATE_HEADERS_OF_TOOLS = {
+    "base/canonical_paths.hpp",
+    "base/edits.hpp",
+    "base/limits.hpp",
+    "base/numbers.hpp",
+    "base/path.hpp",
+    "base/path_patterns.hpp",
+    "base/quoted.hpp",
+    "base/rules.hpp",
+    "base/suggest.hpp",
+    "base/utf8.hpp",
+    "convert/mass_properties.hpp",
+    "flatten/shapes.hpp",
+    "link/kinematics.hpp",
+    "lint/annotation_queries.hpp",
+    "lint/inertia.hpp",
+    "lint/queries.hpp",
+    "mesh/mesh_reader.hpp",
+    "render/json_text.hpp",
+    "render/printable.hpp",
+    "render/wrap.hpp",
+    "syntax/tinyxml2_referee.hpp",
+    "write/json_text.hpp",
+}
 
 
 def code_lines(path):
@@ -132,6 +164,38 @@ def check_public_headers():
                 yield path, number, f"a public header includes {header}"
 
 
+def check_installed_headers():
+    """A header that is not in the list is not installed."""
+    listed = (ROOT / "libsmurf" / "CMakeLists.txt").read_text(encoding="utf-8").split()
+    for path in sources(PUBLIC):
+        if path.name not in listed:
+            yield path, 1, "this header is not in public_headers of libsmurf/CMakeLists.txt"
+
+
+def check_pipeline():
+    for path in sorted(p for folder in (SOURCE, ROOT / "tools") for p in sources(folder)):
+        if any(folder in path.parents for folder in PIPELINE_FOLDERS):
+            continue
+        for number, line in code_lines(path):
+            if found := PIPELINE.search(line):
+                yield path, number, f"{found[0].strip('(')} is called by the stage check alone"
+
+
+def check_tools():
+    """They use what everybody can use."""
+    unused = set(PRIVATE_HEADERS_OF_TOOLS)
+    for path in sources(ROOT / "tools"):
+        for number, line in code_lines(path):
+            include = INCLUDE.match(line)
+            if not include or include[2].split("/")[0] not in STAGES:
+                continue
+            unused.discard(include[2])
+            if include[2] not in PRIVATE_HEADERS_OF_TOOLS:
+                yield path, number, f"{include[2]} is private to the library"
+    for header in sorted(unused):
+        yield pathlib.Path(__file__).resolve(), 1, f"no tool includes {header}; take it out of the list"
+
+
 def check_sizes():
     folders = [ROOT / "libsmurf", ROOT / "tools"]
     for path in sorted(p for folder in folders for p in sources(folder)):
@@ -145,6 +209,9 @@ def main():
         *check_stage_files(),
         *check_private_headers(),
         *check_public_headers(),
+        *check_installed_headers(),
+        *check_pipeline(),
+        *check_tools(),
         *check_sizes(),
     ]
     for path, number, fault in faults:

@@ -65,6 +65,24 @@ class Confine(cli.CliTest):
                             "r.urdf", cwd=self.project).stdout
         self.assertNotIn("outside", found)
 
+    def test_the_spelling_of_a_path_changes_nothing(self):
+        mesh = '<link name="a"><visual><geometry><mesh filename="../../../{0}.stl"/></geometry></visual></link>'
+        joint = ('<joint name="j{0}" type="fixed"><parent link="a"/><child link="b{0}"/></joint><link name="b{0}">'
+                 '<visual><geometry><mesh filename="../../../{0}.stl"/></geometry></visual></link>')
+        self.write("a/b/kuka/urdf/kuka.urdf", '<robot name="r">' + mesh.format("one") + joint.format("two") + "</robot>\n")
+        self.write("a/b/kuka/smurf/kuka.smurf", "modelname: kuka\nfiles: [../urdf/kuka.urdf]\n")
+        for name in ("one", "two"):
+            self.write(f"a/{name}.stl", "solid x\nendsolid x\n")
+        said = []
+        for path in ("kuka", "kuka/smurf", "kuka/smurf/kuka.smurf", self.folder / "a/b/kuka"):
+            done = self.run_tool("--isolated", "--format", "json", path, cwd=self.folder / "a/b")
+            said.append([(one["id"], one["severity"], one["message"], one.get("help"))
+                         for one in json.loads(done.stdout)["diagnostics"]])
+        self.assertEqual(said[1:], said[:1] * 3)
+        self.assertEqual([one for one in said[0] if one[0] == "SML1644"], [
+            ("SML1644", "warning", "2 meshes were not looked at: they lie outside of the project",
+             "add `--allow-outside` to check them")])
+
     def test_device_files_and_loops(self):
         for path in ("/dev/zero", "/dev/stdin", "/proc/self/environ", "loop.yml"):
             self.write("a/b/project/smurf/x", "")

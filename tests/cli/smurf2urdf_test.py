@@ -207,6 +207,16 @@ class Refusal(ExportTest):
         self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--force")
         self.assertEqual(self.read("arm/urdf/o.urdf"), self.source())
 
+    def test_what_the_linter_is_told_to_let_pass(self):
+        self.break_limit()
+        self.write(".smurf-lint.yaml", "ignore: [SML1407]\n")
+        self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf")
+        (self.folder / ".smurf-lint.yaml").unlink()
+        comment = "<!-- smurf-lint: ignore-file[SML1407] the arm is bolted down -->"
+        self.write("arm/urdf/arm.urdf", self.source().replace("</robot>", comment + "</robot>"))
+        self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf")
+        self.assertEqual(self.read("arm/urdf/o.urdf"), self.source())
+
     def test_what_is_no_urdf_is_never_written(self):
         self.write("arm/urdf/arm.urdf", "<robot name='a'>")
         done = self.run_with_messages(1, "arm/smurf/arm.smurf", "-o", "o.urdf", "--force")

@@ -131,6 +131,16 @@ pybullet  takes it with losses (1)
         self.assertNotIn("targets", json.loads(
             self.expect(1, "--format", "json", "arm.urdf").stdout))
 
+    def test_targets_are_applied_once(self):
+        folders = [one for one in sorted((cli.FIXTURES / "rules").glob("SML1*/bad"))]
+        for target in ("mars", "ros", "mujoco"):
+            reports = [json.loads(self.expect(1, "--isolated", "--target", target, "--format", "json", *options,
+                                              *folders).stdout)["diagnostics"]
+                       for options in ([], ["--no-ignores"])]
+            self.assertEqual(*reports)
+            for one in reports[0]:
+                self.assertEqual(len(one.get("notes", [])), len(set(one.get("notes", []))), one)
+
     def test_unknown_target(self):
         done = self.expect(2, "--target", "ros,mujuco", "arm.urdf")
         self.assertEqual(done.stdout, "")

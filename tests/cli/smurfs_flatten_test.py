@@ -127,6 +127,13 @@ class Output(FlattenTest):
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("'broken.smurfs' has errors; nothing was written", done.stderr)
 
+    def test_a_comment_tells_no_pose(self):
+        self.write("broken.smurfs", "# smurf-lint: ignore-file[SML5101] known\n" + BROKEN)
+        for options in ((), ("--force",)):
+            done = self.run_tool("broken.smurfs", *options)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn("'broken.smurfs' has errors; nothing was written", done.stderr)
+
     def test_warnings_do_not_refuse_unless_told(self):
         done = self.run_tool("outer.smurfs")
         self.assertEqual(done.returncode, 0)

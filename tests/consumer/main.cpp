@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 
-#include <smurf/lint.hpp>
-#include <smurf/load.hpp>
+#include <smurf/check.hpp>
 
 int main(int, char** argv) {
-  smurf::SourceMap sources;
-  smurf::DiskFiles files;
-  smurf::DiagnosticSink sink;
-  smurf::LoadContext context{sources, files, sink, {}, {}};
-  const smurf::LinkedModel model = smurf::load_model(argv[1], context);
-  smurf::lint_model(model, {}, sink);
-  std::printf("%zu motors, %zu findings\n", model.annotations.motors.size(),
-              sink.diagnostics().size());
-  return sink.has_errors() ? 1 : 0;
+  smurf::Session session;
+  smurf::LoadedModel loaded = session.load_model(argv[1]);
+  const smurf::Report report = session.check(loaded);
+  std::printf("%zu motors, %zu findings\n", loaded.model.annotations.motors.size(),
+              report.diagnostics.size());
+  return report.summary.errors > 0 ? 1 : 0;
 }

@@ -12,13 +12,10 @@
 #include <set>
 #include <sstream>
 
-#include "smurf/archive_files.hpp"
-#include "smurf/config.hpp"
+#include "smurf/check.hpp"
 #include "smurf/fix.hpp"
 #include "smurf/lint.hpp"
-#include "smurf/load.hpp"
 #include "smurf/render.hpp"
-#include "smurf/suppress.hpp"
 
 namespace fs = std::filesystem;
 using namespace smurf;
@@ -44,45 +41,29 @@ MemoryFiles read_folder(const fs::path& folder) {
   return files;
 }
 
-/// Files with the case's folder in front, so that paths in messages do not depend on the machine.
+/// A fixture, checked as smurf-lint does, with its configuration.
 struct Case {
   SourceMap sources;
   MemoryFiles files;
-  MeshLibrary meshes;
   std::vector<Diagnostic> diagnostics;
-  std::optional<LinkedModel> model;  ///< none when the case is a scene
 
   Case(const fs::path& folder, const RuleSelection& selection)
       : Case(read_folder(folder), selection) {}
   Case(MemoryFiles all, const RuleSelection& selection) : files(std::move(all)) {
-    DiagnosticSink sink;
-    Config config;
-    const std::string config_path(kConfigName);
-    if (files.is_file(config_path)) config = read_config(config_path, sources, files, sink);
-    const ArchiveFiles archives(files, Limits{});
-    LoadContext context{sources, archives, sink, {}, {}, {}, &meshes, &config.schemas};
-    Suppressions suppressions;
-    const std::string drawing = "scene.svg";
-    if (files.is_file("scene.smurfs") || files.is_file(drawing)) {
-      const LinkedScene scene =
-          load_scene(files.is_file(drawing) ? drawing : "scene.smurfs", context);
-      lint_scene(scene, selection, sink);
-      for (const LinkedModel& one : scene.models) lint_model(one, selection, sink);
-      suppressions.add(scene, sources);
-      diagnostics = sink.take();
-      locate(scene, diagnostics);
-    } else {
-      const std::string entry = files.is_file("model.smurf") ? "model.smurf" : "robot.urdf";
-      REQUIRE_MESSAGE(files.is_file(entry), "there is no entry file");
-      model = load_model(entry, context);
-      lint_model(*model, selection, sink);
-      suppressions.add(*model, sources);
-      diagnostics = sink.take();
-      locate(*model, diagnostics);
+    CheckSettings settings;
+    settings.selection = selection;
+    settings.remembers = false;
+    Session session(files);
+    diagnostics = session.check(entry(), settings).diagnostics;
+    sources = session.sources();
+  }
+
+  std::string entry() const {
+    for (const char* name : {"scene.svg", "scene.smurfs", "model.smurf", "robot.urdf"}) {
+      if (files.is_file(name)) return name;
     }
-    diagnostics = finish(std::move(diagnostics), sources, selection);
-    suppressions.apply(diagnostics, sources, selection);
-    diagnostics = finish(std::move(diagnostics), sources, selection);
+    FAIL("there is no entry file");
+    return {};
   }
 
   /// The files after one round of fixes; none when there is nothing to fix.

@@ -51,88 +51,73 @@ std::optional<std::string> Conversion::open(const std::string& path) {
   return path;
 }
 
-std::optional<LinkedModel> Conversion::load_model(const std::string& path) {
+CheckSettings Conversion::settings() const {
+  CheckSettings settings;
+  for (const std::string_view name : report_format_names()) settings.formats.emplace_back(name);
+  settings.packages = options_.packages;
+  return settings;
+}
+
+std::optional<LoadedModel> Conversion::load_model(const std::string& path) {
   const auto name = open(path);
   if (!name) return std::nullopt;
-  LoadContext loading = context();
-  return smurf::load_model(*name, loading);
+  return session_.load_model(*name, settings());
 }
 
-std::optional<xml::Document> Conversion::load_xml(const std::string& path) {
-  disk_.allow(path);
-  if (const auto reason = why_unreadable(path, files_)) {
-    complain(tool_, "cannot read '" + path + "': " + *reason);
-    return std::nullopt;
-  }
-  LoadContext loading = context();
-  auto document = smurf::load_xml(path, loading);
-  if (!document) complain(tool_, "'" + path + "' is not well-formed XML");
-  return document;
-}
-
-std::optional<LinkedScene> Conversion::load_scene(const std::string& path) {
+std::optional<LoadedScene> Conversion::load_scene(const std::string& path) {
   auto name = open(path);
   if (!name) return std::nullopt;
   if (is_archive(*name)) {
-    ArchivedMain main = main_file_of_archive(*name, files_);
+    ArchivedMain main = main_file_of_archive(*name, files());
     if (main.path.empty()) {
       complain(tool_, "cannot read '" + path + "': it " + main.reason);
       return std::nullopt;
     }
     name = std::move(main.path);
   }
-  LoadContext loading = context();
-  return smurf::load_scene(*name, loading);
+  return session_.load_scene(*name, settings());
 }
 
-OldScenes Conversion::load_old_scenes(const LinkedScene& scene) {
-  LoadContext loading = context();
-  return smurf::load_old_scenes(scene, loading);
+std::optional<xml::Document> Conversion::load_xml(const std::string& path, Loaded& beside) {
+  disk_.allow(path);
+  if (const auto reason = why_unreadable(path, files_)) {
+    complain(tool_, "cannot read '" + path + "': " + *reason);
+    return std::nullopt;
+  }
+  LoadContext loading = session_.context_of(beside);
+  auto document = smurf::load_xml(path, loading);
+  if (!document) complain(tool_, "'" + path + "' is not well-formed XML");
+  return document;
 }
 
-ExitCode Conversion::report(const LinkedModel& model) {
-  lint_model(model, {}, sink_);
-  std::vector<Diagnostic> diagnostics = sink_.take();
-  locate(model, diagnostics);
-  return write_reports(std::move(diagnostics), 1, 0);
+OldScenes Conversion::load_old_scenes(LoadedScene& loaded) {
+  LoadContext loading = session_.context_of(loaded);
+  return smurf::load_old_scenes(loaded.scene, loading);
 }
 
-ExitCode Conversion::report(const LinkedScene& scene) {
-  lint_scene(scene, {}, sink_);
-  for (const LinkedModel& model : scene.models) lint_model(model, {}, sink_);
-  std::vector<Diagnostic> diagnostics = sink_.take();
-  locate(scene, diagnostics);
-  return write_reports(std::move(diagnostics), scene.models.size(), scene.scenes.size());
-}
-
-ExitCode Conversion::write_reports(std::vector<Diagnostic> diagnostics, std::size_t models,
-                                   std::size_t scenes) {
-  diagnostics = finish(std::move(diagnostics), sources_, {});
-  Summary summary = summarize(diagnostics);
-  summary.files = sources_.size();
-  summary.models = models;
-  summary.scenes = scenes;
+ExitCode Conversion::write_reports(Report report) {
+  std::vector<Diagnostic>& diagnostics = report.diagnostics;
   if (options_.quiet) {
     std::erase_if(diagnostics, [](const Diagnostic& d) { return d.severity != Severity::error; });
   }
   // A clean run says nothing: the result is what was asked for.
-  std::vector<ReportRequest> reports = options_.reports;
-  if (reports.empty() && !diagnostics.empty()) {
-    reports.push_back({find_report_format("full"), {}});
+  std::vector<ReportRequest> requests = options_.reports;
+  if (requests.empty() && !diagnostics.empty()) {
+    requests.push_back({find_report_format("full"), {}});
   }
-  for (const ReportRequest& report : reports) {
+  for (const ReportRequest& request : requests) {
     const Results results{.diagnostics = diagnostics,
-                          .sources = sources_,
-                          .summary = summary,
+                          .sources = session_.loaded_sources(),
+                          .summary = report.summary,
                           .tool = tool_,
                           .quiet = options_.quiet};
-    if (report.file.empty()) {
-      write_error(report.format->render(results, style_for(Stream::error, options_.color)));
-    } else if (!write_output(tool_, report.file, report.format->render(results, {}))) {
+    if (request.file.empty()) {
+      write_error(request.format->render(results, style_for(Stream::error, options_.color)));
+    } else if (!write_output(tool_, request.file, request.format->render(results, {}))) {
       return kFailed;
     }
   }
-  return summary.errors > 0 ? kFindings : judge(summary, options_.threshold);
+  return report.summary.errors > 0 ? kFindings : judge(report.summary, options_.threshold);
 }
 
 bool Conversion::keeps_inputs(std::vector<std::string> outputs) const {
@@ -140,17 +125,17 @@ bool Conversion::keeps_inputs(std::vector<std::string> outputs) const {
   return tools::keeps_inputs(tool_, inputs_, outputs);
 }
 
-bool Conversion::report_losses(const LinkedModel& model, std::vector<Diagnostic> losses,
+bool Conversion::report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
                                const std::string& file, bool are_refused) {
-  locate(model, losses);
-  losses = finish(std::move(losses), sources_, {});
+  losses = session_.finish(loaded, std::move(losses));
+  const SourceMap& sources = *loaded.sources;
   if (!file.empty() &&
-      !write_output(tool_, file, render_losses_json(losses, sources_, {tool_, kVersion}))) {
+      !write_output(tool_, file, render_losses_json(losses, sources, {tool_, kVersion}))) {
     return false;
   }
   if (!are_refused) return true;
   for (const Diagnostic& loss : losses) {
-    write_error(render_concise(loss, sources_, style_for(Stream::error, options_.color)));
+    write_error(render_concise(loss, sources, style_for(Stream::error, options_.color)));
   }
   return losses.empty();
 }

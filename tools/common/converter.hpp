@@ -11,8 +11,7 @@
 #include "common/input.hpp"
 #include "common/report.hpp"
 #include "smurf/archive_files.hpp"
-#include "smurf/lint.hpp"
-#include "smurf/load.hpp"
+#include "smurf/check.hpp"
 #include "smurf/old_scene.hpp"
 
 namespace smurf::tools {
@@ -35,23 +34,26 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
 /// A setter for exactly one operand.
 Setter take_one_operand(std::string& operand);
 
-/// One run of a converter. Diagnostics go to standard error, or where --report says.
+/// One run of a converter. What is found goes to standard error, or where --report says.
 class Conversion {
  public:
   /// `tool` and `options` must outlive it.
   Conversion(std::string_view tool, const ConverterOptions& options);
 
   /// None when the file cannot be read; that has been said.
-  std::optional<LinkedModel> load_model(const std::string& path);
-  std::optional<xml::Document> load_xml(const std::string& path);
+  std::optional<LoadedModel> load_model(const std::string& path);
   /// The path may be that of an archive (.zsmurf, .zsmurfs, .zsmurfa), which is read in memory.
-  std::optional<LinkedScene> load_scene(const std::string& path);
-  OldScenes load_old_scenes(const LinkedScene& scene);
+  std::optional<LoadedScene> load_scene(const std::string& path);
+  /// A file beside the model.
+  std::optional<xml::Document> load_xml(const std::string& path, Loaded& beside);
+  OldScenes load_old_scenes(LoadedScene& loaded);
 
-  /// Runs the rules and reports. kFindings when the result is to be refused: there is an error, or
+  /// Checks and reports. kFindings when the result is to be refused: there is an error, or
   /// something else that reaches the threshold.
-  ExitCode report(const LinkedModel& model);
-  ExitCode report(const LinkedScene& scene);
+  template <class Loaded>
+  ExitCode report(Loaded& loaded) {
+    return write_reports(session_.check(loaded));
+  }
 
   /// Before anything is written, and when all is read: complains when one of the outputs, or a file
   /// of --report, is an input.
@@ -59,30 +61,20 @@ class Conversion {
 
   /// Writes the losses to `file`, when it names one. False when that fails, or when there are any
   /// and `are_refused`, in which case they are listed.
-  bool report_losses(const LinkedModel& model, std::vector<Diagnostic> losses,
+  bool report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
                      const std::string& file, bool are_refused);
 
   /// "smurf2urdf: PATH reason"; kFindings.
   ExitCode refuse(std::string_view reason) const;
   ExitCode fail() const { return kFailed; }
 
-  const SourceMap& sources() const { return sources_; }
-  const FileReader& files() const { return files_; }
+  const FileReader& files() const { return session_.files(); }
   const InputFiles& inputs() const { return inputs_; }
-  DiagnosticSink& sink() { return sink_; }
 
  private:
-  LoadContext context() {
-    return {sources_,
-            files_,
-            sink_,
-            options_.limits,
-            options_.packages,
-            package_folders_of_environment()};
-  }
+  CheckSettings settings() const;
   std::optional<std::string> open(const std::string& path);
-  ExitCode write_reports(std::vector<Diagnostic> diagnostics, std::size_t models,
-                         std::size_t scenes);
+  ExitCode write_reports(Report report);
 
   std::string_view tool_;
   const ConverterOptions& options_;
@@ -90,8 +82,7 @@ class Conversion {
   InputFiles inputs_{disk_};
   ArchiveFiles archives_{inputs_, options_.limits};
   MemoryFiles files_{&archives_};
-  SourceMap sources_;
-  DiagnosticSink sink_{options_.limits.findings, options_.limits.suggestions};
+  Session session_{files_, options_.limits};
   std::string path_;
 };
 

@@ -55,17 +55,6 @@ RepositoryPath in_repository() {
   };
 }
 
-RepositoryPath relative_to_folder_of(const std::string& file) {
-  std::error_code error;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(file, error), error).parent_path();
-  return [folder](const std::string& path) {
-    std::error_code failed;
-    const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
-    const fs::path relative = whole.lexically_relative(folder);
-    return failed || relative.empty() ? path : relative.generic_string();
-  };
-}
-
 std::string link_out_of_repository(const std::string& path) {
   std::error_code error;
   fs::path at;  // without links

@@ -16,9 +16,6 @@ bool is_repository(const std::filesystem::path& folder);
 /// folder when there is none. Links are resolved, as code hosts know no file by two names.
 RepositoryPath in_repository();
 
-/// Paths relative to the folder of a file; a file outside of it starts with "..".
-RepositoryPath relative_to_folder_of(const std::string& file);
-
 /// The first symbolic link on the way to `path` that lies in a repository and leads out of it, or
 /// to what git keeps of it: it may have come with a pull request. "" when there is none.
 std::string link_out_of_repository(const std::string& path);

@@ -82,31 +82,31 @@ bool leads_outside(const std::string& path, const LintOptions& options) {
 
 }  // namespace
 
-Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, Checked checked) {
+Fixed fix_all(const LintOptions& options, Session& session, Report report,
+              const std::function<Report()>& check) {
   const Applicability most = options.unsafe_fixes ? Applicability::unsafe : Applicability::safe;
   Fixed fixed;
-  fixed.checked = std::move(checked);
+  fixed.report = std::move(report);
   int counted = 0;
   for (int round = 0; counted < kRounds && round < kMostRounds; ++round) {
-    const auto& all = fixed.checked.diagnostics;
+    const auto& all = fixed.report.diagnostics;
     const bool is_partial = std::any_of(
         all.begin(), all.end(), [](const Diagnostic& one) { return one.left_out != nullptr; });
     if (!is_partial) ++counted;
-    AppliedFixes applied = apply_fixes(fixed.checked.diagnostics, fixed.checked.sources, most);
+    AppliedFixes applied = apply_fixes(fixed.report.diagnostics, session.sources(), most);
     if (applied.texts.empty()) return fixed;
     fixed.count += applied.count;
     for (FixedText& file : applied.texts) {
       const auto [change, is_new] = fixed.changes.try_emplace(file.path);
       if (is_new) {
-        change->second.before = files.read(file.path, options.limits.file_bytes).text;
+        change->second.before = session.files().read(file.path, options.limits.file_bytes).text;
       }
       change->second.after = file.text;
-      files.add(file.path, std::move(file.text));
+      session.set_text(file.path, std::move(file.text));
     }
-    fixed.checked = check(options, plan, files);
+    fixed.report = check();
   }
-  fixed.is_stable =
-      apply_fixes(fixed.checked.diagnostics, fixed.checked.sources, most).texts.empty();
+  fixed.is_stable = apply_fixes(fixed.report.diagnostics, session.sources(), most).texts.empty();
   return fixed;
 }
 

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
 
-#include "smurf-lint/check.hpp"
+#include "smurf-lint/options.hpp"
+#include "smurf-lint/plan.hpp"
+#include "smurf/check.hpp"
 
 namespace smurf::tools {
 
@@ -17,15 +20,16 @@ struct Change {
 };
 
 struct Fixed {
-  Checked checked;                        ///< of the fixed texts
+  Report report;                          ///< of the fixed texts
   std::map<std::string, Change> changes;  ///< by path
   std::size_t count = 0;                  ///< findings that were fixed
   bool is_stable = true;                  ///< false: every round found something to fix
 };
 
-/// Applies fixes and checks again until a round finds none. The fixed texts go to `files`, in front
-/// of those on the disk; nothing is written.
-Fixed fix_all(const LintOptions& options, const Plan& plan, MemoryFiles& files, Checked checked);
+/// Applies fixes and checks again until a round finds none. The fixed texts go to the session, in
+/// front of those on the disk; nothing is written.
+Fixed fix_all(const LintOptions& options, Session& session, Report report,
+              const std::function<Report()>& check);
 
 /// Writes every changed file but standard input. False when one could not be written, which was
 /// said; nothing is written when one is a link out of its project.

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-lint: checks SMURF models and scenes.
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <optional>
 #include <span>
 
 #include "common/input.hpp"
 #include "common/process.hpp"
-#include "common/repository.hpp"
+#include "common/progress.hpp"
 #include "render/printable.hpp"
-#include "smurf-lint/check.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
+#include "smurf-lint/settings.hpp"
 #include "smurf-lint/show_config.hpp"
 #include "smurf/archive_files.hpp"
-#include "smurf/suppress.hpp"
+#include "smurf/check.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -54,38 +56,46 @@ ExitCode list_rules(const LintOptions& options) {
   return write_text(options, render_rule_list(all_rules(), style_of(options, options.output)));
 }
 
+/// A report, and what it points into.
+struct Checked {
+  const Report& report;
+  const SourceMap& sources;
+};
+
 /// `place` is where reports without a file of their own go.
 ExitCode write_reports(const LintOptions& options, const std::string& place, const Checked& checked,
                        std::string remarks) {
+  const Report& report = checked.report;
   std::vector<TargetVerdict> targets;
-  for (const Reader* reader : checked.targets) {
-    targets.push_back(judge_target(*reader, checked.diagnostics));
+  for (const Reader* reader : report.targets) {
+    targets.push_back(judge_target(*reader, report.diagnostics));
   }
-  const Results results{.diagnostics = checked.diagnostics,
+  const Results results{.diagnostics = report.diagnostics,
                         .sources = checked.sources,
-                        .summary = checked.summary,
+                        .summary = report.summary,
                         .targets = targets,
                         .tool = kTool,
                         .remarks = std::move(remarks),
                         .quiet = options.quiet,
                         .counts_only = options.statistics};
   ExitCode code = kDone;
-  for (const ReportRequest& report : checked.run.reports) {
-    const std::string& file = report.file.empty() ? place : report.file;
-    const std::string text = report.format->render(results, style_of(options, file));
+  for (const ReportRequest& request : merge_run(report.wishes, options).reports) {
+    const std::string& file = request.file.empty() ? place : request.file;
+    const std::string text = request.format->render(results, style_of(options, file));
     if (!write_output(kTool, file, text)) code = kFailed;
   }
   return code;
 }
 
-ExitCode report(const LintOptions& options, const Plan& plan, const Checked& checked,
+ExitCode report(const LintOptions& options, const tools::Plan& plan, const Checked& checked,
                 std::size_t fixed) {
   // Standard output holds the fixed text then.
   const bool is_taken = options.fix && !plan.standard_input.empty() && options.output.empty();
   const std::string place = is_taken ? "/dev/stderr" : options.output;
   const ExitCode written =
-      write_reports(options, place, checked, fix_remarks(fixed, checked.diagnostics));
-  return written == kDone ? judge(checked.summary, checked.run.threshold) : written;
+      write_reports(options, place, checked, fix_remarks(fixed, checked.report.diagnostics));
+  if (written != kDone) return written;
+  return judge(checked.report.summary, merge_run(checked.report.wishes, options).threshold);
 }
 
 ExitCode show_diff(const LintOptions& options, const Fixed& fixed) {
@@ -93,8 +103,9 @@ ExitCode show_diff(const LintOptions& options, const Fixed& fixed) {
   return fixed.changes.empty() || options.threshold.exit_zero ? kDone : kFindings;
 }
 
-ExitCode fix(const LintOptions& options, const Plan& plan, MemoryFiles& files, Checked checked) {
-  const Fixed fixed = fix_all(options, plan, files, std::move(checked));
+ExitCode fix(const LintOptions& options, const tools::Plan& plan, Session& session, Report found,
+             const std::function<Report()>& check) {
+  const Fixed fixed = fix_all(options, session, std::move(found), check);
   if (!fixed.is_stable) {
     complain(kTool, "the fixes undo each other; nothing was changed (this is a bug of smurf-lint)");
     return kFailed;
@@ -102,16 +113,17 @@ ExitCode fix(const LintOptions& options, const Plan& plan, MemoryFiles& files, C
   if (options.diff) return show_diff(options, fixed);
   if (!write_changes(fixed, plan, options)) return kFailed;
   if (!plan.standard_input.empty()) {
-    const std::string text = files.read(plan.standard_input, options.limits.file_bytes).text;
+    const std::string text =
+        session.files().read(plan.standard_input, options.limits.file_bytes).text;
     if (!write_output(kTool, "-", text)) return kFailed;
   }
-  return options.fix_only ? kDone : report(options, plan, fixed.checked, fixed.count);
+  if (options.fix_only) return kDone;
+  return report(options, plan, {fixed.report, session.sources()}, fixed.count);
 }
 
 /// Where the baseline is written, which no configuration that came with the files decides.
 /// None when that one names another place; that has been said.
-std::optional<std::string> baseline_to_write(const LintOptions& options, const Checked& checked) {
-  const std::string& known = checked.run.baseline;
+std::optional<std::string> baseline_to_write(const LintOptions& options, const std::string& known) {
   const bool is_chosen = !options.baseline.empty() || (!options.config.empty() && !known.empty());
   if (is_chosen) return known;
   std::string usual(kBaselineName);
@@ -126,44 +138,49 @@ std::optional<std::string> baseline_to_write(const LintOptions& options, const C
 bool may_be_overwritten(const std::string& path, const LintOptions& options) {
   const FileContent old = DiskFiles().read(path, options.limits.file_bytes);
   if (old.status == ReadStatus::not_found) return true;
-  if (old.status == ReadStatus::ok && Baseline::is_written(old.text)) return true;
+  if (old.status == ReadStatus::ok && is_baseline(old.text)) return true;
   const std::string reason =
       old.status == ReadStatus::ok ? "it is no baseline that smurf-lint has written" : old.reason;
   complain(kTool, "cannot write '" + path + "': " + reason);
   return false;
 }
 
-ExitCode write_baseline(const LintOptions& options, const Checked& checked) {
-  const auto path = baseline_to_write(options, checked);
+ExitCode write_baseline(const LintOptions& options, const Session& session, const Report& report) {
+  const std::string& known = report.wishes.baseline;
+  const auto path = baseline_to_write(options, known);
   if (!path || !may_be_overwritten(*path, options)) return kFailed;
-  const Baseline baseline(relative_to_folder_of(*path));
-  const std::string text = baseline.write(checked.diagnostics, checked.sources);
+  const std::string text = session.baseline_of(report, *path);
   const bool is_usual = *path == kBaselineName;
   const bool is_written =
       is_usual ? write_files(kTool, {{".", *path, text}}, true) : write_output(kTool, *path, text);
   if (!is_written) return kFailed;
   if (options.quiet) return kDone;
-  const std::size_t count = checked.diagnostics.size();
+  const std::size_t count = report.diagnostics.size();
   std::string done = "let " + std::to_string(count) + (count == 1 ? " finding" : " findings") +
                      " pass in " + render::escape(*path);
-  if (checked.run.baseline.empty()) done += "; from now on, add --baseline " + *path;
+  if (known.empty()) done += "; from now on, add --baseline " + *path;
   return write_text(options, done + "\n");
 }
 
-bool keeps_inputs(const LintOptions& options, const Checked& checked, const InputFiles& inputs) {
+bool keeps_inputs(const LintOptions& options, const Report& found,
+                  std::span<const InputFiles* const> inputs) {
   std::vector<std::string> outputs{options.output};
   if (options.generate_baseline) {
     outputs.push_back(options.baseline);
   } else {
-    for (const ReportRequest& report : checked.run.reports) outputs.push_back(report.file);
+    for (const ReportRequest& request : merge_run(found.wishes, options).reports) {
+      outputs.push_back(request.file);
+    }
   }
-  return tools::keeps_inputs(kTool, inputs, outputs);
+  return std::all_of(inputs.begin(), inputs.end(), [&](const InputFiles* read) {
+    return tools::keeps_inputs(kTool, *read, outputs);
+  });
 }
 
-ExitCode list_files(const LintOptions& options, const Plan& plan, const InputFiles& inputs) {
+ExitCode list_files(const LintOptions& options, const tools::Plan& plan, const InputFiles& inputs) {
   std::vector<std::string> paths;
   for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
-    for (const PlannedFile& file : *planned) paths.push_back(file.path);
+    for (const tools::PlannedFile& file : *planned) paths.push_back(file.path);
   }
   std::sort(paths.begin(), paths.end());
   std::string text;
@@ -198,6 +215,24 @@ ExitCode merge_reports(const LintOptions& options) {
   return code == kDone ? judge(merged.summary, options.threshold) : code;
 }
 
+Report run_check(const LintOptions& options, const tools::Plan& plan, Session& session) {
+  CheckSettings settings = check_settings(options);
+  std::optional<Progress> progress;
+  settings.on_progress = [&](std::size_t done, std::size_t of) {
+    if (done == 0) progress.emplace("checked", of, options.quiet);
+    progress->set(done);
+  };
+  smurf::Plan planned;
+  const auto copy = [](const std::vector<tools::PlannedFile>& from, auto& to) {
+    for (const tools::PlannedFile& file : from) to.push_back({file.path, file.config});
+  };
+  copy(plan.scenes, planned.scenes);
+  copy(plan.models, planned.models);
+  copy(plan.strays, planned.strays);
+  planned.configs = plan.configs;
+  return session.check(planned, settings);
+}
+
 ExitCode run(const LintOptions& options) {
   ConfinedFiles disk;
   confine_to_inputs(disk, options);
@@ -210,18 +245,25 @@ ExitCode run(const LintOptions& options) {
       return kFailed;
     }
   }
-  Plan plan = make_plan(options, files);
-  confine_to_found(disk, options, plan);
+  tools::Plan plan = make_plan(options, files);
   keep_shard(plan, options.shard, files);
   if (options.list_files) return list_files(options, plan, inputs);
-  Checked checked = check(options, plan, files);
-  if (!keeps_inputs(options, checked, inputs)) return kFailed;
+  ConfinedFiles confined;
+  confine_to_found(confined, options, plan);
+  const InputFiles read(confined);
+  Session session(read, options.limits, stamp_on_disk);
+  if (const std::string& name = plan.standard_input; !name.empty()) {
+    session.set_text(name, files.read(name, options.limits.file_bytes).text);
+  }
+  const auto check = [&] { return run_check(options, plan, session); };
+  Report found = check();
+  if (!keeps_inputs(options, found, std::array{&inputs, &read})) return kFailed;
   if (options.generate_baseline) {
-    return plan.has_failed ? kFailed : write_baseline(options, checked);
+    return plan.has_failed ? kFailed : write_baseline(options, session, found);
   }
   const ExitCode code = options.fix || options.fix_only || options.diff
-                            ? fix(options, plan, files, std::move(checked))
-                            : report(options, plan, checked, 0);
+                            ? fix(options, plan, session, std::move(found), check)
+                            : report(options, plan, {found, session.sources()}, 0);
   return plan.has_failed ? kFailed : code;
 }
 

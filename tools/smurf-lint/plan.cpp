@@ -312,13 +312,13 @@ void confine_to_inputs(ConfinedFiles& files, const LintOptions& options) {
 }
 
 void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Plan& plan) {
-  const std::vector<std::string> paths = searched_or_named(options);
-  if (options.allow_outside || std::none_of(paths.begin(), paths.end(), is_shared_folder)) return;
-  std::vector<std::string> found;
+  std::vector<std::string> found = plan.configs;
   for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
     for (const PlannedFile& file : *planned) found.push_back(file.path);
   }
-  confine(files, found, {}, false);
+  confine(files, found, options.packages, options.allow_outside);
+  files.allow(options.config);
+  files.allow(options.baseline);
 }
 
 Plan make_plan(const LintOptions& options, MemoryFiles& files) {

@@ -26,9 +26,11 @@ struct Plan {
   bool has_failed = false;           ///< something could not be read; it was said
 };
 
-/// Lets be read what the command line names and what belongs to it: common/confine.hpp.
+/// Lets be read what the command line names and what belongs to it, which is what planning needs:
+/// common/confine.hpp.
 void confine_to_inputs(ConfinedFiles& files, const LintOptions& options);
-/// The same for what a search of shared folders has found.
+/// Lets be read what belongs to the planned files and their configurations: a model may read the
+/// same whether it is named or found in a folder.
 void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Plan& plan);
 
 /// Standard input, if it is read, goes to `files`.

@@ -2,30 +2,24 @@
 // The command line over the configuration: what holds in the end.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "smurf-lint/options.hpp"
-#include "smurf/config.hpp"
+#include "smurf/check.hpp"
 
 namespace smurf::tools {
 
-/// What holds for the files of one configuration.
-struct Settings {
-  RuleSelection selection;
-  std::map<std::string, std::string> packages;
-};
-Settings merge(const Config& config, const LintOptions& options);
+/// What the options say of a check.
+CheckSettings check_settings(const LintOptions& options);
 
-/// What holds for the whole run, by the configuration of the first PATH.
+/// What holds for the whole run.
 struct RunSettings {
   std::vector<ReportRequest> reports;
   Threshold threshold;
   std::string baseline;  ///< file; "": none
-  Span baseline_place;   ///< where the configuration names it; empty when the command line does
 };
-RunSettings merge_run(const Config& config, const LintOptions& options);
+RunSettings merge_run(const ReportWishes& wishes, const LintOptions& options);
 
 /// `path` as seen from `folder`, both looked up in the file system; "" when it lies elsewhere.
 std::string path_inside(const std::string& path, const std::string& folder);

@@ -11,6 +11,7 @@
 #include "render/printable.hpp"
 #include "smurf-lint/plan.hpp"
 #include "smurf-lint/settings.hpp"
+#include "smurf/check.hpp"
 #include "smurf/config.hpp"
 
 namespace smurf::tools {
@@ -164,14 +165,14 @@ std::string name_of(const ReportRequest& report) {
   return report.file.empty() ? name : name + "=" + report.file;
 }
 
-void show_run(const Config& config, const LintOptions& options, Page& page) {
+void show_run(const Config& config, const RunSettings& run, const LintOptions& options,
+              Page& page) {
   Entries formats;
   for (const ReportRequest& report : options.reports) {
     formats.emplace_back(text_of(name_of(report)), "--format");
   }
   page.block("", "format", "- ", formats.empty() ? page.list_of(config.formats) : formats, "auto");
 
-  const RunSettings run = merge_run(config, options);
   const auto& level = run.threshold.fail_on;
   page.line("fail-on: " + (level ? text_of(*level) : "never"),
             options.has_fail_on ? "--fail-on"
@@ -205,25 +206,30 @@ ExitCode show_config(const LintOptions& options) {
     return kFailed;
   }
   SourceMap sources;
-  DiagnosticSink sink;
-  const std::vector<std::string_view> formats = report_format_names();
-  const Config config =
-      path.empty() ? Config{}
-                   : read_config(path, sources, files, sink, formats, origin_of_config(options));
+  DiagnosticSink reported_below;
+  const Config config = path.empty() ? Config{}
+                                     : read_config(path, sources, files, reported_below, {},
+                                                   origin_of_config(options));
+  // A check of no file finds what is wrong with the configuration.
+  Session session(files, options.limits);
+  smurf::Plan nothing;
+  nothing.configs.push_back(path);
+  CheckSettings settings = check_settings(options);
+  settings.heeds_baseline = false;
+  const Report report = session.check(nothing, settings);
+  const RunSettings run = merge_run(report.wishes, options);
   Page page(sources);
   page.comment("for " + options.show_config + ": " + (path.empty() ? "no configuration" : path));
   show_rules(config, options, page);
   show_input(config, options, page);
-  show_run(config, options, page);
+  show_run(config, run, options, page);
   if (!keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;
   if (!write_output(kTool, options.output, page.text())) return kFailed;
 
-  std::vector<Diagnostic> found = sink.take();
-  sort_findings(found, sources);
-  for (const Diagnostic& one : found) {
-    write_error(render_concise(one, sources, style_for(Stream::error, options.color)));
+  for (const Diagnostic& one : report.diagnostics) {
+    write_error(render_concise(one, session.sources(), style_for(Stream::error, options.color)));
   }
-  return judge(summarize(found), merge_run(config, options).threshold);
+  return judge(report.summary, run.threshold);
 }
 
 }  // namespace smurf::tools

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 
 #include "base/path.hpp"
@@ -19,18 +20,31 @@ using namespace smurf::tools;
 
 constexpr std::string_view kTool = "smurf-load-check";
 
-/// The linter's rules whose faults leave no robot that could be built.
-RuleSelection building_rules() {
-  RuleSelection selection;
-  selection.select = {"SML10", "SML1115", "SML12", "SML1301", "SML1302", "SML1401", "SML2003"};
-  return selection;
+/// What a reader of files reports itself, and the rules whose faults leave no robot that could be
+/// built.
+bool is_about_building(const Rule& rule) {
+  constexpr std::string_view kRules[] = {"SML10",   "SML1115", "SML12",  "SML1301",
+                                         "SML1302", "SML1401", "SML2003"};
+  if (rule.check_model == nullptr && rule.check_scene == nullptr) return true;
+  return std::any_of(std::begin(kRules), std::end(kRules),
+                     [&](std::string_view pattern) { return matches(rule, pattern); });
 }
 
 /// Unreadable numbers, broken files and scenes; not what annotations say.
 bool is_obstacle(const Diagnostic& diagnostic) {
   const std::string_view family = diagnostic.rule->id.substr(0, 4);
-  return diagnostic.severity == Severity::error &&
-         (family == "SML0" || family == "SML1" || family == "SML2" || family == "SML5");
+  return family == "SML0" || family == "SML1" || family == "SML2" || family == "SML5";
+}
+
+/// A robot is built or not, whatever comments and configurations let pass.
+CheckSettings settings_for(const InputOptions& options) {
+  CheckSettings settings;
+  settings.is_isolated = true;
+  settings.opens_meshes = false;
+  settings.heeds_comments = false;
+  settings.heeds_baseline = false;
+  settings.packages = options.packages;
+  return settings;
 }
 
 bool is_scene(InputKind kind) { return kind == InputKind::scene || kind == InputKind::drawing; }
@@ -97,32 +111,32 @@ class Loader {
   /// A model alone counts as a scene of one entity.
   void load(const std::string& file) {
     if (!done_.insert(identity(file)).second) return;
-    DiagnosticSink sink(options_.limits.findings, options_.limits.suggestions);
-    LoadContext context{inputs_.sources, inputs_.files,     sink,
-                        options_.limits, options_.packages, package_folders_};
-    std::swap(context.read, read_);  // all inputs are kept until the last is checked
-    const LinkedScene& scene = inputs_.scenes.emplace_back(load_scene(file, context));
-    std::swap(context.read, read_);
+    LoadedScene& loaded =
+        inputs_.scenes.emplace_back(inputs_.session.load_scene(file, settings_for(options_)));
+    const LinkedScene& scene = loaded.scene;
     for (const LinkedModel& model : scene.models) {
-      lint_model(model, building_rules(), sink);
       done_.insert(identity(model.path));
       if (!model.urdf_path.empty()) done_.insert(identity(model.urdf_path));
     }
-    std::vector<Diagnostic> found = sink.take();
-    locate(scene, found);
-    found = finish(std::move(found), inputs_.sources, {});
+    std::vector<Diagnostic> found = inputs_.session.check(loaded).diagnostics;
     std::erase_if(found, [&](const Diagnostic& diagnostic) {
-      return !is_obstacle(diagnostic) && !leaves_no_robot(scene, diagnostic);
+      return diagnostic.severity != Severity::error || !is_about_building(*diagnostic.rule) ||
+             (!is_obstacle(diagnostic) && !leaves_no_robot(scene, diagnostic));
     });
-    add_jobs(file, scene, std::move(found));
+    add_jobs(file, loaded, std::move(found));
   }
 
   /// An obstacle goes to the first job that it stands in the way of.
-  void add_jobs(const std::string& file, const LinkedScene& scene, std::vector<Diagnostic> found) {
+  void add_jobs(const std::string& file, const LoadedScene& loaded, std::vector<Diagnostic> found) {
+    const LinkedScene& scene = loaded.scene;
     const bool has_scene = is_scene(kind_of(file));
     const bool is_sound = found.empty();
     for (const LinkedModel& model : scene.models) {
-      Job job{.path = model.path, .model = &model, .scene = nullptr, .obstacles = {}};
+      Job job{.path = model.path,
+              .model = &model,
+              .scene = nullptr,
+              .loaded = &loaded,
+              .obstacles = {}};
       const auto of_model =
           std::stable_partition(found.begin(), found.end(), [&](const Diagnostic& diagnostic) {
             return !concerns(model, diagnostic);
@@ -132,16 +146,19 @@ class Loader {
       if (model.robot || !job.obstacles.empty()) inputs_.jobs.push_back(std::move(job));
     }
     if (!has_scene && found.empty()) return;
-    Job job{.path = file, .model = nullptr, .scene = &scene, .obstacles = std::move(found)};
+    Job job{.path = file,
+            .model = nullptr,
+            .scene = &scene,
+            .loaded = &loaded,
+            .obstacles = std::move(found)};
     if (is_sound || !job.obstacles.empty()) inputs_.jobs.push_back(std::move(job));
   }
 
   /// Any error in a model of which no URDF is known: there is nothing that could be built.
   static bool leaves_no_robot(const LinkedScene& scene, const Diagnostic& diagnostic) {
-    return diagnostic.severity == Severity::error &&
-           std::any_of(scene.models.begin(), scene.models.end(), [&](const LinkedModel& model) {
-             return !model.robot && concerns(model, diagnostic);
-           });
+    return std::any_of(scene.models.begin(), scene.models.end(), [&](const LinkedModel& model) {
+      return !model.robot && concerns(model, diagnostic);
+    });
   }
 
   static bool concerns(const LinkedModel& model, const Diagnostic& diagnostic) {
@@ -151,9 +168,7 @@ class Loader {
   }
 
   const InputOptions& options_;
-  const std::vector<std::string> package_folders_ = package_folders_of_environment();
   Inputs& inputs_;
-  ReadFiles read_;
   std::set<std::string> done_;  ///< by identity
 };
 

@@ -9,17 +9,18 @@
 
 #include "common/input.hpp"
 #include "smurf/archive_files.hpp"
+#include "smurf/check.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/linked.hpp"
-#include "smurf/load.hpp"
 
 namespace smurf::load_check {
 
 /// One check: of a model, or of a scene as a whole.
 struct Job {
   std::string path;
-  const LinkedModel* model = nullptr;  ///< null: the scene
-  const LinkedScene* scene = nullptr;  ///< null: the model
+  const LinkedModel* model = nullptr;   ///< null: the scene
+  const LinkedScene* scene = nullptr;   ///< null: the model
+  const LoadedScene* loaded = nullptr;  ///< what either is part of
   /// What stands in the way of a check; nothing is run then.
   std::vector<Diagnostic> obstacles;
 };
@@ -28,12 +29,13 @@ struct Inputs {
   explicit Inputs(const Limits& of_user) : limits(of_user) {}
 
   Limits limits;
-  SourceMap sources;
   ConfinedFiles disk;
   tools::InputFiles read{disk};
   ArchiveFiles archives{read, limits};
   MemoryFiles files{&archives};
-  std::deque<LinkedScene> scenes;  ///< what the jobs point into
+  Session session{files, limits};
+  const SourceMap& sources = session.loaded_sources();
+  std::deque<LoadedScene> scenes;  ///< what the jobs point into
   std::vector<Job> jobs;
   bool has_failed = false;  ///< a path could not be read; that has been said
 };

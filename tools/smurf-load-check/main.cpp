@@ -62,7 +62,7 @@ bool write_curves(const Options& options, std::span<const Checked> checked) {
 }
 
 /// The findings alone, for programs that know no figures.
-bool write_reports(const Options& options, const Report& report) {
+bool write_reports(const Options& options, const load_check::Report& report) {
   const Results results{report.diagnostics, report.sources, report.summary, {}, kTool};
   bool is_written = true;
   for (const ReportRequest& request : options.reports) {
@@ -88,7 +88,8 @@ std::vector<Diagnostic> all_diagnostics(std::span<const Checked> checked,
   for (const Checked& one : checked) {
     all.insert(all.end(), one.result.diagnostics.begin(), one.result.diagnostics.end());
   }
-  return finish(std::move(all), sources, {});
+  sort_findings(all, sources);
+  return all;
 }
 
 }  // namespace
@@ -118,7 +119,7 @@ int main(int argc, char** argv) {
     return run_checks(inputs, run, [&](std::size_t done) { progress.set(done); });
   }();
 
-  Report report{
+  load_check::Report report{
       checked, all_diagnostics(checked, inputs.sources), inputs.sources, {}, options.quiet};
   report.summary = summary_of(inputs, report.diagnostics);
   const std::string text = options.format == "json"

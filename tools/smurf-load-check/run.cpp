@@ -78,15 +78,12 @@ CheckResult broken_off(const Job& job, const ChildOutcome& outcome, const Messag
   return result;
 }
 
-CheckResult result_of(const Job& job, const ChildOutcome& outcome, const ChildLimits& limits) {
+CheckResult result_of(const Job& job, const ChildOutcome& outcome, const ChildLimits& limits,
+                      const Session& session) {
   Message message = decode(outcome.output);
   CheckResult result =
       message.result ? std::move(*message.result) : broken_off(job, outcome, message, limits);
-  if (job.model != nullptr) {
-    locate(*job.model, result.diagnostics);
-  } else {
-    locate(*job.scene, result.diagnostics);
-  }
+  result.diagnostics = session.finish(*job.loaded, std::move(result.diagnostics));
   return result;
 }
 
@@ -132,7 +129,7 @@ std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,
       on_finished);
   for (std::size_t i = 0; i < to_run.size(); ++i) {
     Checked& one = checked[to_run[i]];
-    one.result = result_of(*one.job, outcomes[i], options.limits);
+    one.result = result_of(*one.job, outcomes[i], options.limits, inputs.session);
   }
   return checked;
 }

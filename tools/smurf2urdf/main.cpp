@@ -90,32 +90,33 @@ int main(int argc, char** argv) {
   options.conversion.current_folder = *current;
 
   Conversion conversion(kTool, options.common);
-  const auto model = conversion.load_model(options.model);
-  if (!model) return conversion.fail();
+  auto loaded = conversion.load_model(options.model);
+  if (!loaded) return conversion.fail();
+  const LinkedModel& model = loaded->model;
+  const SourceMap& sources = *loaded->sources;
   if (!conversion.keeps_inputs({options.common.output, options.srdf, options.loss_report})) {
     return kFailed;
   }
-  const ExitCode verdict = conversion.report(*model);
+  const ExitCode verdict = conversion.report(*loaded);
   if (verdict == kFailed) return kFailed;
-  if (!model->robot) return verdict == kDone ? conversion.refuse("has no URDF") : kFindings;
+  if (!model.robot) return verdict == kDone ? conversion.refuse("has no URDF") : kFindings;
   if (verdict != kDone && !options.force) return conversion.refuse("has errors; see --force");
 
   UrdfExport& wanted = options.conversion;
-  if (wanted.mesh_uri == MeshUri::package) wanted.package_folder = package_folder(*model, options);
-  if (const std::string problem = problem_of(*model, wanted); !problem.empty()) {
+  if (wanted.mesh_uri == MeshUri::package) wanted.package_folder = package_folder(model, options);
+  if (const std::string problem = problem_of(model, wanted); !problem.empty()) {
     return conversion.refuse(problem);
   }
   DiagnosticSink losses;
-  report_losses(*model, wanted, losses);
-  const std::string urdf = export_urdf(*model, conversion.sources(), wanted, losses);
-  const Verification verification =
-      verify(*model, conversion.sources(), urdf, wanted, verdict == kDone);
+  report_losses(model, wanted, losses);
+  const std::string urdf = export_urdf(model, sources, wanted, losses);
+  const Verification verification = verify(model, sources, urdf, wanted, verdict == kDone);
   if (options.prove) write_error(describe(verification));
   if (!verification.holds()) return conversion.refuse(verification.problem);
-  if (!conversion.report_losses(*model, losses.take(), options.loss_report,
+  if (!conversion.report_losses(*loaded, losses.take(), options.loss_report,
                                 options.fails_on_loss)) {
     return options.fails_on_loss ? conversion.refuse("has losses") : kFailed;
   }
   if (options.dry_run) return kDone;
-  return write_result(options, urdf, *model) ? kDone : kFailed;
+  return write_result(options, urdf, model) ? kDone : kFailed;
 }

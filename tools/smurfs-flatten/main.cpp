@@ -208,8 +208,9 @@ struct Result {
   bool is_complete = true;  ///< nothing was lost
 };
 
-Result flatten_scene(Conversion& conversion, LinkedScene& scene, const Options& options,
+Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options& options,
                      const SceneFormat& format, SceneForm form, const std::string& current) {
+  LinkedScene& scene = loaded.scene;
   // The rules, which run later, judge the scene as documented, which is the first dialect.
   const Dialect* dialect = find_dialect(options.dialect);
   const bool is_documented = dialect == dialects().front();
@@ -218,31 +219,30 @@ Result flatten_scene(Conversion& conversion, LinkedScene& scene, const Options& 
   if (!is_documented) {
     documented = scene.instances;
     documented_poses = scene.joint_poses;
-    apply_dialect(*dialect, scene, conversion.sink());
+    apply_dialect(*dialect, scene, loaded.found);
   }
-  const OldScenes old_scenes = conversion.load_old_scenes(scene);
+  const OldScenes old_scenes = conversion.load_old_scenes(loaded);
   FlattenOptions flattening = flatten_options(options, current);
   flattening.old_scenes = &old_scenes;
   flattening.repeats_models = format.repeats_models;
-  if (!check_scene_size(scene, conversion.sources(), flattening, options.common.limits,
-                        conversion.sink())) {
+  if (!check_scene_size(scene, *loaded.sources, flattening, options.common.limits, loaded.found)) {
     return {};
   }
-  FlatScene flat = flatten(scene, conversion.sources(), flattening);
-  if (!check_flat_numbers(flat, scene, conversion.sink())) return {};
+  FlatScene flat = flatten(scene, *loaded.sources, flattening);
+  if (!check_flat_numbers(flat, scene, loaded.found)) return {};
   Result result;
   if (!options.assets.empty()) {
     result.copies = redirect_assets(flat, options.assets, flattening, conversion.files());
   }
   result.text = format.write({.flat = flat,
                               .scene = scene,
-                              .sources = conversion.sources(),
-                              .losses = conversion.sink(),
+                              .sources = *loaded.sources,
+                              .losses = loaded.found,
                               .links = options.links,
                               .form = form,
                               .meshes = mesh_source(flattening, result.copies, conversion.files(),
                                                     options.common.limits)});
-  result.is_complete = !has_losses(conversion.sink());
+  result.is_complete = !has_losses(loaded.found);
   if (!is_documented) {
     scene.instances = std::move(documented);
     scene.joint_poses = std::move(documented_poses);
@@ -264,27 +264,28 @@ int main(int argc, char** argv) {
   const auto current = current_folder(kTool);
   if (!current) return kFailed;
   Conversion conversion(kTool, options.common);
-  auto scene = conversion.load_scene(options.scene);
-  if (!scene) return conversion.fail();
+  auto loaded = conversion.load_scene(options.scene);
+  if (!loaded) return conversion.fail();
+  const SourceMap& sources = *loaded->sources;
   Result result;
-  const bool is_sound = !conversion.sink().has_errors();
+  const bool is_sound = !loaded->found.has_errors();
   if (is_sound && options.compare_dialects) {
-    result.text = compare_dialects(*scene, conversion.sources(), options.format == "json");
+    result.text = compare_dialects(loaded->scene, sources, options.format == "json");
   } else if (is_sound && options.explained.empty()) {
-    result = flatten_scene(conversion, *scene, options, format, *form, *current);
+    result = flatten_scene(conversion, *loaded, options, format, *form, *current);
   }
   const std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
   if (!conversion.keeps_inputs({options.common.output})) return kFailed;
   if (!keeps_inputs(kTool, conversion.inputs(), copies)) return kFailed;
   // What was not understood leaves no pose to write; what a rule finds does.
-  const bool is_possible = !conversion.sink().has_errors();
-  const ExitCode verdict = conversion.report(*scene);
+  const bool is_possible = !loaded->found.has_errors();
+  const ExitCode verdict = conversion.report(*loaded);
   if (verdict == kFailed) return kFailed;
-  if (verdict != kDone && !(is_possible && options.force)) {
-    return conversion.refuse(is_possible ? "has errors; see --force" : "has errors");
-  }
+  // A comment lets a finding pass, but does not tell the pose.
+  if (!is_possible) return conversion.refuse("has errors");
+  if (verdict != kDone && !options.force) return conversion.refuse("has errors; see --force");
   if (!options.explained.empty()) {
-    return explain_instance(*scene, conversion.sources(), options);
+    return explain_instance(loaded->scene, sources, options);
   }
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");
   if (!copy_files(kTool, result.copies, conversion.files(), options.common.limits,

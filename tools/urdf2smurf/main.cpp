@@ -115,22 +115,22 @@ std::string file_name_of(const Options& options, const LinkedModel& model) {
 std::string verify(const LinkedModel& source, const std::string& folder,
                    const std::vector<TextFile>& texts, const ConverterOptions& options,
                    bool source_is_sound) {
-  DiskFiles disk;
-  MemoryFiles files(&disk);
-  for (const TextFile& file : texts) files.add(path::join(folder, file.path), file.text);
-  SourceMap sources;
-  DiagnosticSink sink;
-  LoadContext context{sources, files, sink, {}, options.packages};
-  const LinkedModel result = load_model(path::join(folder, texts.back().path), context);
+  Session session(options.limits);
+  for (const TextFile& file : texts) session.set_text(path::join(folder, file.path), file.text);
+  CheckSettings settings;
+  settings.is_isolated = true;
+  settings.opens_meshes = false;
+  settings.packages = options.packages;
+  LoadedModel written = session.load_model(path::join(folder, texts.back().path), settings);
+  const LinkedModel& result = written.model;
   if (!result.robot) return "the result cannot be read again; this is a defect of this tool";
   const Proof proof = compare_models(source, result);
   if (!proof.holds()) return "the result is another robot: " + proof.difference;
   if (!source_is_sound) return {};
-  lint_model(result, {}, sink);
-  for (const Diagnostic& diagnostic : sink.diagnostics()) {
+  for (const Diagnostic& diagnostic : session.check(written).diagnostics) {
     if (diagnostic.severity != Severity::error) continue;
     // What MARS makes of the URDF is for the author to know, and no fault of what is added to it.
-    if (sources.path(diagnostic.span.source).ends_with(".urdf")) continue;
+    if (written.sources->path(diagnostic.span.source).ends_with(".urdf")) continue;
     return "the result would have an error, which is a defect of this tool: " +
            std::string(diagnostic.rule->id) + " " + diagnostic.message;
   }
@@ -151,24 +151,25 @@ int main(int argc, char** argv) {
   const auto current = current_folder(kTool);
   if (!current) return kFailed;
   Conversion conversion(kTool, options.common);
-  const auto model = conversion.load_model(options.urdf);
-  if (!model) return conversion.fail();
-  if (model->urdf_path.empty() || model->has_main) {
+  auto loaded = conversion.load_model(options.urdf);
+  if (!loaded) return conversion.fail();
+  const LinkedModel& model = loaded->model;
+  if (model.urdf_path.empty() || model.has_main) {
     complain(kTool, "'" + options.urdf + "' is no URDF");
     return kFailed;
   }
   std::optional<xml::Document> srdf;
   if (!options.srdf.empty()) {
-    srdf = conversion.load_xml(options.srdf);
+    srdf = conversion.load_xml(options.srdf, *loaded);
     if (!srdf) return conversion.fail();
   }
 
   const std::string folder = !options.common.output.empty()
                                  ? options.common.output
-                                 : std::string(path::parent(model->urdf_path));
+                                 : std::string(path::parent(model.urdf_path));
   std::vector<TextFile> files;
-  if (model->robot) {
-    const UrdfImport import{.name = file_name_of(options, *model),
+  if (model.robot) {
+    const UrdfImport import{.name = file_name_of(options, model),
                             .output_folder = folder,
                             .current_folder = *current,
                             .layout = options.in_place ? SmurfLayout::in_place
@@ -176,16 +177,16 @@ int main(int argc, char** argv) {
                                                        : SmurfLayout::phobos,
                             .motors = options.motors,
                             .srdf = srdf ? &*srdf : nullptr};
-    files = write_smurf(import_urdf(*model, conversion.sources(), import, conversion.sink()));
+    files = write_smurf(import_urdf(model, *loaded->sources, import, loaded->found));
   }
   std::vector<std::string> outputs;
   for (const TextFile& file : files) outputs.push_back(path::join(folder, file.path));
   if (!options.dry_run && !conversion.keeps_inputs(outputs)) return kFailed;
-  const ExitCode verdict = conversion.report(*model);
+  const ExitCode verdict = conversion.report(*loaded);
   if (verdict == kFailed) return kFailed;
-  if (!model->robot) return kFindings;
+  if (!model.robot) return kFindings;
   if (verdict != kDone && !options.force) return conversion.refuse("has errors; see --force");
-  const std::string problem = verify(*model, folder, files, options.common, verdict == kDone);
+  const std::string problem = verify(model, folder, files, options.common, verdict == kDone);
   if (!problem.empty()) return conversion.refuse(problem);
   if (options.dry_run) {
     std::string names;

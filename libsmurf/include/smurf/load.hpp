@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -36,7 +37,8 @@ struct LoadContext {
   std::vector<std::string> package_folders = {};
   MeshLibrary* meshes = nullptr;         ///< null: meshes are looked up, but not opened
   const UserSchemas* schemas = nullptr;  ///< of the user's own sections and entity types
-  ReadFiles read = {};
+  /// Shared by all that is kept at the same time.
+  std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Everything wrong is reported; what could

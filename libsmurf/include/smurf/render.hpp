@@ -40,10 +40,10 @@ struct ToolName {
 
 /// One diagnostic with source frames, labels, notes and help; ends with an empty line.
 std::string render_full(const Diagnostic& diagnostic, const SourceMap& sources,
-                        const TextStyle& style);
+                        const TextStyle& style = {});
 /// "path:line:col: severity[ID] message (help)" and a line end.
 std::string render_concise(const Diagnostic& diagnostic, const SourceMap& sources,
-                           const TextStyle& style);
+                           const TextStyle& style = {});
 /// "found 1 error and 2 warnings in 3 files (1 model)" and a line end.
 std::string render_summary(const Summary& summary, const TextStyle& style);
 /// Two columns: what becomes of the files in each reader, and the first reason with its place.

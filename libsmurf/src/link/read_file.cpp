@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t kMostRepeated = 16'000'000;
 
 bool has_room(const std::string& path, std::size_t bytes, LoadContext& context) {
-  ReadFiles& read = context.read;
+  ReadFiles& read = *context.read;
   if (read.known.insert(context.files.identity(path)).second) return true;
   read.repeated += bytes;
   return read.repeated <= kMostRepeated;

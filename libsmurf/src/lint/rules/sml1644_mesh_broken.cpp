@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <set>
+#include <vector>
 
 #include "base/limits.hpp"
 #include "lint/mesh_queries.hpp"
@@ -14,8 +15,28 @@ void report(const MeshReference& reference, std::string_view what, Findings& fin
   if (reference.is_texture) diagnostic.severity = Severity::warning;
 }
 
+/// How the reader of files says it.
+bool lies_outside(const MeshFile& file) {
+  return file.status == ReadStatus::denied &&
+         file.reason.find("--allow-outside") != std::string::npos;
+}
+
+/// They may be as they should; all of them have one cause.
+void report_outside(const std::vector<Span>& places, Findings& findings) {
+  if (places.empty()) return;
+  const std::string message =
+      places.size() == 1 ? "the mesh was not looked at: it lies outside of the project"
+                         : std::to_string(places.size()) +
+                               " meshes were not looked at: they lie outside of the project";
+  Diagnostic& diagnostic = findings.report(places.front(), message);
+  diagnostic.severity = Severity::warning;
+  diagnostic.help =
+      "add `--allow-outside` to check " + std::string(places.size() == 1 ? "it" : "them");
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   std::set<const MeshFile*> seen;
+  std::vector<Span> outside;
   for (const MeshReference& reference : model.meshes) {
     const MeshFile* file = reference.file;
     if (file == nullptr || !seen.insert(file).second) continue;
@@ -26,6 +47,8 @@ void check(const LinkedModel& model, Findings& findings) {
                                                                    ", too many to be checked here");
       diagnostic.severity = Severity::warning;
       diagnostic.help = raise_limit("mesh-bytes");
+    } else if (lies_outside(*file)) {
+      outside.push_back(reference.span);
     } else if (file->status != ReadStatus::ok) {
       report(reference, file->reason, findings);
     } else if (facts.bytes == 0) {
@@ -40,6 +63,7 @@ void check(const LinkedModel& model, Findings& findings) {
       report(reference, "it holds no triangle", findings);
     }
   }
+  report_outside(outside, findings);
 }
 
 }  // namespace

@@ -8,17 +8,15 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
-#include <optional>
 #include <thread>
 #include <vector>
 
-namespace smurf::tools {
+namespace smurf {
 
-/// `-j` as given, else what the machine has.
-inline std::size_t count_of_jobs(std::optional<int> jobs) {
-  const unsigned most = jobs ? static_cast<unsigned>(*jobs) : std::thread::hardware_concurrency();
+/// As many as asked for; 0: as many as the machine has.
+inline std::size_t count_of_jobs(unsigned jobs) {
   constexpr unsigned kMost = 256;
-  return std::clamp(most, 1U, kMost);
+  return std::clamp(jobs > 0 ? jobs : std::thread::hardware_concurrency(), 1U, kMost);
 }
 
 /// Calls `work(worker, index)` for every index below `count`, on at most `jobs` threads; `worker`
@@ -52,4 +50,4 @@ inline void for_each_parallel(std::size_t count, std::size_t jobs,
   run(0);
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From paths to findings: what smurf-lint reports, for programs.
+//
+//     smurf::Session session;
+//     const smurf::Report report = session.check("arm.smurf");
+//     for (const smurf::Diagnostic& d : report.diagnostics) {
+//       std::cout << smurf::render_concise(d, session.sources());
+//     }
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/diagnostic.hpp"
+#include "smurf/file_reader.hpp"
+#include "smurf/limits.hpp"
+#include "smurf/linked.hpp"
+#include "smurf/lint.hpp"
+#include "smurf/load.hpp"
+#include "smurf/render.hpp"
+#include "smurf/source.hpp"
+
+namespace smurf {
+
+/// Where ROS keeps packages on this machine: ROS_PACKAGE_PATH, then share/ of AMENT_PREFIX_PATH.
+std::vector<std::string> ros_package_folders();
+
+/// How to check. What is given here comes before what a configuration says.
+struct CheckSettings {
+  std::string config;        ///< a file; "": the nearest one above what is checked
+  bool is_isolated = false;  ///< no configuration is read
+  /// Names that `format` of a configuration may have; empty: any.
+  std::vector<std::string> formats;
+
+  RuleSelection selection;
+  std::map<std::string, std::string> packages;  ///< package:// names to folders
+  std::vector<std::string> package_folders = ros_package_folders();
+  bool opens_meshes = true;
+
+  bool heeds_comments = true;  ///< comments let findings pass
+  bool heeds_baseline = true;  ///< so does the baseline
+  std::string baseline;        ///< a file; "": the one that the configuration names
+  unsigned jobs = 0;           ///< threads; 0: as many as the machine has
+  /// Keep what the next check can use again. Takes memory, and changes no result.
+  bool remembers = true;
+  /// Called with none done first, and then, perhaps by several threads, as files are done.
+  std::function<void(std::size_t done, std::size_t of)> on_progress;
+};
+
+/// A file that is checked with all that it loads, and its configuration.
+struct PlannedFile {
+  std::string path;
+  std::size_t config = 0;  ///< index into Plan::configs
+};
+
+/// Which files are loaded, as what, and by which configuration.
+struct Plan {
+  std::vector<PlannedFile> scenes;
+  std::vector<PlannedFile> models;
+  std::vector<PlannedFile> strays;    ///< .urdf and .yml files: alone, unless a model reads them
+  std::vector<std::string> configs;   ///< files; "": none. The first is that of the first path.
+  std::vector<std::string> problems;  ///< "cannot read 'arm.smurf': No such file or directory"
+};
+
+/// What the configuration of the first path asks of those who show a report.
+struct ReportWishes {
+  std::vector<std::string> formats;                ///< "FORMAT[=FILE]"
+  std::optional<std::optional<Severity>> fail_on;  ///< none inside: never
+  std::optional<int> max_warnings;
+  std::string baseline;  ///< a file; that of the settings first
+};
+
+/// What was found.
+struct Report {
+  std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
+  Summary summary;
+  std::vector<const Reader*> targets;  ///< of the settings and all configurations
+  std::vector<std::string> problems;   ///< of the plan
+  ReportWishes wishes;
+};
+
+struct LoadedWith;
+
+/// What was loaded, and what reading it has found so far. Must not outlive its session, whose
+/// sources of everything that was loaded it points into.
+struct Loaded {
+  const SourceMap* sources = nullptr;
+  DiagnosticSink found;
+  LoadedWith* with = nullptr;  ///< the settings, the configuration and the meshes
+};
+struct LoadedModel : Loaded {
+  LinkedModel model;
+};
+struct LoadedScene : Loaded {
+  LinkedScene scene;
+};
+
+/// Whether a text is a baseline that Session::baseline_of() made.
+bool is_baseline(std::string_view text);
+
+/// What tells whether a file has changed without reading it.
+struct FileStamp {
+  std::string text;         ///< empty: nothing does
+  bool is_settled = false;  ///< false: it may change once more and keep this stamp
+};
+using StampOf = std::function<FileStamp(const std::string& path)>;
+/// By its times and its size.
+FileStamp stamp_on_disk(const std::string& path);
+
+/// Files on the disk, unsaved texts in front of them, and what is known of both from one check to
+/// the next. For one thread; a check uses several.
+class Session {
+ public:
+  /// Reads from the disk.
+  explicit Session(const Limits& limits = {});
+  /// Reads from `files`, which must outlive it. Without stamps, a second check reads all files
+  /// again and compares them.
+  explicit Session(const FileReader& files, const Limits& limits = {}, StampOf stamp_of = {});
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Puts a text in the place of a file, or where there is none.
+  void set_text(const std::string& path, std::string text);
+  void clear_text(const std::string& path);
+
+  /// Checks one file with all that it loads: a .smurf, .smurfs, .smurfa, .svg, .urdf or annotation
+  /// file.
+  Report check(const std::string& path, const CheckSettings& settings = {});
+  /// Checks what is planned: scenes, models that no scene has loaded, and strays that no model has.
+  Report check(const Plan& plan, const CheckSettings& settings = {});
+  /// The texts of the last check, which its findings point into.
+  const SourceMap& sources() const;
+  /// The text of a baseline file at `path` that lets the findings of the last check pass.
+  std::string baseline_of(const Report& report, const std::string& path) const;
+
+  /// Loads a .smurf, a .urdf or an annotation file.
+  LoadedModel load_model(const std::string& path, const CheckSettings& settings = {});
+  /// Loads a scene; a .smurf or .urdf counts as one.
+  LoadedScene load_scene(const std::string& path, const CheckSettings& settings = {});
+  /// The texts of all that was loaded.
+  const SourceMap& loaded_sources() const;
+  /// For what is read besides, into the same sources and findings: an SRDF, scenes of old MARS.
+  LoadContext context_of(Loaded& loaded);
+  /// Checks what was loaded. Findings that are in `loaded.found` are reported with the rest.
+  Report check(LoadedModel& loaded);
+  Report check(LoadedScene& loaded);
+  /// What somebody else has found in it, as a report has it: with the names of the places, under
+  /// the same settings, sorted.
+  std::vector<Diagnostic> finish(const LoadedModel& loaded, std::vector<Diagnostic> found) const;
+  std::vector<Diagnostic> finish(const LoadedScene& loaded, std::vector<Diagnostic> found) const;
+
+  /// The disk or the reader it was made with, archives as folders, and the unsaved texts.
+  const FileReader& files() const;
+  const Limits& limits() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace smurf

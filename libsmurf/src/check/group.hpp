@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The settings over the configurations: what holds in the end.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "smurf/check.hpp"
+#include "smurf/config.hpp"
+
+namespace smurf {
+
+class CanonicalPaths;
+
+/// What holds for the files of one configuration.
+struct CheckGroup {
+  Config config;
+  RuleSelection selection;
+  std::map<std::string, std::string> packages;
+  std::vector<Diagnostic> found;  ///< what is wrong with the configuration
+  CheckSettings settings;
+};
+
+/// The configurations of a check, as Plan::configs.
+using CheckGroups = std::deque<CheckGroup>;
+
+/// Schemas of configurations point into `sources`.
+CheckGroups read_configurations(const std::vector<std::string>& paths,
+                                const CheckSettings& settings, const FileReader& files,
+                                SourceMap& sources);
+/// Fills in what holds for each group. `paths` must outlive the selections.
+void merge(const CheckSettings& settings, const CanonicalPaths& paths, CheckGroups& groups);
+
+/// Those of the group for a whole report.
+ReportWishes wishes_of(const CheckGroup& group);
+
+/// The targets of all groups, each once.
+std::vector<const Reader*> targets_of(const CheckGroups& groups);
+
+/// Whether two checks with these settings find the same in the same files. False when that cannot
+/// be told.
+bool is_same(const CheckSettings& a, const CheckSettings& b);
+
+}  // namespace smurf

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/input_kind.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "base/path.hpp"
+
+namespace smurf {
+
+InputKind input_kind(std::string_view path) {
+  const std::string extension = path::to_lower(path::extension(path));
+  if (extension == ".smurf") return InputKind::model;
+  if (extension == ".smurfs" || extension == ".smurfa") return InputKind::scene;
+  if (extension == ".svg") return InputKind::drawing;
+  if (extension == ".urdf") return InputKind::urdf;
+  if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
+    return InputKind::annotation;
+  }
+  constexpr std::array kResources = {".stl", ".obj", ".dae", ".bobj", ".ply", ".gltf",
+                                     ".glb", ".mtl", ".png", ".jpg",  ".jpeg"};
+  const bool is_resource =
+      std::find(kResources.begin(), kResources.end(), extension) != kResources.end();
+  return is_resource ? InputKind::resource : InputKind::other;
+}
+
+}  // namespace smurf

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/pipeline.hpp"
+
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "base/rules.hpp"
+#include "check/identity.hpp"
+#include "syntax/yaml_reader.hpp"
+
+namespace smurf {
+namespace {
+
+namespace fs = std::filesystem;
+
+void append(std::vector<Diagnostic>&& from, std::vector<Diagnostic>& to) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
+}
+
+template <class Linked>
+Judged take(const Linked& linked, const SourceMap& sources, DiagnosticSink& sink) {
+  Judged judged;
+  judged.comments.add(linked, sources);
+  judged.diagnostics = sink.take();
+  locate(linked, judged.diagnostics);
+  return judged;
+}
+
+/// Paths relative to the folder of a file; a file outside of it starts with "..".
+BaselinePath relative_to_folder_of(const std::string& file) {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(file, error), error).parent_path();
+  return [folder](const std::string& path) {
+    std::error_code failed;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
+    const fs::path relative = whole.lexically_relative(folder);
+    return failed || relative.empty() ? path : relative.generic_string();
+  };
+}
+
+/// What is left under the settings of the group; adds how much comments let pass to `suppressed`.
+std::vector<Diagnostic> settle(Judged&& judged, const CheckGroup& group, const SourceMap& sources,
+                               std::size_t& suppressed) {
+  const RuleSelection& selection = group.selection;
+  std::vector<Diagnostic> found = finish(std::move(judged.diagnostics), sources, selection);
+  if (!group.settings.heeds_comments) return found;
+  const std::size_t before = found.size();
+  const std::size_t count = judged.comments.apply(found, sources, selection);
+  suppressed += count;
+  // What is wrong with the comments comes last, and is all that is not finished yet.
+  const auto about_comments = found.begin() + static_cast<std::ptrdiff_t>(before - count);
+  std::vector<Diagnostic> added(std::make_move_iterator(about_comments),
+                                std::make_move_iterator(found.end()));
+  found.erase(about_comments, found.end());
+  append(finish(std::move(added), sources, selection), found);
+  return found;
+}
+
+/// Takes away what the baseline knows, and returns how much that is; adds what is wrong with it.
+std::size_t apply_baseline(const std::string& path, const CheckGroup& group, const Desk& desk,
+                           SourceMap& sources, std::vector<Diagnostic>& found) {
+  DiagnosticSink sink;
+  const FileContent content = desk.files.read(path, desk.limits.file_bytes);
+  if (content.status != ReadStatus::ok) {
+    const bool is_configured = group.settings.baseline.empty();
+    const Span place =
+        is_configured ? group.config.baseline->span : Span{sources.add_unreadable(path), 0, 0};
+    sink.report(rules::sml9002_wrong_setting, place,
+                "cannot read `" + path + "`: " + content.reason)
+        .help = "write it with `--generate-baseline`";
+    append(finish(sink.take(), sources, group.selection), found);
+    return 0;
+  }
+  Baseline baseline(relative_to_folder_of(path));
+  const SourceId source = sources.add(path, content.text);
+  if (const auto document = parse_yaml(sources, source, desk.limits, sink)) {
+    baseline.read(*document, sink);
+  }
+  const std::size_t count = baseline.apply(found, sources);
+  baseline.report_stale(sources, group.selection, sink);
+  append(finish(sink.take(), sources, group.selection), found);
+  return count;
+}
+
+/// A file that two models share is one file.
+std::size_t count_files(const SourceMap& sources, const Desk& desk) {
+  std::set<std::string> files;
+  for (std::size_t i = desk.first_source; i < sources.size(); ++i) {
+    const SourceId source{static_cast<std::uint32_t>(i)};
+    if (sources.is_readable(source)) files.insert(identity(sources.path(source), desk.paths));
+  }
+  return files.size();
+}
+
+}  // namespace
+
+Judged judge(const LinkedModel& model, const SourceMap& sources, const RuleSelection& selection,
+             DiagnosticSink& sink) {
+  lint_model(model, selection, sink);
+  return take(model, sources, sink);
+}
+
+Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelection& selection,
+             DiagnosticSink& sink) {
+  lint_scene(scene, selection, sink);
+  for (const LinkedModel& model : scene.models) lint_model(model, selection, sink);
+  return take(scene, sources, sink);
+}
+
+std::vector<Diagnostic> finish_others(const LinkedModel& model, std::vector<Diagnostic> found,
+                                      const SourceMap& sources, const RuleSelection& selection) {
+  locate(model, found);
+  return finish(std::move(found), sources, selection);
+}
+
+std::vector<Diagnostic> finish_others(const LinkedScene& scene, std::vector<Diagnostic> found,
+                                      const SourceMap& sources, const RuleSelection& selection) {
+  locate(scene, found);
+  return finish(std::move(found), sources, selection);
+}
+
+Report make_report(std::vector<Judged>&& found, const CheckGroups& groups, const Desk& desk,
+                   SourceMap& sources) {
+  Report report;
+  const CheckGroup& first = groups.front();
+  std::vector<Diagnostic>& all = report.diagnostics;
+  std::size_t suppressed = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const CheckGroup& group = groups[i];
+    Judged& judged = found[i];
+    judged.diagnostics.insert(judged.diagnostics.begin(), group.found.begin(), group.found.end());
+    append(settle(std::move(judged), group, sources, suppressed), all);
+  }
+  sort_findings(all, sources);
+  report.wishes = wishes_of(first);
+  const std::string& baseline = report.wishes.baseline;
+  if (first.settings.heeds_baseline && !baseline.empty()) {
+    suppressed += apply_baseline(baseline, first, desk, sources, all);
+    sort_findings(all, sources);
+  }
+  report.summary = summarize(all);
+  report.summary.suppressed = suppressed;
+  report.summary.files = count_files(sources, desk);
+  report.targets = targets_of(groups);
+  return report;
+}
+
+bool is_baseline(std::string_view text) { return Baseline::is_written(text); }
+
+std::string write_baseline(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
+                           const std::string& path) {
+  return Baseline(relative_to_folder_of(path)).write(diagnostics, sources);
+}
+
+}  // namespace smurf

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check/run.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <utility>
+
+#include "base/path.hpp"
+#include "check/identity.hpp"
+#include "check/input_kind.hpp"
+#include "check/parallel.hpp"
+
+namespace smurf {
+namespace {
+
+void append(std::vector<Diagnostic>&& from, std::vector<Diagnostic>& to) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
+}
+
+void shift(Diagnostic& diagnostic, const SourceShift& by) {
+  diagnostic.span = by(diagnostic.span);
+  for (Label& label : diagnostic.labels) label.span = by(label.span);
+  for (Fix& fix : diagnostic.fixes) {
+    for (Edit& edit : fix.edits) edit.span = by(edit.span);
+  }
+}
+
+/// Whether a question was about a text that is a source, and about nothing else: meshes are then
+/// as they were when its answer is another one.
+bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
+                  const SourceMap& sources) {
+  if (question.kind != Recorder::Kind::content) return false;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    count +=
+        sources.path(SourceId{static_cast<std::uint32_t>(i)}) == path::normalize(question.path);
+  }
+  return count == answer.count;
+}
+
+class Run {
+ public:
+  Run(const CheckSettings& settings, const Workshop& workshop, SourceMap& sources)
+      : settings_(settings),
+        workshop_(workshop),
+        memory_(workshop.memory),
+        sources_(sources),
+        jobs_(count_of_jobs(settings.jobs)),
+        shared_meshes_(jobs_) {}
+
+  void configure(std::vector<std::string> configs) {
+    if (configs.empty()) configs.emplace_back();
+    if (!can_keep_configurations(configs)) read_configurations(configs);
+    merge(settings_, workshop_.desk.paths, memory_.groups);
+    sources_ = memory_.sources;
+    found_.resize(configs.size());
+  }
+
+  void check_all(const std::vector<PlannedFile>& planned) {
+    std::vector<const PlannedFile*> left;
+    for (const PlannedFile& file : planned) {
+      if (read_.contains(identity(file.path, workshop_.desk.paths))) {
+        advance();
+      } else {
+        left.push_back(&file);
+      }
+    }
+    std::vector<Outcome> outcomes(left.size());
+    for_each_parallel(left.size(), jobs_, [&](std::size_t worker, std::size_t i) {
+      outcomes[i] = check(*left[i], shared_meshes_[worker]);
+      advance();
+    });
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      if (!is_remembering()) {
+        take(std::move(outcomes[i]), left[i]->config);
+        continue;
+      }
+      Outcome& kept = memory_.outcomes[left[i]->path] = std::move(outcomes[i]);
+      used_.insert(left[i]->path);
+      Outcome copy;
+      copy.sources = kept.sources;
+      copy.judged = kept.judged;
+      copy.models = kept.models;
+      copy.scenes = kept.scenes;
+      copy.read = kept.read;
+      take(std::move(copy), left[i]->config);
+    }
+  }
+
+  Report finish(const Plan& plan) {
+    std::erase_if(memory_.outcomes, [&](const auto& one) { return !used_.contains(one.first); });
+    Report report = make_report(std::move(found_), memory_.groups, workshop_.desk, sources_);
+    report.summary.models = models_.size();
+    report.summary.scenes = scenes_.size();
+    report.problems = plan.problems;
+    return report;
+  }
+
+  /// So many files will be asked for.
+  void expect(std::size_t files) {
+    expected_ = files;
+    if (settings_.on_progress) settings_.on_progress(0, expected_);
+  }
+
+ private:
+  bool is_remembering() const { return workshop_.snapshot != nullptr; }
+
+  void advance() {
+    const std::size_t done = ++done_;
+    if (settings_.on_progress) settings_.on_progress(done, expected_);
+  }
+
+  bool can_keep_configurations(const std::vector<std::string>& configs) const {
+    return is_remembering() && !memory_.is_empty && memory_.configs == configs &&
+           is_same(memory_.settings, settings_) &&
+           is_unchanged(memory_.answers, *workshop_.snapshot);
+  }
+
+  void read_configurations(const std::vector<std::string>& configs) {
+    memory_ = {};
+    memory_.is_empty = !is_remembering();
+    memory_.configs = configs;
+    memory_.settings = settings_;
+    if (is_remembering()) {
+      Recorder recorder(*workshop_.snapshot);
+      memory_.groups = smurf::read_configurations(configs, settings_, recorder, memory_.sources);
+      memory_.answers = recorder.take();
+    } else {
+      memory_.groups =
+          smurf::read_configurations(configs, settings_, workshop_.desk.files, memory_.sources);
+    }
+  }
+
+  /// Called by several threads.
+  Outcome check(const PlannedFile& planned, MeshLibrary& shared_meshes) {
+    Outcome outcome;
+    if (!is_remembering()) {
+      load(planned, workshop_.desk.files, shared_meshes, outcome);
+      return outcome;
+    }
+    const auto known = memory_.outcomes.find(planned.path);
+    if (known != memory_.outcomes.end() && known->second.config == planned.config) {
+      if (is_unchanged(known->second.answers, *workshop_.snapshot)) {
+        return std::move(known->second);
+      }
+      keep_meshes(std::move(known->second), outcome);
+    }
+    Recorder recorder(*workshop_.snapshot);
+    load(planned, recorder, outcome.meshes, outcome);
+    outcome.answers.merge(recorder.take());
+    outcome.config = planned.config;
+    return outcome;
+  }
+
+  /// The meshes, with all that they depend on, when only texts have changed.
+  void keep_meshes(Outcome&& known, Outcome& outcome) const {
+    std::erase_if(known.answers, [&](const auto& one) {
+      return is_of_source(one.first, one.second, known.sources);
+    });
+    if (!is_unchanged(known.answers, *workshop_.snapshot)) return;
+    outcome.meshes = std::move(known.meshes);
+    outcome.answers = std::move(known.answers);
+  }
+
+  void load(const PlannedFile& planned, const FileReader& files, MeshLibrary& meshes,
+            Outcome& outcome) const {
+    const CheckGroup& group = memory_.groups[planned.config];
+    outcome.sources = memory_.sources;
+    const Limits& limits = workshop_.desk.limits;
+    DiagnosticSink sink(limits.findings, limits.suggestions);
+    LoadContext context{outcome.sources,
+                        files,
+                        sink,
+                        workshop_.desk.limits,
+                        group.packages,
+                        settings_.package_folders,
+                        settings_.opens_meshes ? &meshes : nullptr,
+                        &group.config.schemas};
+    const InputKind kind = input_kind(planned.path);
+    if (kind == InputKind::scene || kind == InputKind::drawing) {
+      const LinkedScene scene = load_scene(planned.path, context);
+      outcome.judged = judge(scene, outcome.sources, group.selection, sink);
+      for (const LinkedModel& model : scene.models) note_files(model, outcome);
+      for (const SceneFile& file : scene.scenes) {
+        outcome.scenes.insert(identity(file.path, workshop_.desk.paths));
+      }
+    } else {
+      const LinkedModel model = load_model(planned.path, context);
+      outcome.judged = judge(model, outcome.sources, group.selection, sink);
+      note_files(model, outcome);
+    }
+  }
+
+  void note_files(const LinkedModel& model, Outcome& outcome) const {
+    outcome.models.insert(identity(model.path, workshop_.desk.paths));
+    outcome.read.insert(identity(model.path, workshop_.desk.paths));
+    for (const ModelFile& file : model.files) {
+      outcome.read.insert(identity(outcome.sources.path(file.source), workshop_.desk.paths));
+    }
+  }
+
+  void take(Outcome&& outcome, std::size_t config) {
+    const std::size_t common = memory_.sources.size();
+    const SourceShift by = sources_.take(std::move(outcome.sources), common);
+    for (Diagnostic& diagnostic : outcome.judged.diagnostics) shift(diagnostic, by);
+    append(std::move(outcome.judged.diagnostics), found_[config].diagnostics);
+    found_[config].comments.take(std::move(outcome.judged.comments), by);
+    models_.merge(outcome.models);
+    scenes_.merge(outcome.scenes);
+    read_.merge(outcome.read);
+  }
+
+  const CheckSettings& settings_;
+  const Workshop& workshop_;
+  Memory& memory_;
+  SourceMap& sources_;
+  const std::size_t jobs_;
+  std::vector<MeshLibrary> shared_meshes_;        ///< of each thread, when nothing is kept
+  std::vector<Judged> found_;                     ///< by configuration
+  std::set<std::string> models_, scenes_, read_;  ///< by identity
+  std::set<std::string> used_;                    ///< of the outcomes in the memory
+  std::atomic<std::size_t> done_ = 0;
+  std::size_t expected_ = 0;
+};
+
+}  // namespace
+
+Report run_check(const Plan& plan, const CheckSettings& settings, const Workshop& workshop,
+                 SourceMap& sources) {
+  Run run(settings, workshop, sources);
+  run.configure(plan.configs);
+  run.expect(plan.scenes.size() + plan.models.size() + plan.strays.size());
+  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) run.check_all(*planned);
+  return run.finish(plan);
+}
+
+}  // namespace smurf

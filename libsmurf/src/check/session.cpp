@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <ctime>
+#include <deque>
+#include <memory>
+#include <utility>
+
+#include "base/path.hpp"
+#include "check/find_config.hpp"
+#include "check/group.hpp"
+#include "check/input_kind.hpp"
+#include "check/pipeline.hpp"
+#include "check/run.hpp"
+#include "check/snapshot.hpp"
+#include "smurf/archive_files.hpp"
+#include "smurf/check.hpp"
+
+namespace smurf {
+namespace {
+
+/// The entries of a list such as PATH, each followed by `suffix`.
+void append_entries(const char* variable, std::string_view suffix, std::vector<std::string>& to) {
+  const char* value = std::getenv(variable);
+  std::string_view rest = value == nullptr ? "" : value;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    if (end > 0) to.push_back(path::join(rest.substr(0, end), suffix));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+}
+
+std::string text_of(const struct timespec& time) {
+  return std::to_string(time.tv_sec) + "." + std::to_string(time.tv_nsec);
+}
+
+bool is_readable(const std::string& path, const FileReader& files) {
+  const ReadStatus status = files.read(path, 0).status;  // nothing of the content is wanted
+  return status == ReadStatus::ok || status == ReadStatus::too_large;
+}
+
+/// The configuration for a file. One that was only found, and cannot be read, is none.
+std::string config_for(const std::string& path, const CheckSettings& settings,
+                       const FileReader& files) {
+  std::string config = find_config(path, settings, files);
+  const bool is_found = settings.config.empty() && !config.empty();
+  if (is_found && !is_readable(config, files)) config.clear();
+  return config;
+}
+
+}  // namespace
+
+FileStamp stamp_on_disk(const std::string& path) {
+  // One that was written just now may be written again within the resolution of its times.
+  constexpr std::time_t kResolution = 2;  // s
+  struct stat status {};
+  if (path.find('\0') != std::string::npos || ::stat(path.c_str(), &status) != 0) {
+    return {"missing " + std::to_string(errno), true};
+  }
+  std::string text = text_of(status.st_mtim) + " " + text_of(status.st_ctim);
+  for (const auto number :
+       {static_cast<std::uint64_t>(status.st_size), static_cast<std::uint64_t>(status.st_ino),
+        static_cast<std::uint64_t>(status.st_dev), static_cast<std::uint64_t>(status.st_mode)}) {
+    text += " " + std::to_string(number);
+  }
+  const std::time_t last = std::max(status.st_mtim.tv_sec, status.st_ctim.tv_sec);
+  return {std::move(text), std::time(nullptr) - last >= kResolution};
+}
+
+std::vector<std::string> ros_package_folders() {
+  std::vector<std::string> folders;
+  append_entries("ROS_PACKAGE_PATH", ".", folders);
+  append_entries("AMENT_PREFIX_PATH", "share", folders);
+  return folders;
+}
+
+struct LoadedWith {
+  CheckGroups groups;  ///< one
+  MeshLibrary meshes;
+  std::size_t first_source = 0;
+
+  const CheckGroup& group() const { return groups.front(); }
+};
+
+struct Session::State {
+  State(const FileReader* given, const Limits& of_user, StampOf stamps)
+      : limits(of_user), base(given == nullptr ? disk : *given), stamp_of_file(std::move(stamps)) {
+    open();
+  }
+
+  /// Archives are unpacked and links followed anew.
+  void open() {
+    archives.emplace(base, limits);
+    files.emplace(&*archives);
+    for (const auto& [path, text] : texts) files->add(path, text.first);
+    paths.emplace();
+  }
+
+  FileStamp stamp_of(const std::string& path) const {
+    const auto text = texts.find(path::normalize(path));
+    if (text != texts.end()) return {"text " + std::to_string(text->second.second), true};
+    return stamp_of_file && !is_in_archive(path) ? stamp_of_file(path) : FileStamp{};
+  }
+
+  Desk desk(std::size_t first_source = 0) const { return {*files, limits, *paths, first_source}; }
+
+  /// Where a model or scene is loaded.
+  Loaded prepare(const std::string& path, const CheckSettings& settings) {
+    open();
+    LoadedWith& with = loaded_with.emplace_back();
+    with.first_source = loaded_sources.size();
+    with.groups =
+        read_configurations({config_for(path, settings, *files)}, settings, *files, loaded_sources);
+    merge(settings, *paths, with.groups);
+    return {&loaded_sources, DiagnosticSink(limits.findings, limits.suggestions), &with};
+  }
+
+  Report report(Judged&& judged, Loaded& loaded) {
+    std::vector<Judged> found;
+    found.push_back(std::move(judged));
+    return make_report(std::move(found), loaded.with->groups, desk(loaded.with->first_source),
+                       loaded_sources);
+  }
+
+  Limits limits;
+  DiskFiles disk;
+  const FileReader& base;
+  StampOf stamp_of_file;
+  std::optional<ArchiveFiles> archives;
+  std::optional<MemoryFiles> files;
+  std::optional<CanonicalPaths> paths;
+  std::map<std::string, std::pair<std::string, std::uint64_t>> texts;  ///< with their numbers
+  std::uint64_t last_text = 0;
+
+  std::optional<Snapshot> snapshot;
+  Memory memory;
+  SourceMap sources;  ///< of the last check
+  SourceMap loaded_sources;
+  std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();  ///< into loaded_sources
+  std::deque<LoadedWith> loaded_with;
+};
+
+Session::Session(const Limits& limits)
+    : state_(std::make_unique<State>(nullptr, limits, stamp_on_disk)) {}
+Session::Session(const FileReader& files, const Limits& limits, StampOf stamp_of)
+    : state_(std::make_unique<State>(&files, limits, std::move(stamp_of))) {}
+Session::~Session() = default;
+
+void Session::set_text(const std::string& path, std::string text) {
+  const std::string name = path::normalize(path);
+  state_->files->add(name, text);
+  state_->texts[name] = {std::move(text), ++state_->last_text};
+}
+
+void Session::clear_text(const std::string& path) {
+  if (state_->texts.erase(path::normalize(path)) > 0) state_->open();
+}
+
+Report Session::check(const Plan& plan, const CheckSettings& settings) {
+  State& state = *state_;
+  state.open();
+  if (!settings.remembers) {
+    state.snapshot.reset();
+    state.memory = {};
+  } else if (!state.snapshot) {
+    state.snapshot.emplace(*state.files,
+                           [&state](const std::string& path) { return state.stamp_of(path); });
+  } else {
+    state.snapshot->begin();
+  }
+  const Workshop workshop{state.desk(), state.snapshot ? &*state.snapshot : nullptr, state.memory};
+  return run_check(plan, settings, workshop, state.sources);
+}
+
+Report Session::check(const std::string& path, const CheckSettings& settings) {
+  state_->open();
+  Plan plan;
+  if (!is_readable(path, *state_->files)) {
+    const std::string reason = state_->files->read(path, 0).reason;
+    plan.problems.push_back("cannot read '" + path + "': " + reason);
+    return check(plan, settings);
+  }
+  plan.configs.push_back(config_for(path, settings, *state_->files));
+  const InputKind kind = input_kind(path);
+  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
+  (is_scene ? plan.scenes : plan.models).push_back({path, 0});
+  return check(plan, settings);
+}
+
+const SourceMap& Session::sources() const { return state_->sources; }
+
+std::string Session::baseline_of(const Report& report, const std::string& path) const {
+  return write_baseline(report.diagnostics, state_->sources, path);
+}
+
+const SourceMap& Session::loaded_sources() const { return state_->loaded_sources; }
+
+LoadContext Session::context_of(Loaded& loaded) {
+  LoadedWith& with = *loaded.with;
+  const CheckGroup& group = with.group();
+  return {state_->loaded_sources,
+          *state_->files,
+          loaded.found,
+          state_->limits,
+          group.packages,
+          group.settings.package_folders,
+          group.settings.opens_meshes ? &with.meshes : nullptr,
+          &group.config.schemas,
+          state_->read};
+}
+
+LoadedModel Session::load_model(const std::string& path, const CheckSettings& settings) {
+  LoadedModel loaded{state_->prepare(path, settings), {}};
+  LoadContext context = context_of(loaded);
+  loaded.model = smurf::load_model(path, context);
+  return loaded;
+}
+
+LoadedScene Session::load_scene(const std::string& path, const CheckSettings& settings) {
+  LoadedScene loaded{state_->prepare(path, settings), {}};
+  LoadContext context = context_of(loaded);
+  loaded.scene = smurf::load_scene(path, context);
+  return loaded;
+}
+
+Report Session::check(LoadedModel& loaded) {
+  const RuleSelection& selection = loaded.with->group().selection;
+  Report report =
+      state_->report(judge(loaded.model, *loaded.sources, selection, loaded.found), loaded);
+  report.summary.models = 1;
+  return report;
+}
+
+Report Session::check(LoadedScene& loaded) {
+  const RuleSelection& selection = loaded.with->group().selection;
+  Report report =
+      state_->report(judge(loaded.scene, *loaded.sources, selection, loaded.found), loaded);
+  report.summary.models = loaded.scene.models.size();
+  report.summary.scenes = loaded.scene.scenes.size();
+  return report;
+}
+
+std::vector<Diagnostic> Session::finish(const LoadedModel& loaded,
+                                        std::vector<Diagnostic> found) const {
+  return finish_others(loaded.model, std::move(found), *loaded.sources,
+                       loaded.with->group().selection);
+}
+
+std::vector<Diagnostic> Session::finish(const LoadedScene& loaded,
+                                        std::vector<Diagnostic> found) const {
+  return finish_others(loaded.scene, std::move(found), *loaded.sources,
+                       loaded.with->group().selection);
+}
+
+const FileReader& Session::files() const { return *state_->files; }
+const Limits& Session::limits() const { return state_->limits; }
+
+}  // namespace smurf

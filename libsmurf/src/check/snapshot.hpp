@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files as one check sees them, with their versions; and notes of what a part of the check asked.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "smurf/check.hpp"
+#include "smurf/file_reader.hpp"
+
+namespace smurf {
+
+/// Keeps the texts that were read, so that a later check reads again only what has changed. May be
+/// used by several threads.
+class Snapshot final : public FileReader {
+ public:
+  Snapshot(const FileReader& files, StampOf stamp_of)
+      : files_(files), stamp_of_(std::move(stamp_of)) {}
+
+  /// From here on every file is asked about again.
+  void begin() { ++round_; }
+
+  FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
+  bool is_file(const std::string& path) const override { return files_.is_file(path); }
+  std::vector<std::string> list(const std::string& folder) const override {
+    return files_.list(folder);
+  }
+  bool is_denied(const std::string& path) const override { return files_.is_denied(path); }
+  std::string identity(const std::string& path) const override { return files_.identity(path); }
+  /// Another one whenever the content may be another one.
+  std::uint64_t version(const std::string& path) const;
+
+ private:
+  struct Known {
+    FileStamp stamp;
+    std::uint64_t version = 0;
+    std::uint64_t round = 0;             ///< in which it was last asked about
+    std::optional<FileContent> content;  ///< none when it is too large to be kept
+  };
+  Known& know(const std::string& path) const;
+  /// The version stays when the content does.
+  void compare(const std::string& path, Known& known) const;
+  void keep(FileContent content, Known& known) const;
+
+  const FileReader& files_;
+  StampOf stamp_of_;
+  std::uint64_t round_ = 0;
+  mutable std::mutex mutex_;
+  mutable std::map<std::string, Known> known_;
+  mutable std::uint64_t kept_bytes_ = 0;
+  mutable std::uint64_t last_version_ = 0;
+};
+
+/// What was asked of files, and the answers: as long as they stay, so does whatever was made of
+/// them. For one thread.
+class Recorder final : public FileReader {
+ public:
+  enum class Kind : std::uint8_t { content, is_file, list, is_denied, identity };
+  struct Question {
+    Kind kind;
+    std::string path;
+    friend auto operator<=>(const Question&, const Question&) = default;
+  };
+  struct Answer {
+    std::string text;
+    std::size_t count = 0;  ///< how often it was asked
+  };
+  using Answers = std::map<Question, Answer>;
+
+  explicit Recorder(const Snapshot& files) : files_(files) {}
+
+  FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
+  bool is_file(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override;
+  bool is_denied(const std::string& path) const override;
+  std::string identity(const std::string& path) const override;
+
+  Answers take() { return std::move(answers_); }
+
+ private:
+  void note(Kind kind, const std::string& path, std::string text) const;
+
+  const Snapshot& files_;
+  mutable Answers answers_;
+};
+
+/// Whether these questions have the same answers now.
+bool is_unchanged(const Recorder::Answers& answers, const Snapshot& files);
+
+}  // namespace smurf

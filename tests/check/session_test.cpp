@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sessions: what they find, what a second check finds, and what it reads for that.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "smurf/check.hpp"
+#include "smurf/render.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/random.hpp"
+
+namespace fs = std::filesystem;
+using namespace smurf;
+using test::Random;
+using test::TemporaryFolder;
+
+namespace {
+
+const fs::path kFixtures = SMURF_FIXTURES;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void write(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/// Counts what is read of other files.
+class CountingFiles final : public FileReader {
+ public:
+  explicit CountingFiles(const FileReader& files) : files_(files) {}
+
+  FileContent read(const std::string& path, std::uint64_t max_bytes) const override {
+    read_.push_back(path);
+    return files_.read(path, max_bytes);
+  }
+  bool is_file(const std::string& path) const override { return files_.is_file(path); }
+  std::vector<std::string> list(const std::string& folder) const override {
+    return files_.list(folder);
+  }
+  std::vector<std::string> take() { return std::exchange(read_, {}); }
+
+ private:
+  const FileReader& files_;
+  mutable std::vector<std::string> read_;
+};
+
+/// All that a report says.
+std::string text_of(const Report& report, const SourceMap& sources) {
+  std::string text;
+  for (const Diagnostic& one : report.diagnostics) text += render_full(one, sources, {});
+  return text + render_json(report.diagnostics, sources, report.summary, {"test", "0"}) +
+         std::to_string(report.summary.suppressed);
+}
+
+Plan plan_of(const std::vector<std::string>& paths, const std::string& config = {}) {
+  Plan plan;
+  plan.configs.push_back(config);
+  for (const std::string& path : paths) {
+    (path.ends_with(".smurfs") ? plan.scenes : plan.models).push_back({path, 0});
+  }
+  return plan;
+}
+
+std::string check(Session& session, const Plan& plan, const CheckSettings& settings = {}) {
+  const Report report = session.check(plan, settings);
+  return text_of(report, session.sources());
+}
+
+/// Texts as people break them: a line that is gone, doubled or cut, a digit, a name.
+std::string edited(std::string text, Random& random) {
+  if (text.empty()) return "a: 1\n";
+  const std::size_t at = random.below(text.size());
+  const std::size_t begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+  const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
+  switch (random.below(5)) {
+  case 0: return text.erase(begin, end - begin);
+  case 1: return text.insert(begin, text.substr(begin, end - begin));
+  case 2: return text.erase(at, 1);
+  case 3: return text.replace(at, 1, 1, static_cast<char>('0' + random.below(10)));
+  default: return text.insert(begin, "# smurf-lint: ignore[SML31] because\n");
+  }
+}
+
+constexpr const char* kUrdf =
+    "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"revolute\">"
+    "<parent link=\"a\"/><child link=\"b\"/><limit lower=\"2\" upper=\"1\" effort=\"1\" "
+    "velocity=\"1\"/></joint></robot>\n";
+
+}  // namespace
+
+TEST_CASE("six lines check a model") {
+  Session session;
+  const Report report =
+      session.check((kFixtures / "rules/SML3101-unknown-joint/bad/model.smurf").string());
+  REQUIRE(!report.diagnostics.empty());
+  for (const Diagnostic& one : report.diagnostics) CHECK(one.rule->id == "SML3101");
+  CHECK(render_concise(report.diagnostics[0], session.sources()).find("SML3101") !=
+        std::string::npos);
+  CHECK(report.summary.models == 1);
+}
+
+TEST_CASE("a path that cannot be checked is a problem, not a finding") {
+  Session session;
+  const Report report = session.check("/nowhere/arm.smurf");
+  CHECK(report.diagnostics.empty());
+  REQUIRE(report.problems.size() == 1);
+  CHECK(report.problems[0] == "cannot read '/nowhere/arm.smurf': No such file or directory");
+}
+
+TEST_CASE("targets are applied once") {
+  MemoryFiles files;
+  files.add("/r.urdf", kUrdf);
+  CheckSettings settings;
+  settings.selection.targets = {find_target("ros"), find_target("mujoco")};
+  CheckSettings without_comments = settings;
+  without_comments.heeds_comments = false;
+  Session session(files);
+  const Report with = session.check(plan_of({"/r.urdf"}), settings);
+  REQUIRE(!with.diagnostics.empty());
+  for (const Diagnostic& one : with.diagnostics) {
+    CHECK(std::set<std::string>(one.notes.begin(), one.notes.end()).size() == one.notes.size());
+  }
+  const std::string text = text_of(with, session.sources());
+  CHECK(text == check(session, plan_of({"/r.urdf"}), without_comments));
+}
+
+TEST_CASE("unsaved texts stand in front of files") {
+  const TemporaryFolder folder;
+  const std::string urdf = folder / "r.urdf";
+  write(urdf, "<robot name=\"r\"><link name=\"a\"/></robot>\n");
+  const Plan plan = plan_of({urdf});
+  Session session;
+  CHECK(session.check(plan).diagnostics.empty());
+  session.set_text(urdf, "<robot name=\"r\"><link name=\"a\"/><link name=\"a\"/></robot>\n");
+  CHECK(session.check(plan).diagnostics.size() == 1);
+  session.clear_text(urdf);
+  CHECK(session.check(plan).diagnostics.empty());
+}
+
+TEST_CASE("what a converter loads is checked as by its path") {
+  for (const char* name : {"rules/SML3101-unknown-joint/bad/model.smurf",
+                           "rules/SML9103-unused-suppression/bad/model.smurf",
+                           "rules/SML5016-degrees-like-radians/bad/scene.smurfs"}) {
+    const std::string path = (kFixtures / name).string();
+    if (!fs::exists(path)) continue;
+    CAPTURE(path);
+    Session session;
+    const std::string whole = check(session, plan_of({path}));
+    Session other;
+    if (path.ends_with(".smurfs")) {
+      LoadedScene loaded = other.load_scene(path);
+      const Report report = other.check(loaded);
+      CHECK(text_of(report, *loaded.sources) == whole);
+    } else {
+      LoadedModel loaded = other.load_model(path);
+      const Report report = other.check(loaded);
+      CHECK(text_of(report, *loaded.sources) == whole);
+    }
+  }
+}
+
+TEST_CASE("a second check reads only what has changed") {
+  const TemporaryFolder folder;
+  for (const char* name : {"one", "two"}) {
+    fs::copy(kFixtures / "models/arm", fs::path(folder / name), fs::copy_options::recursive);
+  }
+  const DiskFiles disk;
+  CountingFiles files(disk);
+  // The files are as new as the test; that they change once more would be seen by their size.
+  Session session(files, {}, [](const std::string& path) {
+    return FileStamp{stamp_on_disk(path).text, true};
+  });
+  const Plan plan = plan_of({folder / "one/smurf/arm.smurf", folder / "two/smurf/arm.smurf"});
+  const std::string first = check(session, plan);
+  CHECK(files.take().size() >= 34);
+  CHECK(check(session, plan) == first);
+  CHECK(files.take().empty());
+
+  const std::string motors = folder / "one/smurf/arm_motors.yml";
+  session.set_text(motors, read(motors) + "- {name: m, type: PID, joint: nowhere}\n");
+  CHECK(check(session, plan) != first);
+  CHECK(files.take().empty());  // the text is in memory
+
+  session.clear_text(motors);
+  write(motors, read(motors) + "# A remark.\n");
+  check(session, plan);
+  CHECK(files.take() == std::vector<std::string>{motors});
+
+  const std::string mesh = folder / "two/meshes/forearm.obj";
+  write(mesh, read(mesh) + "v 0 0 9\n");
+  check(session, plan);
+  const std::vector<std::string> read_again = files.take();
+  CHECK(std::count(read_again.begin(), read_again.end(), mesh) == 1);
+  CHECK(std::none_of(read_again.begin(), read_again.end(),
+                     [&](const std::string& path) { return path.ends_with(".yml"); }));
+}
+
+TEST_CASE("after random edits a check finds what a new session finds") {
+  const TemporaryFolder folder;
+  fs::copy(kFixtures / "models/arm", fs::path(folder / "arm"), fs::copy_options::recursive);
+  fs::copy(kFixtures / "models/arm_phobos2", fs::path(folder / "two"), fs::copy_options::recursive);
+  write(folder / "cell.smurfs",
+        "smurfs:\n- {name: one, type: smurf, file: arm/smurf/arm.smurf, anchor: world}\n");
+  write(folder / ".smurf-lint.yaml", "ignore: [SML1525]\n");
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / ".")) {
+    if (entry.is_regular_file()) files.push_back(entry.path().lexically_normal().string());
+  }
+  std::sort(files.begin(), files.end());
+  const Plan paths = plan_of(
+      {folder / "cell.smurfs", folder / "arm/smurf/arm.smurf", folder / "two/smurf/arm.smurf"},
+      folder / ".smurf-lint.yaml");
+  Random random;
+  Session session;
+  std::map<std::string, std::string> unsaved;
+  std::set<std::string> seen;
+  for (int round = 0; round < 100; ++round) {
+    const std::string& file = files[random.below(files.size())];
+    const auto known = unsaved.find(file);
+    const std::string now = edited(known != unsaved.end() ? known->second : read(file), random);
+    if (random.one_in(4)) {
+      write(file, now);
+    } else if (random.one_in(4)) {
+      session.clear_text(file);
+      unsaved.erase(file);
+    } else {
+      session.set_text(file, now);
+      unsaved[file] = now;
+    }
+    CAPTURE(test::seed());
+    CAPTURE(round);
+    CAPTURE(file);
+    Session fresh;
+    for (const auto& [path, text] : unsaved) fresh.set_text(path, text);
+    const std::string expected = check(fresh, paths);
+    REQUIRE(check(session, paths) == expected);
+    seen.insert(expected);
+  }
+  CHECK(seen.size() > 30);
+}
