@@ -58,11 +58,24 @@ def obj():
         "".join("f " + " ".join(str(i + 1) for i in face) + "\n" for face in FACES)
 
 
+# A triangle; neither previews nor OpenUSD show COLLADA.
+DAE = """<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>
+<accessor source="#a" count="3" stride="3"/></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
+"""
+
+
 class PreviewTest(reader.ReaderTest):
     def write_meshes(self):
         """Four visuals with meshes, two of them with one file, and one with what is not read."""
         files = {"wedge.stl": binary_stl(), "text.stl": ascii_stl(), "wedge.obj": obj(),
-                 "part.dae": "<COLLADA/>"}
+                 "part.dae": DAE}
         for name, content in files.items():
             self.write("meshes/" + name, content)
         visuals = [("wedge.stl", "1 1 1"), ("wedge.stl", "0.5 -2 3"), ("text.stl", "1 1 1"),

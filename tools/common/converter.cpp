@@ -90,11 +90,6 @@ std::optional<xml::Document> Conversion::load_xml(const std::string& path, Loade
   return document;
 }
 
-OldScenes Conversion::load_old_scenes(LoadedScene& loaded) {
-  LoadContext loading = session_.context_of(loaded);
-  return smurf::load_old_scenes(loaded.scene, loading);
-}
-
 ExitCode Conversion::write_reports(Report report) {
   std::vector<Diagnostic>& diagnostics = report.diagnostics;
   if (options_.quiet) {

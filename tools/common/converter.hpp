@@ -46,7 +46,6 @@ class Conversion {
   std::optional<LoadedScene> load_scene(const std::string& path);
   /// A file beside the model.
   std::optional<xml::Document> load_xml(const std::string& path, Loaded& beside);
-  OldScenes load_old_scenes(LoadedScene& loaded);
 
   /// Checks and reports. kFindings when the result is to be refused: there is an error, or
   /// something else that reaches the threshold.

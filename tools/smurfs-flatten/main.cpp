@@ -221,9 +221,8 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
     documented_poses = scene.joint_poses;
     apply_dialect(*dialect, scene, loaded.found);
   }
-  const OldScenes old_scenes = conversion.load_old_scenes(loaded);
   FlattenOptions flattening = flatten_options(options, current);
-  flattening.old_scenes = &old_scenes;
+  flattening.old_scenes = &loaded.old_scenes;
   flattening.repeats_models = format.repeats_models;
   if (!check_scene_size(scene, *loaded.sources, flattening, options.common.limits, loaded.found)) {
     return {};

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // urdf2smurf: a SMURF model around a URDF, checked before it is written.
+#include <algorithm>
+
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
@@ -115,7 +117,12 @@ std::string file_name_of(const Options& options, const LinkedModel& model) {
 std::string verify(const LinkedModel& source, const std::string& folder,
                    const std::vector<TextFile>& texts, const ConverterOptions& options,
                    bool source_is_sound) {
-  Session session(options.limits);
+  // The result may be larger than what it was made of, and it is the user's own.
+  Limits limits = options.limits;
+  for (const LimitInfo& info : kLimits) {
+    limits.*info.value = std::max(limits.*info.value, Limits{}.*info.value);
+  }
+  Session session(limits);
   for (const TextFile& file : texts) session.set_text(path::join(folder, file.path), file.text);
   CheckSettings settings;
   settings.is_isolated = true;

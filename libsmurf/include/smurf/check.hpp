@@ -24,6 +24,7 @@
 #include "smurf/linked.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
+#include "smurf/old_scene.hpp"
 #include "smurf/render.hpp"
 #include "smurf/source.hpp"
 
@@ -100,6 +101,7 @@ struct LoadedModel : Loaded {
 };
 struct LoadedScene : Loaded {
   LinkedScene scene;
+  OldScenes old_scenes;
 };
 
 /// Whether a text is a baseline that Session::baseline_of() made.
@@ -147,7 +149,7 @@ class Session {
   LoadedScene load_scene(const std::string& path, const CheckSettings& settings = {});
   /// The texts of all that was loaded.
   const SourceMap& loaded_sources() const;
-  /// For what is read besides, into the same sources and findings: an SRDF, scenes of old MARS.
+  /// For what is read besides, into the same sources and findings: an SRDF.
   LoadContext context_of(Loaded& loaded);
   /// Checks what was loaded. Findings that are in `loaded.found` are reported with the rest.
   Report check(LoadedModel& loaded);

@@ -180,6 +180,7 @@ class Run {
     const InputKind kind = input_kind(planned.path);
     if (kind == InputKind::scene || kind == InputKind::drawing) {
       const LinkedScene scene = load_scene(planned.path, context);
+      load_old_scenes(scene, context);  // for what is wrong with them
       outcome.judged = judge(scene, outcome.sources, group.selection, sink);
       for (const LinkedModel& model : scene.models) note_files(model, outcome);
       for (const SceneFile& file : scene.scenes) {

@@ -220,9 +220,10 @@ LoadedModel Session::load_model(const std::string& path, const CheckSettings& se
 }
 
 LoadedScene Session::load_scene(const std::string& path, const CheckSettings& settings) {
-  LoadedScene loaded{state_->prepare(path, settings), {}};
+  LoadedScene loaded{state_->prepare(path, settings), {}, {}};
   LoadContext context = context_of(loaded);
   loaded.scene = smurf::load_scene(path, context);
+  loaded.old_scenes = load_old_scenes(loaded.scene, context);
   return loaded;
 }
 
