@@ -124,7 +124,8 @@ pybullet  takes it with losses (1)
     def test_report_for_programs(self):
         done = self.expect(1, "--target", "ros,mujoco", "--format", "json", "arm.urdf")
         targets = json.loads(done.stdout)["targets"]
-        self.assertEqual(targets["mujoco"], {"verdict": "takes", "refusals": 0, "losses": 0})
+        self.assertEqual(targets["mujoco"], {"verdict": "takes", "refusals": 0, "unknown": 0,
+                                             "losses": 0, "ignored": 0, "in_baseline": 0})
         self.assertEqual(targets["ros"]["verdict"], "refuses")
         self.assertEqual(targets["ros"]["first"]["id"], "SML1404")
         self.assertEqual(targets["ros"]["first"]["line"], 6)
@@ -140,6 +141,25 @@ pybullet  takes it with losses (1)
             self.assertEqual(*reports)
             for one in reports[0]:
                 self.assertEqual(len(one.get("notes", [])), len(set(one.get("notes", []))), one)
+
+    def test_verdict_is_about_the_file_whatever_is_let_pass(self):
+        self.expect(0, "--target", "ros", "--baseline", "b.yaml", "--generate-baseline", "arm.urdf")
+        done = self.expect(0, "--target", "ros", "--baseline", "b.yaml", "arm.urdf")
+        self.assertIn("ros  refuses it (1, in the baseline)\n", done.stdout)
+        text = self.read("arm.urdf")
+        self.write("arm.urdf", text.replace("<robot", "<!-- smurf-lint: ignore-file[SML1404] -->\n<robot"))
+        done = self.expect(0, "--target", "ros", "arm.urdf")
+        self.assertIn("ros  refuses it (1, ignored by a comment)\n", done.stdout)
+
+    def test_slip_is_what_it_leaves_out(self):
+        self.write("slip.urdf", self.read("arm.urdf").replace("velocity=", 'efrot="1" velocity='))
+        done = self.expect(1, "--target", "ros", "slip.urdf")
+        self.assertIn("error[SML1107]", done.stdout)
+        self.assertIn("ros  refuses it (1)\n", done.stdout)
+
+    def test_unreadable_file_is_not_taken(self):
+        done = self.expect(2, "--target", "ros,mujoco", "absent.urdf")
+        self.assertNotIn("takes it", done.stdout)
 
     def test_unknown_target(self):
         done = self.expect(2, "--target", "ros,mujuco", "arm.urdf")

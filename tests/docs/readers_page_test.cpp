@@ -21,6 +21,12 @@ std::string link_to(std::string_view id) {
   return std::string(id) + std::string(7 - id.size(), 'x');
 }
 
+void write_fact(std::ostream& page, std::string_view rules, const Fact& fact) {
+  page << "| " << link_to(rules) << " | "
+       << (fact.where.empty() ? "" : "`" + std::string(fact.where) + "`") << " | "
+       << to_string(fact.effect) << " | " << fact.makes << " | " << evidence_of(fact) << " |\n";
+}
+
 void write_reader(std::ostream& page, const Reader& reader) {
   page << "\n## " << reader.title;
   if (reader.is_target) page << " (`" << reader.name << "`)";
@@ -29,21 +35,23 @@ void write_reader(std::ostream& page, const Reader& reader) {
     page << " What is not said here is as for " << reader.like->title << ".";
   }
   page << "\n\n| rule | where | effect | what it makes of it | source |\n|---|---|---|---|---|\n";
-  for (const ReaderFact& fact : reader.facts) {
-    page << "| " << link_to(fact.rule) << " | "
-         << (fact.where.empty() ? "" : "`" + std::string(fact.where) + "`") << " | "
-         << to_string(fact.effect) << " | " << fact.makes << " | " << fact.source << " |\n";
+  for (const Rule* rule : all_rules()) {
+    for (const Fact& fact : rule->facts) {
+      if (fact.reader == &reader) write_fact(page, rule->id, fact);
+    }
   }
+  for (const auto& [family, fact] : reader.families) write_fact(page, family, fact);
 }
 
 std::string readers_page() {
   std::ostringstream page;
   page << "# Readers\n\n"
-          "What each reader makes of what the rules find. Made from the table in "
-          "`libsmurf/src/base/readers/` by `readers_page_test`; do not edit.\n\n"
-          "`smurf-lint --target LIST` judges findings by this table. The first row of a reader "
+          "What each reader makes of what the rules find. Made from the facts in the rows of the "
+          "rules by `readers_page_test`; do not edit.\n\n"
+          "`smurf-lint --target LIST` judges findings by these facts. The first fact of a reader "
           "that fits a finding counts; `where` is a part of its path, or after `#` the case of its "
-          "rule. The effects, and the severity they give a finding:\n\n"
+          "rule. What is misspelt is judged as what is missing as well, by the worse of the two. "
+          "The effects, and the severity they give a finding:\n\n"
           "| effect | the reader ... | severity |\n|---|---|---|\n"
           "| takes | reads it as it is meant | as if no reader stumbled |\n"
           "| ignores | has no use for it, and nothing else changes | info |\n"
@@ -53,9 +61,13 @@ std::string readers_page() {
           "| refuses | does not load the file | error |\n"
           "| crashes | ends or hangs | error |\n\n"
           "The worst of the targets counts. When none of them stumbles over what others stumble "
-          "over, an error becomes a warning and a warning an info. Findings about which nothing "
-          "is known of any reader stay as they are, and so does what no body can be: a negative "
-          "mass, an impossible inertia, a joint from a link to itself.\n";
+          "over, an error becomes a warning and a warning an info. An error stays one while it is "
+          "not known what a target makes of it, and the verdict on that target is then `not "
+          "known`. Findings about which nothing is known of any reader stay as they are, and so "
+          "does what no body can be: a negative mass, an impossible inertia, a joint from a link "
+          "to itself.\n\n"
+          "Readers that open the URDF only are not asked about annotations (SML3xxx, "
+          "SML4xxx).\n";
   for (const Reader* reader : all_readers()) write_reader(page, *reader);
   return page.str();
 }

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "docs/page.hpp"
-#include "smurf/diagnostic.hpp"
+#include "smurf/readers.hpp"
 
 namespace fs = std::filesystem;
 using namespace smurf;
@@ -30,6 +30,16 @@ std::string family_title(std::string_view id) {
   return kTitles.at(id[3]);
 }
 
+/// Why it matters, and what readers make of it.
+std::string reasons(const Rule& rule) {
+  std::string text;
+  if (!rule.why.empty()) text += "**Why it matters.** " + std::string(rule.why) + "\n\n";
+  std::string readers;
+  for (const Fact* fact : facts_about(rule)) readers += "- " + describe(*fact) + "\n";
+  if (!readers.empty()) text += "**What readers make of it.**\n\n" + readers + "\n";
+  return text;
+}
+
 std::string rules_page() {
   std::ostringstream page;
   page << "# Rules\n\n"
@@ -49,12 +59,12 @@ std::string rules_page() {
     }
     page << "\n<a id=\"" << rule->name << "\"></a>\n### " << rule->id << " " << rule->name << "\n\n"
          << rule->summary << " (" << to_string(rule->severity) << ")\n\n"
-         << "**Why it matters.** " << rule->why << "\n\n**What to do.** " << rule->remedy << "\n";
+         << reasons(*rule) << "**What to do.** " << rule->remedy << "\n";
     if (const Tolerance& tolerance = rule->tolerance; !tolerance.meaning.empty()) {
       page << "\n**Tolerance.** " << tolerance.value << (tolerance.unit.empty() ? "" : " ")
            << tolerance.unit << ": " << tolerance.meaning << "\n";
     }
-    page << "\n**Sources.** " << rule->sources << "\n";
+    page << "\n**Sources.** " << sources_of(*rule) << "\n";
     const std::string example = test::read_page(
         fs::path(SMURF_FIXTURES) / "rules" /
         (std::string(rule->id) + "-" + std::string(rule->name)) / "bad.expected.txt");

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "support/loaded.hpp"
@@ -23,8 +24,17 @@ Diagnostic at(std::string_view rule, std::string pointer, std::string construct 
   return diagnostic;
 }
 
+void check_text(const Fact& fact) {
+  CAPTURE(fact.makes);
+  REQUIRE(fact.reader != nullptr);
+  CHECK(!fact.makes.empty());
+  CHECK(!fact.makes.ends_with('.'));
+  CHECK(!fact.evidence.empty());
+  CHECK((fact.evidence != kRun || !fact.reader->version.empty()));
+}
+
 Effect effect_of(std::string_view reader, const Diagnostic& diagnostic) {
-  const ReaderFact* fact = find_fact(*find_target(reader), diagnostic);
+  const Fact* fact = find_fact(*find_target(reader), diagnostic);
   return fact == nullptr ? Effect::takes : fact->effect;
 }
 
@@ -40,29 +50,73 @@ Severity severity_for(const Diagnostic& diagnostic, std::vector<std::string_view
   return finished[0].severity;
 }
 
+constexpr std::string_view kRobot = R"(<robot name="r">
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+  <collision><geometry><box size="1 1 1"/></geometry></collision>
+</link>
+<link name="arm">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+  <collision><geometry><sphere radius="1"/></geometry></collision>
+</link>
+<joint name="a" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="1" velocity="1"/>
+</joint>
+</robot>
+)";
+
+/// What becomes of the robot with `text` in the place of `original`.
+Answer answer_for(std::string_view target, std::string_view original, std::string_view text) {
+  std::string robot(kRobot);
+  for (std::size_t at = robot.find(original); at != std::string::npos;
+       at = robot.find(original, at + text.size())) {
+    robot.replace(at, original.size(), text);
+  }
+  Loaded loaded;
+  loaded.files.add("robot.urdf", robot);
+  loaded.load("robot.urdf");
+  return judge_target(*find_target(target), loaded.diagnostics).answer();
+}
+
 }  // namespace
 
-TEST_CASE("every fact is about a rule, says something, and can be reached") {
+TEST_CASE("readers say who they are") {
   std::set<std::string_view> names;
   for (const Reader* reader : all_readers()) {
     CAPTURE(reader->name);
     CHECK(names.insert(reader->name).second);
     CHECK(!reader->title.empty());
     CHECK(!reader->basis.empty());
-    CHECK(!reader->facts.empty());
-    for (std::size_t i = 0; i < reader->facts.size(); ++i) {
-      const ReaderFact& fact = reader->facts[i];
-      CAPTURE(fact.rule);
-      CAPTURE(fact.where);
+    for (const auto& [family, fact] : reader->families) {
+      CAPTURE(family);
+      check_text(fact);
+      CHECK(fact.reader == reader);
       CHECK(std::any_of(all_rules().begin(), all_rules().end(),
-                        [&](const Rule* rule) { return rule->id.starts_with(fact.rule); }));
-      CHECK(!fact.source.empty());
-      CHECK(!fact.makes.empty());
-      CHECK(!fact.makes.ends_with('.'));
+                        [&](const Rule* rule) { return rule->id.starts_with(family); }));
+    }
+  }
+}
+
+TEST_CASE("every fact says something, and can be reached") {
+  for (const Rule* rule : all_rules()) {
+    CAPTURE(rule->id);
+    for (std::size_t i = 0; i < rule->facts.size(); ++i) {
+      const Fact& fact = rule->facts[i];
+      CAPTURE(fact.where);
+      check_text(fact);
       for (std::size_t k = 0; k < i; ++k) {
-        const ReaderFact& before = reader->facts[k];
-        const bool hides = fact.rule.starts_with(before.rule) &&
-                           fact.where.find(before.where) != std::string_view::npos;
+        const Fact& before = rule->facts[k];
+        const bool hides =
+            fact.reader == before.reader && fact.where.find(before.where) != std::string_view::npos;
         CHECK_MESSAGE(!hides, "row " << k << " hides it");
       }
     }
@@ -94,7 +148,7 @@ TEST_CASE("the first fact that fits wins, then those of what a reader is built o
   CHECK(effect_of("ros", in_joint) == Effect::refuses);
   CHECK(effect_of("dart", in_joint) == Effect::refuses);
   CHECK(effect_of("pybullet", in_joint) == Effect::changes);
-  CHECK(effect_of("gazebo", at("SML1206", "/robot")) == Effect::breaks);
+  CHECK(effect_of("gazebo", at("SML1206", "/robot")) == Effect::refuses);
   CHECK(effect_of("ros", at("SML1206", "/robot")) == Effect::changes);
   CHECK(effect_of("mujoco", at("SML1115", "/robot")) == Effect::takes);
   CHECK(effect_of("ros", at("SML1115", "/robot")) == Effect::refuses);
@@ -110,6 +164,8 @@ TEST_CASE("the severity is that of the worst target") {
   CHECK(severity_for(effort_missing, {"pybullet"}) == Severity::warning);
   CHECK(severity_for(effort_missing, {"pybullet", "ros"}) == Severity::error);
   CHECK(severity_for(effort_missing, {"mujoco"}) == Severity::warning);  // takes it: one milder
+  const Diagnostic too_large = at("SML0002", "/robot");
+  CHECK(severity_for(too_large, {"mujoco"}) == Severity::error);  // it may refuse it
   CHECK(severity_for(at("SML1407", "/robot/joint/limit"), {"drake"}) == Severity::error);
   CHECK(severity_for(at("SML1407", "/robot/joint/limit"), {"mars"}) == Severity::info);
 }
@@ -141,20 +197,124 @@ TEST_CASE("notes say what the targets make of it, equal ones once") {
                                  "pybullet: reads 0: the joint has no force"});
 }
 
-TEST_CASE("verdicts count refusals and losses, and name the first") {
+TEST_CASE("verdicts count refusals and losses, and name the worst") {
   const std::vector<Diagnostic> findings = {at("SML1408", "/robot/joint/limit/@upper"),
                                             at("SML1409", "/robot/joint/limit"),
-                                            at("SML1404", "/robot/joint/limit")};
+                                            at("SML1403", "/robot/joint")};
   const TargetVerdict mujoco = judge_target(*find_target("mujoco"), findings);
   CHECK(mujoco.refusals == 0);
-  CHECK(mujoco.losses == 2);
-  CHECK(mujoco.first == &findings[0]);
-  CHECK(to_word(mujoco) == "loses");
+  CHECK(mujoco.losses == 3);
+  CHECK(mujoco.rule->id == "SML1408");
+  CHECK(mujoco.answer() == Answer::loses);
   const TargetVerdict ros = judge_target(*find_target("ros"), findings);
   CHECK(ros.refusals == 1);
-  CHECK(ros.first == &findings[2]);
-  CHECK(to_word(ros) == "refuses");
+  CHECK(ros.rule->id == "SML1403");
+  CHECK(ros.answer() == Answer::refuses);
   const TargetVerdict drake = judge_target(*find_target("drake"), {});
-  CHECK(to_word(drake) == "takes");
-  CHECK(drake.first == nullptr);
+  CHECK(drake.answer() == Answer::takes);
+  CHECK(drake.rule == nullptr);
+}
+
+TEST_CASE("an error of which nothing is known is no reason to say that a reader takes it") {
+  Diagnostic unknown = at("SML0002", "/robot");
+  REQUIRE(unknown.severity == Severity::error);
+  REQUIRE(find_fact(*find_target("ros"), unknown) == nullptr);
+  const TargetVerdict verdict = judge_target(*find_target("ros"), std::vector{unknown, unknown});
+  CHECK(verdict.answer() == Answer::unknown);
+  CHECK(verdict.unknown == 2);
+  CHECK(verdict.unknown_rules == std::vector<const Rule*>{unknown.rule});
+  const std::vector<Diagnostic> worse = {unknown, at("SML1403", "/robot/joint")};
+  CHECK(judge_target(*find_target("ros"), worse).answer() == Answer::refuses);
+  const std::vector<Diagnostic> milder = {unknown, at("SML1406", "/robot/joint/limit")};
+  CHECK(judge_target(*find_target("ros"), milder).answer() == Answer::unknown);
+  unknown.severity = Severity::warning;
+  CHECK(judge_target(*find_target("ros"), std::vector{unknown}).answer() == Answer::takes);
+}
+
+TEST_CASE("what no target is asked about concerns none") {
+  CHECK(judge_target(*find_target("ros"), std::vector{at("SML9001", "/targets")}).answer() ==
+        Answer::takes);
+  const std::vector<Diagnostic> motor = {at("SML3101", "/motors/0/joint")};
+  CHECK(judge_target(*find_target("ros"), motor).answer() == Answer::takes);
+  CHECK(judge_target(*find_target("mars"), motor).answer() == Answer::refuses);
+}
+
+TEST_CASE("a slip is also what it leaves out") {
+  Diagnostic slip = at("SML1107", "/robot/joint/limit/@efrot");
+  CHECK(effect_of("ros", slip) == Effect::changes);
+  slip.consequences.push_back(find_rule("SML1404"));
+  CHECK(effect_of("ros", slip) == Effect::refuses);
+  CHECK(severity_for(slip, {"ros"}) == Severity::error);
+}
+
+TEST_CASE("a slip in a name that readers need is judged as what is missing") {
+  using enum Answer;
+  struct Slip {
+    const char* original;
+    const char* text;
+    Answer ros, gazebo, mujoco;  // as the programs answered
+  };
+  constexpr Slip kSlips[] = {
+      {"", "", takes, takes, takes},
+      {"effort=", "efrot=", refuses, refuses, loses},
+      {"velocity=", "velocty=", refuses, refuses, loses},
+      {"<limit ", "<limt ", refuses, refuses, loses},
+      {"<limit ", "<Limit ", refuses, refuses, loses},
+      {"<parent link=\"base\"/>", "<parnet link=\"base\"/>", refuses, refuses, refuses},
+      {"<parent link=", "<parent lnik=", refuses, refuses, refuses},
+      {"<child link=\"arm\"/>", "<chid link=\"arm\"/>", refuses, refuses, refuses},
+      {"<child link=\"arm\"/>", "<Child link=\"arm\"/>", refuses, refuses, refuses},
+      {"joint name=", "joint Name=", refuses, refuses, refuses},
+      {"<robot name=", "<robot nmae=", refuses, refuses, loses},
+      {"mass value=", "mass vlaue=", loses, loses, refuses},
+      {"<mass value=\"1\"/>", "<mas value=\"1\"/>", loses, loses, refuses},
+      {"sphere radius=", "sphere raduis=", loses, loses, refuses},
+      {"<box size=\"1 1 1\"/>", "<bxo size=\"1 1 1\"/>", loses, loses, refuses},
+      {"<box size=\"1 1 1\"/>", "<thing/>", loses, loses, refuses},
+      {"axis xyz=", "axis xzy=", loses, refuses, refuses},
+  };
+  for (const Slip& slip : kSlips) {
+    CAPTURE(slip.text);
+    CHECK(to_string(answer_for("ros", slip.original, slip.text)) == to_string(slip.ros));
+    CHECK(to_string(answer_for("gazebo", slip.original, slip.text)) == to_string(slip.gazebo));
+    CHECK(to_string(answer_for("mujoco", slip.original, slip.text)) == to_string(slip.mujoco));
+  }
+}
+
+TEST_CASE("a file with elements of xacro is read and judged without them") {
+  CHECK(answer_for("ros", "<joint name", "<xacro:x/><joint name") == Answer::loses);
+  CHECK(answer_for("ros", "<link name=\"arm\">", "<xacro:x/><link>") == Answer::refuses);
+  CHECK(answer_for("mujoco", "mass value=\"1\"", "xacro:x/><mass value=\"-1\"") == Answer::refuses);
+  CHECK(answer_for("ros", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
+  CHECK(answer_for("mujoco", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
+}
+
+TEST_CASE("what readers do is said by facts, and not in the words of a rule as well") {
+  // These still do; facts are to take their place, so that the list gets shorter.
+  const std::set<std::string_view> known = {
+      "SML0014", "SML1008", "SML1013", "SML1310", "SML1424", "SML1525", "SML1527", "SML1612",
+      "SML1614", "SML1617", "SML1619", "SML1623", "SML1631", "SML1632", "SML1633", "SML1711",
+      "SML3221", "SML3240", "SML4010", "SML4110", "SML4114", "SML5032", "SML6001", "SML6002",
+      "SML6105", "SML6107", "SML6401", "SML8002", "SML8004"};
+  for (const Rule* rule : all_rules()) {
+    const auto is_named = [&](const std::string& program) {
+      const std::size_t at = rule->why.find(program);
+      return at != std::string_view::npos &&
+             (at == 0 || !std::isalnum(static_cast<unsigned char>(rule->why[at - 1])));
+    };
+    std::vector<std::string> programs = {"sdformat", "Bullet"};
+    for (const Reader* reader : all_readers()) {
+      if (reader->name == "urdf" || reader->name == "ros") continue;
+      programs.emplace_back(reader->title.substr(0, reader->title.find(' ')));
+    }
+    const bool is_said = std::any_of(programs.begin(), programs.end(), is_named);
+    CHECK_MESSAGE(is_said == known.contains(rule->id), rule->id << ": " << rule->why);
+    for (const Reader* reader : all_readers()) {
+      if (reader->version.empty()) continue;
+      for (const std::string_view text : {rule->why, rule->sources, rule->summary}) {
+        CHECK_MESSAGE(text.find(reader->version) == std::string_view::npos,
+                      rule->id << " says the version of " << reader->title);
+      }
+    }
+  }
 }

@@ -50,9 +50,13 @@ TEST_CASE("the report of diagnostics") {
   diagnostics[0].labels.push_back({diagnostics[1].span, "see here"});
   diagnostics[0].notes.emplace_back("a note");
   diagnostics[0].pointer = "/motors/0/p";
-  const TargetVerdict refused{find_target("mars"), 1, 0, diagnostics.data(),
-                              &find_target("mars")->facts.front()};
-  const TargetVerdict taken{find_target("ros"), 0, 0, nullptr, nullptr};
+  const TargetVerdict refused{.reader = find_target("mars"),
+                              .refusals = 1,
+                              .fact = &find_rule("SML1012")->facts.front(),
+                              .rule = diagnostics[0].rule,
+                              .span = diagnostics[0].span};
+  const TargetVerdict taken{
+      .reader = find_target("ros"), .unknown = 1, .unknown_rules = {diagnostics[0].rule}};
   const Json report =
       Json::parse(render_json(diagnostics, reading.sources, summarize(diagnostics),
                               {"smurf-lint", "0.1.0"}, std::vector{refused, taken}));

@@ -66,22 +66,40 @@ TEST_CASE("the page of a rule says what readers make of it") {
 }
 
 TEST_CASE("targets have a line each, and the first reason below it") {
-  const Reader reader{.name = "abc", .title = "Abc", .basis = "1.0", .facts = {}};
-  const Reader other{.name = "defghi", .title = "Def", .basis = "2.0", .facts = {}};
-  const ReaderFact fact{.rule = "SML3101",
-                        .effect = Effect::loses,
-                        .makes = "leaves the motor out, and with it the controller that would "
-                                 "have moved the joint",
-                        .source = "abc.cpp:1"};
+  const Reader reader{.name = "abc", .title = "Abc", .basis = "1.0"};
+  const Reader other{.name = "defghi", .title = "Def", .basis = "2.0"};
+  const Fact fact{.reader = &reader,
+                  .effect = Effect::loses,
+                  .makes = "leaves the motor out, and with it the controller that would have moved "
+                           "the joint",
+                  .evidence = "abc.cpp:1"};
   SourceMap sources;
   const Diagnostic diagnostic = diagnose({sources.add("a.yml", "x: y"), 3, 4}, "bad");
-  const std::vector<TargetVerdict> targets = {{&reader, 0, 2, &diagnostic, &fact},
-                                              {&other, 0, 0, nullptr, nullptr}};
+  const TargetVerdict losing{.reader = &reader,
+                             .losses = 2,
+                             .fact = &fact,
+                             .rule = diagnostic.rule,
+                             .span = diagnostic.span};
+  const std::vector<TargetVerdict> targets = {losing, {.reader = &other}};
   CHECK(render_targets(targets, sources, {}) ==
         "abc     takes it with losses (2)\n"
         "        a.yml:1:4: leaves the motor out, and with it the controller that would\n"
         "        have moved the joint (SML3101)\n"
         "defghi  takes it\n");
+}
+
+TEST_CASE("a verdict may be that it is not known, and says what was let pass") {
+  const Reader reader{.name = "abc", .title = "Abc", .basis = "1.0"};
+  const auto line = [&](TargetVerdict verdict) {
+    verdict.reader = &reader;
+    return render_targets(std::vector{verdict}, SourceMap(), {});
+  };
+  CHECK(line({.unknown = 3, .losses = 1, .unknown_rules = {&kRule, &kOtherRule}}) ==
+        "abc  not known (3): SML3101, SML0011\n");
+  CHECK(line({.refusals = 1, .unknown = 1, .in_baseline = 1}) ==
+        "abc  refuses it (1, in the baseline)\n");
+  CHECK(line({.refusals = 3, .ignored = 2, .in_baseline = 1}) ==
+        "abc  refuses it (3, 2 ignored by a comment, 1 in the baseline)\n");
 }
 
 TEST_CASE("statistics list the most frequent rule first") {

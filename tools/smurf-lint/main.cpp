@@ -66,14 +66,10 @@ struct Checked {
 ExitCode write_reports(const LintOptions& options, const std::string& place, const Checked& checked,
                        std::string remarks) {
   const Report& report = checked.report;
-  std::vector<TargetVerdict> targets;
-  for (const Reader* reader : report.targets) {
-    targets.push_back(judge_target(*reader, report.diagnostics));
-  }
   const Results results{.diagnostics = report.diagnostics,
                         .sources = checked.sources,
                         .summary = report.summary,
-                        .targets = targets,
+                        .targets = report.targets,
                         .tool = kTool,
                         .remarks = std::move(remarks),
                         .quiet = options.quiet,

@@ -23,11 +23,7 @@ constexpr std::string_view kTool = "smurf-load-check";
 /// What a reader of files reports itself, and the rules whose faults leave no robot that could be
 /// built.
 bool is_about_building(const Rule& rule) {
-  constexpr std::string_view kRules[] = {"SML10",   "SML1115", "SML12",  "SML1301",
-                                         "SML1302", "SML1401", "SML2003"};
-  if (rule.check_model == nullptr && rule.check_scene == nullptr) return true;
-  return std::any_of(std::begin(kRules), std::end(kRules),
-                     [&](std::string_view pattern) { return matches(rule, pattern); });
+  return rule.blocks_building || (rule.check_model == nullptr && rule.check_scene == nullptr);
 }
 
 /// Unreadable numbers, broken files and scenes; not what annotations say.

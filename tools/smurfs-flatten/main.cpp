@@ -188,7 +188,7 @@ bool check_options(const Options& options) {
 bool has_losses(const DiagnosticSink& sink) {
   const auto findings = sink.diagnostics();
   return std::any_of(findings.begin(), findings.end(), [](const Diagnostic& finding) {
-    return finding.rule->id.starts_with("SML8");
+    return finding.rule->reported_by == Tool::converters;
   });
 }
 

@@ -82,7 +82,7 @@ struct ReportWishes {
 struct Report {
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
-  std::vector<const Reader*> targets;  ///< of the settings and all configurations
+  std::vector<TargetVerdict> targets;  ///< of the settings and all configurations
   std::vector<std::string> problems;   ///< of the plan
   ReportWishes wishes;
 };

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "smurf/limits.hpp"
@@ -22,6 +23,35 @@ class Findings;
 enum class Severity : std::uint8_t { info, warning, error };
 std::string_view to_string(Severity severity);
 
+/// What a reader does with a construct, mildest first.
+enum class Effect : std::uint8_t {
+  takes,    ///< as it is meant
+  ignores,  ///< has no use for it, and nothing else changes
+  changes,  ///< silently makes something else of it
+  loses,    ///< silently leaves a part of the robot out
+  breaks,   ///< reports an error and goes on with the rest
+  refuses,  ///< does not load the file
+  crashes   ///< ends or hangs, with the program it is part of
+};
+
+struct Reader;
+
+/// The evidence of what was seen when the reader was executed, in the version of its row.
+inline constexpr std::string_view kRun = "run";
+
+/// What one reader makes of what a rule finds.
+struct Fact {
+  const Reader* reader = nullptr;
+  Effect effect = Effect::takes;
+  std::string_view makes;     ///< "reads the missing limit as 0"; completes "MuJoCo ..."
+  std::string_view evidence;  ///< kRun, or the lines of its source
+  /// Only findings with this in their path, such as "/joint/", "/@xyz/" or "#dae"; see fact_path().
+  std::string_view where = {};
+};
+
+/// Which tool reports the findings of a rule.
+enum class Tool : std::uint8_t { lint, load_check, converters };
+
 /// The number by which a rule decides, which a configuration may set to another one.
 struct Tolerance {
   double value = 0;
@@ -29,16 +59,16 @@ struct Tolerance {
   std::string_view meaning{};  ///< "how far the length may be from 1"; empty: there is none
 };
 
-/// What a rule says about itself. `--explain`, docs/rules.md, SARIF metadata and `--list-rules` are
-/// made from these texts and from nothing else.
+/// What a rule says about itself. `--explain`, docs/rules.md, docs/readers.md, SARIF metadata,
+/// `--list-rules` and what `--target` makes of findings come from here and from nothing else.
 struct Rule {
   std::string_view id;    ///< "SML3101"; never reused
   std::string_view name;  ///< kebab-case name of the fault: "unknown-joint"
   Severity severity = Severity::error;
-  std::string_view summary;  ///< one sentence: what it finds
-  std::string_view why;      ///< why it matters, with the reader that stumbles
-  std::string_view remedy;   ///< what to do
-  std::string_view sources;  ///< where the facts come from
+  std::string_view summary;    ///< one sentence: what it finds
+  std::string_view why{};      ///< why it matters, beyond what readers make of it
+  std::string_view remedy;     ///< what to do
+  std::string_view sources{};  ///< where that comes from, beyond the evidence of the facts
 
   /// Checks run by the linter; both null for findings that a reader or writer reports itself.
   void (*check_model)(const LinkedModel&, Findings&) = nullptr;
@@ -49,6 +79,14 @@ struct Rule {
   bool needs_target = false;
 
   Tolerance tolerance{};  ///< Findings::tolerance() is what counts
+
+  /// What readers make of it: the only place that says so. Those of one reader stand together; the
+  /// first that fits a finding counts.
+  std::span<const Fact> facts{};
+
+  Tool reported_by = Tool::lint;
+  bool is_impossible = false;    ///< no robot can be like that, whatever a reader makes of it
+  bool blocks_building = false;  ///< leaves no robot that could be built
 };
 
 /// A second place that explains a diagnostic, possibly in another file.
@@ -83,6 +121,10 @@ struct Diagnostic {
   std::string named_pointer;
   /// Which case of its rule it is, when readers tell cases apart: "dae", "hex"; may be empty.
   std::string construct;
+  /// Rules whose fault it is as well: to readers, a misspelt `effort` is a missing one.
+  std::vector<const Rule*> consequences;
+  /// As reported; set where targets change the severity.
+  std::optional<Severity> untargeted;
   std::vector<Label> labels;
   std::vector<std::string> notes;  ///< facts without a place
   std::string help;                ///< what to do; may be empty
@@ -108,6 +150,9 @@ class DiagnosticSink {
   std::optional<std::string_view> suggest(std::string_view name,
                                           std::span<const std::string_view> known);
 
+  /// What is reported at `place` is a fault of `rule` as well. take() joins the two.
+  void add_consequence(Span place, const Rule& rule) { consequences_.push_back({place, &rule}); }
+
   std::span<const Diagnostic> diagnostics() const { return diagnostics_; }
   std::vector<Diagnostic> take();
   bool has_errors() const;
@@ -122,6 +167,7 @@ class DiagnosticSink {
   bool is_last_left_out_ = false;
   std::map<const Rule*, std::uint64_t> counts_;
   std::vector<Diagnostic> diagnostics_;
+  std::vector<std::pair<Span, const Rule*>> consequences_;
   Diagnostic left_out_;
 };
 

@@ -45,6 +45,8 @@ class Findings {
   Diagnostic& report(Span span, std::string message) {
     return sink_.report(rule_, span, std::move(message));
   }
+  /// What another rule reports at `place` is a fault of this one as well.
+  void add_consequence(Span place) { sink_.add_consequence(place, rule_); }
   /// As DiagnosticSink::suggest().
   std::optional<std::string_view> suggest(std::string_view name,
                                           std::span<const std::string_view> known) {

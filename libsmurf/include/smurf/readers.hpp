@@ -13,36 +13,25 @@
 
 namespace smurf {
 
-/// What a reader does with a construct, mildest first.
-enum class Effect : std::uint8_t {
-  takes,    ///< as it is meant
-  ignores,  ///< has no use for it, and nothing else changes
-  changes,  ///< silently makes something else of it
-  loses,    ///< silently leaves a part of the robot out
-  breaks,   ///< reports an error and goes on with the rest
-  refuses,  ///< does not load the file
-  crashes   ///< ends or hangs, with the program it is part of
-};
 std::string_view to_string(Effect effect);
 
-/// One thing that is known of one reader.
-struct ReaderFact {
-  std::string_view rule;  ///< id or prefix of the rules whose findings it is about
-  Effect effect = Effect::takes;
-  std::string_view makes;   ///< "reads the missing limit as 0"; completes "MuJoCo ..."
-  std::string_view source;  ///< file and line, or the version that was executed
-  /// Only findings with this in their path, such as "/joint/", "/@xyz/" or "#dae"; see fact_path().
-  std::string_view where = {};
+/// A fact about all rules whose ids begin alike, such as those about numbers.
+struct FamilyFact {
+  std::string_view family;  ///< "SML18"
+  Fact fact;
 };
 
-/// Facts are asked in order, the first that fits wins; then those of `like`.
+/// A program that reads robots. What it makes of a finding is a fact in the row of the rule.
 struct Reader {
   std::string_view name;   ///< what `--target` takes: "mujoco"
   std::string_view title;  ///< "MuJoCo"
   std::string_view basis;  ///< which version, and whether it was executed or read
   const Reader* like = nullptr;
-  std::span<const ReaderFact> facts;
-  bool is_target = true;  ///< false for what other readers are built on
+  /// What it is executed as: a fact whose evidence is kRun was seen with this version.
+  std::string_view version{};
+  std::span<const FamilyFact> families{};
+  bool is_target = true;           ///< false for what other readers are built on
+  bool reads_annotations = false;  ///< what is wrong in YAML files beside the URDF concerns it
 };
 
 /// In the order of the table; those that are no target included.
@@ -54,30 +43,45 @@ std::vector<std::string_view> target_names();
 /// Where a finding is, as facts see it: its XPath or YAML pointer without predicates and indices,
 /// then its construct: "/robot/link/collision/geometry/mesh/@filename/#dae".
 std::string fact_path(const Diagnostic& diagnostic);
-/// What the reader makes of it; null when nothing is known, or what is known is that it takes it.
-const ReaderFact* find_fact(const Reader& reader, const Diagnostic& diagnostic);
+/// What the reader makes of a finding and of its consequences, the worst of it; null when that is
+/// not known. Of one rule the first fact counts whose reader and place fit: first those of the
+/// reader in the row of the rule, then those about the rule's family, then those of Reader::like.
+const Fact* find_fact(const Reader& reader, const Diagnostic& diagnostic);
 /// Is anything known about a rule: of this reader, or of any.
 bool has_facts(const Reader& reader, const Rule& rule);
 bool has_facts(const Rule& rule);
+/// All that is known about a rule, that of its family included, in the order of the readers.
+std::vector<const Fact*> facts_about(const Rule& rule);
+/// How a fact is known: the version that was run, or "Drake joint.h:159".
+std::string evidence_of(const Fact& fact);
+/// "MuJoCo (visual): discards visuals"
+std::string describe(const Fact& fact);
+/// All evidence of the facts about a rule, each once, and the rule's own sources.
+std::string sources_of(const Rule& rule);
 
-/// A fact and whose it is.
-struct KnownFact {
-  const Reader* reader = nullptr;
-  const ReaderFact* fact = nullptr;
-};
-/// All that is known about a rule, in the order of the table.
-std::vector<KnownFact> facts_about(const Rule& rule);
+/// What becomes of files in a reader, best first.
+enum class Answer : std::uint8_t { takes, loses, unknown, refuses };
+std::string_view to_string(Answer answer);
 
-/// What becomes of the files in one reader.
+/// What becomes of the files in one reader, and why.
 struct TargetVerdict {
   const Reader* reader = nullptr;
-  std::size_t refusals = 0;  ///< findings it refuses or crashes on
-  std::size_t losses = 0;    ///< findings that leave something out or make something else of it
-  const Diagnostic* first = nullptr;  ///< the first refusal, else the first loss
-  const ReaderFact* fact = nullptr;   ///< about `first`
+  std::size_t refusals = 0;     ///< findings it refuses or crashes on
+  std::size_t unknown = 0;      ///< errors of which it is not known what it makes
+  std::size_t losses = 0;       ///< findings that leave something out or make something else of it
+  std::size_t ignored = 0;      ///< of those that decide, let pass by comments
+  std::size_t in_baseline = 0;  ///< of those that decide, let pass by a baseline
+  const Fact* fact = nullptr;   ///< the worst of what it makes of them, and of which finding
+  const Rule* rule = nullptr;
+  Span span{};
+  std::vector<const Rule*> unknown_rules{};
+
+  Answer answer() const;
+  std::size_t count(Answer answer) const;
+  /// What becomes of more files.
+  void add(const TargetVerdict& other);
 };
-/// "takes", "loses" or "refuses".
-std::string_view to_word(const TargetVerdict& verdict);
+/// Diagnostics are those of finish(), before any of them are let pass.
 TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> diagnostics);
 
 }  // namespace smurf

@@ -96,17 +96,4 @@ std::optional<Annotations> read_annotations(const yaml::Document& document, Diag
 
 }  // namespace smurf
 
-namespace smurf::rules {
-
-constinit const Rule sml2011_root_not_mapping{
-    .id = "SML2011",
-    .name = "root-not-mapping",
-    .severity = Severity::error,
-    .summary = "A main, annotation or scene file is empty or does not hold a mapping.",
-    .why = "configmaps (MARS) throws an uncaught exception on an empty file, a list or a text.",
-    .remedy =
-        "Write the keys of the file kind (`files:`, `motors:`, `entities:`), or take the file "
-        "out of the list that names it.",
-    .sources = "configmaps ConfigMap.cpp (run); smurf_parser SMURFParser.cpp:53-77 (run)."};
-
-}  // namespace smurf::rules
+namespace smurf::rules {}  // namespace smurf::rules

@@ -250,39 +250,4 @@ Quaternion to_quaternion(const Rotation& rotation) {
   return {};
 }
 
-namespace rules {
-
-constinit const Rule sml5001_entities_not_a_list{
-    .id = "SML5001",
-    .name = "entities-not-a-list",
-    .severity = Severity::error,
-    .summary = "`entities`, `smurfs` or `smurfa` is not a list.",
-    .why = "MARS takes a mapping for one entity without file and type, and stops with an uncaught "
-           "exception.",
-    .remedy = "Make every entity an item of a list: `- name: Eve`.",
-    .sources = "configmaps (run); MARS SMURFLoader.cpp:322."};
-
-constinit const Rule sml5002_rotation_length{
-    .id = "SML5002",
-    .name = "rotation-length",
-    .severity = Severity::error,
-    .summary = "A rotation does not have one, three or four numbers.",
-    .why = "MARS takes a list of any other length for no rotation and says nothing; a mapping "
-           "without all of w, x, y, z is an uncaught exception.",
-    .remedy =
-        "Write one number (degrees about z), three (degrees about the fixed axes x, y, z), or "
-        "a quaternion w, x, y, z.",
-    .sources = "MARS SimEntity.cpp:405-431 (run)."};
-
-constinit const Rule sml5003_zero_quaternion{
-    .id = "SML5003",
-    .name = "zero-quaternion",
-    .severity = Severity::error,
-    .summary = "A rotation is a quaternion of length zero.",
-    .why = "No direction follows from it: ODE, which MARS uses, ends the program when it is to "
-           "normalise such a quaternion.",
-    .remedy = "Write a unit quaternion; no rotation is [1, 0, 0, 0].",
-    .sources = "ODE 0.16.2 dxNormalize4 (run); MARS SimEntity.cpp:416-434."};
-
-}  // namespace rules
 }  // namespace smurf

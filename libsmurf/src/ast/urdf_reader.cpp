@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "ast/urdf_numbers.hpp"
 #include "base/numbers.hpp"
@@ -32,9 +33,9 @@ View child_of(View element, std::string_view name) {
   return other;
 }
 
-class Reader {
+class RobotReader {
  public:
-  explicit Reader(DiagnosticSink& sink) : sink_(sink) {}
+  explicit RobotReader(DiagnosticSink& sink) : sink_(sink) {}
 
   void robot(View root, urdf::Robot& robot) {
     text(root, "name", robot.name);
@@ -290,35 +291,52 @@ class Reader {
   bool has_quaternions_ = false;
 };
 
-/// Reports the first trace of xacro, whose cause is one: the file was not expanded. True when there
-/// are elements of xacro, so that what is read would not be the robot.
-bool report_xacro(const xml::Document& document, DiagnosticSink& sink) {
-  std::size_t count = 0;
-  bool has_elements = false;
+constexpr std::string_view kExpression = "a xacro expression";
+
+/// The first trace of xacro of one kind, and how many more there are: their cause is one, the file
+/// was not expanded.
+struct XacroTrace {
   Span first;
   std::string what;
-  const auto add = [&](Span place, std::string_view text, std::string_view kind) {
+  std::size_t count = 0;
+
+  void add(Span place, std::string_view text, std::string_view kind) {
     if (count++ > 0 && place.begin >= first.begin) return;
     first = place;
     what = quoted(text) + " is " + std::string(kind);
-  };
-  for (const xml::Element& element : document.elements) {
-    if (!element.name().starts_with("xacro:")) continue;
-    has_elements = true;
-    add(element.name_span(), element.name(), "a xacro element");
   }
-  for (const xml::Attribute& attribute : document.attributes) {
-    if (!is_xacro(attribute.value())) continue;
-    add(attribute.value_span(), attribute.value(), "a xacro expression");
+
+  void report(DiagnosticSink& sink) const {
+    if (count == 0) return;
+    Diagnostic& diagnostic =
+        sink.report(rules::sml1009_xacro_residue, first, what + " that was never expanded");
+    if (count > 1) {
+      diagnostic.notes.push_back("the file holds " + std::to_string(count - 1) + " more");
+    }
+    diagnostic.help = "run xacro and lint its output";
   }
-  if (count == 0) return false;
-  Diagnostic& diagnostic =
-      sink.report(rules::sml1009_xacro_residue, first, what + " that was never expanded");
-  if (count > 1) {
-    diagnostic.notes.push_back("the file holds " + std::to_string(count - 1) + " more");
+};
+
+/// Readers ignore the elements, and the robot is read without them; they stumble over expressions,
+/// and most of all in joints: so each of these is a finding.
+void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
+  XacroTrace elements, in_joints, elsewhere;
+  std::set<xml::ElementId> dropped;  // with all that is in them
+  for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
+    const View element(document, xml::ElementId{i});
+    const bool is_xacro_element = element.name().starts_with("xacro:");
+    if (is_xacro_element) elements.add(element.name_span(), element.name(), "a xacro element");
+    if (is_xacro_element || (!dropped.empty() && dropped.contains(element.element().parent))) {
+      dropped.insert(element.id());
+      continue;
+    }
+    for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
+      if (!is_xacro(at->value())) continue;
+      const bool is_in_joint = element.parent() && element.parent().name() == "joint";
+      (is_in_joint ? in_joints : elsewhere).add(at->value_span(), at->value(), kExpression);
+    }
   }
-  diagnostic.help = "run xacro and lint its output";
-  return has_elements;
+  for (const XacroTrace* trace : {&elements, &in_joints, &elsewhere}) trace->report(sink);
 }
 
 }  // namespace
@@ -332,10 +350,10 @@ std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sin
     if (root.name() == "sdf") diagnostic.notes.push_back("this is an SDFormat file, not a URDF");
     return std::nullopt;
   }
-  if (report_xacro(document, sink)) return std::nullopt;
+  report_xacro(document, sink);
   check_urdf_shape(document, sink);
   urdf::Robot robot;
-  Reader(sink).robot(root, robot);
+  RobotReader(sink).robot(root, robot);
   robot.document = std::move(document);
   return robot;
 }

@@ -37,6 +37,20 @@ std::size_t index_of(std::span<const Spec> table, std::string_view name, std::si
   return table.size();
 }
 
+/// The rule that reports a child that is not there.
+struct Missing {
+  std::string_view parent, child;
+  const Rule* rule;
+};
+constexpr Missing kMissing[] = {
+    {"joint", "parent", &rules::sml1203_parent_or_child_missing},
+    {"joint", "child", &rules::sml1203_parent_or_child_missing},
+    {"inertial", "mass", &rules::sml1504_mass_missing},
+    {"inertial", "inertia", &rules::sml1505_inertia_missing},
+    {"visual", "geometry", &rules::sml1110_geometry_missing},
+    {"collision", "geometry", &rules::sml1110_geometry_missing},
+};
+
 class ShapeChecker {
  public:
   explicit ShapeChecker(DiagnosticSink& sink) : sink_(sink) {}
@@ -101,7 +115,7 @@ class ShapeChecker {
         continue;
       }
       if (const auto meant = urdf::meant_name(name, absent)) {
-        misspelt_attribute(element, *attribute, *meant);
+        misspelt_attribute(element, *attribute, *meant, is_required(spec, *meant));
         // One cause, one finding: what was meant is not missing as well.
         std::erase(absent, *meant);
       } else {
@@ -117,12 +131,21 @@ class ShapeChecker {
     }
   }
 
-  void misspelt_attribute(View element, const xml::Attribute& attribute, std::string_view meant) {
+  static bool is_required(const ElementSpec& spec, std::string_view name) {
+    return std::any_of(spec.attributes.begin(), spec.attributes.end(),
+                       [&](const AttributeSpec& a) { return a.required && a.name == name; });
+  }
+
+  void misspelt_attribute(View element, const xml::Attribute& attribute, std::string_view meant,
+                          bool is_required) {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1107_unknown_attribute, attribute.name_span(),
                      quoted(attribute.name()) + " is no attribute of " + quoted(element.name()));
     diagnostic.notes.push_back("URDF readers ignore it without a word");
     diagnostic.severity = Severity::error;
+    if (is_required) {
+      diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
+    }
     diagnostic.help = "did you mean " + quoted(meant) + "?";
     diagnostic.fixes.push_back(
         {Applicability::unsafe, {{attribute.name_span(), std::string(meant)}}});
@@ -177,7 +200,7 @@ class ShapeChecker {
     if (holds(spec.extensions, name) || name.find(':') != std::string_view::npos) return;
     if (std::any_of(spec.attributes.begin(), spec.attributes.end(),
                     [&](const AttributeSpec& a) { return a.name == name; })) {
-      return attribute_as_element(parent, child);
+      return attribute_as_element(parent, child, is_required(spec, name));
     }
     // Robots carry the elements of many vendors; only what looks like a slip is reported there.
     std::vector<std::string_view> names;
@@ -185,16 +208,19 @@ class ShapeChecker {
     const auto near = urdf::meant_name(name, names);
     const bool is_misplaced = urdf::find_element_spec(name) != nullptr;
     if (is_misplaced) return misplaced(parent, child);
-    if (near && path::to_lower(name) == *near) return wrong_case(child, *near);
+    if (near && path::to_lower(name) == *near) return wrong_case(parent, child, *near);
     if (near || parent.name() != "robot") unknown_child(parent, child, near);
   }
 
-  void attribute_as_element(View parent, View child) {
+  void attribute_as_element(View parent, View child, bool is_required) {
     const std::string name(child.name());
     Diagnostic& diagnostic = sink_.report(rules::sml1106_unknown_element, child.name_span(),
                                           quoted(name) + " is an attribute of " +
                                               quoted(parent.name()) + ", not an element in it");
     diagnostic.severity = Severity::error;
+    if (is_required) {
+      diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
+    }
     diagnostic.notes.push_back("URDF readers ignore it without a word");
     diagnostic.help = "write `<" + std::string(parent.name()) + " " + name + "=\"...\"/>`";
   }
@@ -238,11 +264,17 @@ class ShapeChecker {
         .notes.push_back("URDF readers ignore it without a word");
   }
 
-  void wrong_case(View child, std::string_view name) {
-    sink_
-        .report(rules::sml1114_tag_case, child.name_span(),
-                "the element " + quoted(child.name()) + " must be written " + quoted(name))
-        .notes.push_back("URDF readers ignore it and all it holds without a word");
+  void wrong_case(View parent, View child, std::string_view name) {
+    Diagnostic& diagnostic =
+        sink_.report(rules::sml1114_tag_case, child.name_span(),
+                     "the element " + quoted(child.name()) + " must be written " + quoted(name));
+    diagnostic.notes.push_back("URDF readers ignore it and all it holds without a word");
+    // Our own reader takes it as it is meant, so that no rule misses it.
+    const auto missing =
+        std::find_if(std::begin(kMissing), std::end(kMissing), [&](const Missing& one) {
+          return one.parent == parent.name() && one.child == name;
+        });
+    if (missing != std::end(kMissing)) diagnostic.consequences.push_back(missing->rule);
   }
 
   void repeated(View element, const ElementSpec& spec) {
@@ -285,87 +317,4 @@ void check_urdf_shape(const xml::Document& document, DiagnosticSink& sink) {
   }
 }
 
-namespace rules {
-
-constinit const Rule sml1101_root_not_robot{
-    .id = "SML1101",
-    .name = "root-not-robot",
-    .severity = Severity::error,
-    .summary = "The root element of a URDF is not `robot`.",
-    .why = "Every reader but MuJoCo refuses the file; the name is case-sensitive.",
-    .remedy = "Name the root element `robot`, or name the right file.",
-    .sources = "urdfdom model.cpp:106; sdformat 12.3, Bullet, executed."};
-
-constinit const Rule sml1106_unknown_element{
-    .id = "SML1106",
-    .name = "unknown-element",
-    .severity = Severity::warning,
-    .summary = "An element that URDF does not define stands where readers look for others.",
-    .why = "urdfdom, sdformat, DART, MuJoCo, Bullet and urdf-loader ignore it silently: a misspelt "
-           "`collision` is a link without collision.",
-    .remedy = "Correct the name; foreign data belongs under `robot` or needs a prefix.",
-    .sources = "all six readers, executed."};
-
-constinit const Rule sml1107_unknown_attribute{
-    .id = "SML1107",
-    .name = "unknown-attribute",
-    .severity = Severity::warning,
-    .summary = "An element has an attribute that URDF does not define.",
-    .why =
-        "Readers ignore it silently: `<axis xzy=\"0 0 1\"/>` leaves urdfdom with the axis 0 0 0.",
-    .remedy = "Correct the name; foreign attributes need a prefix.",
-    .sources = "urdfdom 3.0.1, executed; 186 of 797 public files."};
-
-constinit const Rule sml1108_misplaced_element{
-    .id = "SML1108",
-    .name = "misplaced-element",
-    .severity = Severity::warning,
-    .summary = "A URDF element stands inside an element that does not take it.",
-    .why = "Readers ignore it silently: an `inertial` beside the links gives no link a mass.",
-    .remedy = "Move it into the element it belongs to.",
-    .sources = "urdfdom 3.0.1, executed."};
-
-constinit const Rule sml1109_duplicate_singleton{
-    .id = "SML1109",
-    .name = "duplicate-singleton",
-    .severity = Severity::error,
-    .summary = "An element that may stand once stands twice.",
-    .why =
-        "urdfdom, Drake and Bullet take the first, urdf-loader the last origin, MuJoCo refuses the "
-        "file.",
-    .remedy = "Keep one of them.",
-    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and urdf-loader 0.13, executed."};
-
-constinit const Rule sml1113_required_attribute_missing{
-    .id = "SML1113",
-    .name = "required-attribute-missing",
-    .severity = Severity::error,
-    .summary = "An element lacks an attribute that readers need.",
-    .why =
-        "urdfdom refuses the file, or keeps the link without its visuals and collisions and says "
-        "nothing; other readers invent a value.",
-    .remedy = "Add the attribute.",
-    .sources = "urdfdom 3.0.1 link.cpp:415-486, executed."};
-
-constinit const Rule sml1114_tag_case{
-    .id = "SML1114",
-    .name = "tag-case",
-    .severity = Severity::error,
-    .summary = "An element name differs from a URDF element only in case.",
-    .why = "Names are case-sensitive in every reader but urdf-loader; the element is ignored.",
-    .remedy = "Write it in lower case.",
-    .sources = "urdfdom 3.0.1 and urdf-loader 0.13, executed."};
-
-constinit const Rule sml1119_stray_text{
-    .id = "SML1119",
-    .name = "stray-text",
-    .severity = Severity::warning,
-    .summary = "Text stands between the elements of a URDF.",
-    .why = "All of URDF is in attributes, so readers skip the text without a word: a value written "
-           "there is lost, and a marker of a merge conflict goes unnoticed.",
-    .remedy = "Delete the text, make it a comment, or move it into an attribute.",
-    .sources =
-        "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, which ask for elements only."};
-
-}  // namespace rules
 }  // namespace smurf

@@ -3,6 +3,7 @@
 #include "smurf/diagnostic.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
@@ -75,6 +76,17 @@ std::vector<Diagnostic> DiagnosticSink::take() {
     told.help = raise_limit("suggestions");
     suggestions_end_.reset();
   }
+  const auto key = [](Span span) { return std::tuple(span.source, span.begin, span.end); };
+  std::map<std::tuple<SourceId, std::uint32_t, std::uint32_t>, std::vector<const Rule*>> by_place;
+  for (const auto& [place, rule] : consequences_) by_place[key(place)].push_back(rule);
+  for (Diagnostic& diagnostic : diagnostics_) {
+    if (by_place.empty()) break;
+    const auto found = by_place.find(key(diagnostic.span));
+    if (found == by_place.end()) continue;
+    diagnostic.consequences.insert(diagnostic.consequences.end(), found->second.begin(),
+                                   found->second.end());
+  }
+  consequences_.clear();
   return std::move(diagnostics_);
 }
 

@@ -39,6 +39,38 @@ bool is_index(std::string_view segment) {
          std::all_of(segment.begin(), segment.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+constexpr Fact kNoAnnotations{.makes = "reads no annotations",
+                              .evidence = "it opens the URDF only"};
+
+/// References from annotations, and their keys.
+bool is_about_annotations(const Rule& rule) {
+  return rule.id.starts_with("SML3") || rule.id.starts_with("SML4");
+}
+
+/// What the tools find in their own files, and what they cannot write, concerns no reader.
+bool is_about_robots(const Rule& rule) {
+  return rule.reported_by == Tool::lint && !rule.id.starts_with("SML9");
+}
+
+/// Of findings that are left out, what is known is about those that are left.
+const Rule& subject_of(const Diagnostic& diagnostic) {
+  return diagnostic.left_out == nullptr ? *diagnostic.rule : *diagnostic.left_out;
+}
+
+const Fact* find_fact(const Reader& reader, const Rule& rule, std::string_view path) {
+  for (const Reader* known = &reader; known != nullptr; known = known->like) {
+    for (const Fact& fact : rule.facts) {
+      if (fact.reader == known && path.find(fact.where) != std::string_view::npos) return &fact;
+    }
+    for (const auto& [family, fact] : known->families) {
+      if (!rule.id.starts_with(family)) continue;
+      if (path.find(fact.where) != std::string_view::npos) return &fact;
+    }
+  }
+  const bool is_read = reader.reads_annotations || !is_about_annotations(rule);
+  return is_read ? nullptr : &kNoAnnotations;
+}
+
 }  // namespace
 
 std::string_view to_string(Effect effect) {
@@ -85,22 +117,23 @@ std::string fact_path(const Diagnostic& diagnostic) {
   return out;
 }
 
-const ReaderFact* find_fact(const Reader& reader, const Diagnostic& diagnostic) {
+const Fact* find_fact(const Reader& reader, const Diagnostic& diagnostic) {
   const std::string path = fact_path(diagnostic);
-  for (const Reader* known = &reader; known != nullptr; known = known->like) {
-    for (const ReaderFact& fact : known->facts) {
-      if (!diagnostic.rule->id.starts_with(fact.rule)) continue;
-      if (path.find(fact.where) == std::string::npos) continue;
-      return fact.effect == Effect::takes ? nullptr : &fact;
-    }
+  const Fact* worst = find_fact(reader, subject_of(diagnostic), path);
+  for (const Rule* rule : diagnostic.consequences) {
+    const Fact* fact = find_fact(reader, *rule, path);
+    if (fact != nullptr && (worst == nullptr || fact->effect > worst->effect)) worst = fact;
   }
-  return nullptr;
+  return worst;
 }
 
 bool has_facts(const Reader& reader, const Rule& rule) {
   for (const Reader* known = &reader; known != nullptr; known = known->like) {
-    if (std::any_of(known->facts.begin(), known->facts.end(),
-                    [&](const ReaderFact& fact) { return rule.id.starts_with(fact.rule); })) {
+    const bool is_in_row = std::any_of(rule.facts.begin(), rule.facts.end(),
+                                       [&](const Fact& fact) { return fact.reader == known; });
+    if (is_in_row ||
+        std::any_of(known->families.begin(), known->families.end(),
+                    [&](const FamilyFact& one) { return rule.id.starts_with(one.family); })) {
       return true;
     }
   }
@@ -108,37 +141,112 @@ bool has_facts(const Reader& reader, const Rule& rule) {
 }
 
 bool has_facts(const Rule& rule) {
-  return std::any_of(std::begin(kReaders), std::end(kReaders),
+  return !rule.facts.empty() ||
+         std::any_of(std::begin(kReaders), std::end(kReaders),
                      [&](const Reader* reader) { return has_facts(*reader, rule); });
 }
 
-std::vector<KnownFact> facts_about(const Rule& rule) {
-  std::vector<KnownFact> known;
+std::vector<const Fact*> facts_about(const Rule& rule) {
+  std::vector<const Fact*> known;
   for (const Reader* reader : kReaders) {
-    for (const ReaderFact& fact : reader->facts) {
-      if (rule.id.starts_with(fact.rule)) known.push_back({reader, &fact});
+    for (const Fact& fact : rule.facts) {
+      if (fact.reader == reader) known.push_back(&fact);
+    }
+    for (const auto& [family, fact] : reader->families) {
+      if (rule.id.starts_with(family)) known.push_back(&fact);
     }
   }
   return known;
 }
 
-std::string_view to_word(const TargetVerdict& verdict) {
-  if (verdict.refusals > 0) return to_string(Effect::refuses);
-  return to_string(verdict.losses > 0 ? Effect::loses : Effect::takes);
+std::string evidence_of(const Fact& fact) {
+  if (fact.evidence != kRun) return std::string(fact.evidence);
+  return std::string(fact.reader->version) + ", run";
+}
+
+std::string describe(const Fact& fact) {
+  std::string text(fact.reader->title);
+  std::string_view where = fact.where;
+  while (where.starts_with('/') || where.starts_with('#')) where.remove_prefix(1);
+  while (where.ends_with('/')) where.remove_suffix(1);
+  if (!where.empty()) text.append(" (").append(where).append(")");
+  return text + ": " + std::string(fact.makes);
+}
+
+std::string sources_of(const Rule& rule) {
+  std::vector<std::string> sources;
+  for (const Fact* fact : facts_about(rule)) sources.push_back(evidence_of(*fact));
+  if (!rule.sources.empty()) sources.emplace_back(rule.sources);
+  std::string text;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const auto end = sources.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(sources.begin(), end, sources[i]) != end) continue;
+    text += (text.empty() ? "" : "; ") + sources[i];
+  }
+  return text.empty() || text.ends_with('.') ? text : text + ".";
+}
+
+std::string_view to_string(Answer answer) {
+  switch (answer) {
+  case Answer::takes: return "takes";
+  case Answer::loses: return "loses";
+  case Answer::unknown: return "unknown";
+  case Answer::refuses: return "refuses";
+  }
+  return "";
+}
+
+Answer TargetVerdict::answer() const {
+  if (refusals > 0) return Answer::refuses;
+  if (unknown > 0) return Answer::unknown;
+  return losses > 0 ? Answer::loses : Answer::takes;
+}
+
+std::size_t TargetVerdict::count(Answer answer) const {
+  switch (answer) {
+  case Answer::takes: return 0;
+  case Answer::loses: return losses;
+  case Answer::unknown: return unknown;
+  case Answer::refuses: return refusals;
+  }
+  return 0;
+}
+
+void TargetVerdict::add(const TargetVerdict& other) {
+  refusals += other.refusals;
+  unknown += other.unknown;
+  losses += other.losses;
+  for (const Rule* unknown_rule : other.unknown_rules) {
+    const auto known = std::find(unknown_rules.begin(), unknown_rules.end(), unknown_rule);
+    if (known == unknown_rules.end()) unknown_rules.push_back(unknown_rule);
+  }
+  if (other.fact == nullptr || (fact != nullptr && fact->effect >= other.fact->effect)) return;
+  fact = other.fact;
+  rule = other.rule;
+  span = other.span;
 }
 
 TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> diagnostics) {
   TargetVerdict verdict;
   verdict.reader = &reader;
   for (const Diagnostic& diagnostic : diagnostics) {
-    const ReaderFact* fact = find_fact(reader, diagnostic);
-    if (fact == nullptr || fact->effect == Effect::ignores) continue;
-    const bool is_refusal = fact->effect >= Effect::refuses;
-    const bool is_first = is_refusal ? verdict.refusals == 0 : verdict.first == nullptr;
-    ++(is_refusal ? verdict.refusals : verdict.losses);
-    if (!is_first) continue;
-    verdict.first = &diagnostic;
+    if (!is_about_robots(*diagnostic.rule)) continue;
+    const Fact* fact = find_fact(reader, diagnostic);
+    if (fact == nullptr) {
+      const Severity severity = diagnostic.untargeted.value_or(diagnostic.severity);
+      if (severity != Severity::error || diagnostic.rule->needs_target) continue;
+      ++verdict.unknown;
+      auto& rules = verdict.unknown_rules;
+      const auto known = std::find(rules.begin(), rules.end(), diagnostic.rule);
+      if (known == rules.end()) rules.push_back(diagnostic.rule);
+      continue;
+    }
+    if (fact->effect <= Effect::ignores) continue;
+    ++(fact->effect >= Effect::refuses ? verdict.refusals : verdict.losses);
+    if (verdict.fact != nullptr && verdict.fact->effect >= fact->effect) continue;
     verdict.fact = fact;
+    verdict.rule = diagnostic.rule;
+    verdict.span = diagnostic.span;
   }
   return verdict;
 }

@@ -41,11 +41,13 @@ BaselinePath relative_to_folder_of(const std::string& file) {
   };
 }
 
-/// What is left under the settings of the group; adds how much comments let pass to `suppressed`.
+/// What is left under the settings of the group; adds how much comments let pass to `suppressed`,
+/// and to the verdicts what the targets make of all that was found.
 std::vector<Diagnostic> settle(Judged&& judged, const CheckGroup& group, const SourceMap& sources,
-                               std::size_t& suppressed) {
+                               std::size_t& suppressed, std::vector<TargetVerdict>& verdicts) {
   const RuleSelection& selection = group.selection;
   std::vector<Diagnostic> found = finish(std::move(judged.diagnostics), sources, selection);
+  for (TargetVerdict& verdict : verdicts) verdict.add(judge_target(*verdict.reader, found));
   if (!group.settings.heeds_comments) return found;
   const std::size_t before = found.size();
   const std::size_t count = judged.comments.apply(found, sources, selection);
@@ -83,6 +85,17 @@ std::size_t apply_baseline(const std::string& path, const CheckGroup& group, con
   baseline.report_stale(sources, group.selection, sink);
   append(finish(sink.take(), sources, group.selection), found);
   return count;
+}
+
+/// Of the findings that decide a verdict, those that are not among `left` were let pass.
+void note_passed(const std::vector<Diagnostic>& left, std::size_t TargetVerdict::*counter,
+                 std::vector<TargetVerdict>& verdicts) {
+  for (TargetVerdict& verdict : verdicts) {
+    const Answer answer = verdict.answer();
+    const std::size_t before = verdict.count(answer) - verdict.ignored - verdict.in_baseline;
+    const std::size_t after = judge_target(*verdict.reader, left).count(answer);
+    if (after < before) verdict.*counter += before - after;
+  }
 }
 
 /// A file that two models share is one file.
@@ -128,23 +141,25 @@ Report make_report(std::vector<Judged>&& found, const CheckGroups& groups, const
   const CheckGroup& first = groups.front();
   std::vector<Diagnostic>& all = report.diagnostics;
   std::size_t suppressed = 0;
+  for (const Reader* target : targets_of(groups)) report.targets.push_back({.reader = target});
   for (std::size_t i = 0; i < found.size(); ++i) {
     const CheckGroup& group = groups[i];
     Judged& judged = found[i];
     judged.diagnostics.insert(judged.diagnostics.begin(), group.found.begin(), group.found.end());
-    append(settle(std::move(judged), group, sources, suppressed), all);
+    append(settle(std::move(judged), group, sources, suppressed, report.targets), all);
   }
   sort_findings(all, sources);
+  if (suppressed > 0) note_passed(all, &TargetVerdict::ignored, report.targets);
   report.wishes = wishes_of(first);
   const std::string& baseline = report.wishes.baseline;
   if (first.settings.heeds_baseline && !baseline.empty()) {
     suppressed += apply_baseline(baseline, first, desk, sources, all);
     sort_findings(all, sources);
+    note_passed(all, &TargetVerdict::in_baseline, report.targets);
   }
   report.summary = summarize(all);
   report.summary.suppressed = suppressed;
   report.summary.files = count_files(sources, desk);
-  report.targets = targets_of(groups);
   return report;
 }
 

@@ -475,26 +475,4 @@ Config read_config(const std::string& path, SourceMap& sources, const FileReader
 std::vector<SettingSpec> config_settings() { return ConfigReader::settings(); }
 std::vector<SettingSpec> config_path_settings() { return ConfigReader::path_settings(); }
 
-namespace rules {
-
-constinit const Rule sml9001_unknown_setting{
-    .id = "SML9001",
-    .name = "unknown-setting",
-    .severity = Severity::error,
-    .summary = "The configuration has a key that is no setting.",
-    .why = "It has no effect, and what was meant by it does not happen.",
-    .remedy = "Write the key as suggested, or take it out.",
-    .sources = "smurf-lint."};
-
-constinit const Rule sml9002_wrong_setting{
-    .id = "SML9002",
-    .name = "wrong-setting",
-    .severity = Severity::error,
-    .summary = "A setting of the configuration has a value that it cannot take.",
-    .why = "It is ignored: a rule that does not exist selects nothing, a schema that cannot be "
-           "read checks nothing.",
-    .remedy = "Write a value as the message asks for; `--list-rules` shows the rules.",
-    .sources = "smurf-lint."};
-
-}  // namespace rules
 }  // namespace smurf

@@ -331,37 +331,4 @@ std::optional<xml::Document> load_xml(const std::string& path, LoadContext& cont
   return parse_xml(context.sources, *source, context.limits, context.sink);
 }
 
-namespace rules {
-
-constinit const Rule sml2001_missing_file{
-    .id = "SML2001",
-    .name = "missing-file",
-    .severity = Severity::error,
-    .summary = "`files` lists a file that cannot be read.",
-    .why = "MARS ends with an uncaught exception (annotation file) or dereferences a null model "
-           "(URDF); Phobos logs an error and goes on without the annotations.",
-    .remedy = "Correct the path (relative to the .smurf's folder), or take the entry out.",
-    .sources = "smurf_parser SMURFParser.cpp:45-77 (run); Phobos io/smurfrobot.py:171-197."};
-
-constinit const Rule sml2004_absolute_path{
-    .id = "SML2004",
-    .name = "absolute-path",
-    .severity = Severity::error,
-    .summary = "`files` lists an absolute path.",
-    .why = "MARS, MARS 2 and rock-cpp/smurf put the folder of the .smurf before every entry, so "
-           "the file is not found; and no other machine has it there.",
-    .remedy = "Write the path relative to the .smurf's folder.",
-    .sources = "smurf_parser SMURFParser.cpp:40-54 (run)."};
-
-constinit const Rule sml2009_file_listed_twice{
-    .id = "SML2009",
-    .name = "file-listed-twice",
-    .severity = Severity::error,
-    .summary = "`files` lists one file twice.",
-    .why = "MARS merges it twice: every motor, sensor and light exists two times, under "
-           "one name.",
-    .remedy = "List the file once.",
-    .sources = "smurf_parser SMURFParser.cpp:43-69 (run)."};
-
-}  // namespace rules
 }  // namespace smurf

@@ -41,6 +41,8 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
   if (!is_named) reference = {context.sources.add_unreadable(path::normalize(path)), 0, 0};
   Diagnostic& diagnostic = context.sink.report(
       reported, reference, "cannot read `" + path::normalize(path) + "`: " + content.reason);
+  const std::string extension = path::to_lower(path::extension(path));
+  if (extension.size() > 1) diagnostic.construct = extension.substr(1);
   if (is_too_large) {
     diagnostic.message += "; at most " + std::to_string(context.limits.file_bytes) + " are read";
     diagnostic.help = raise_limit("file-bytes");
@@ -76,26 +78,4 @@ std::optional<std::string> similar_file(const std::string& path, const Rule& rul
   return std::nullopt;
 }
 
-namespace rules {
-
-constinit const Rule sml0001_unreadable_file{
-    .id = "SML0001",
-    .name = "unreadable-file",
-    .severity = Severity::error,
-    .summary = "A file that was to be checked cannot be read.",
-    .why = "Nothing is known about it, so nothing can be promised.",
-    .remedy = "Check the path and its permissions.",
-    .sources = "The operating system."};
-
-constinit const Rule sml0002_file_too_large{
-    .id = "SML0002",
-    .name = "file-too-large",
-    .severity = Severity::error,
-    .summary = "A file, or what it holds, is larger than a limit.",
-    .why =
-        "A text file of this size is not a robot model; reading it whole could exhaust the memory.",
-    .remedy = "Name another file, or raise the limit (docs/limits.md).",
-    .sources = "Limit of these tools."};
-
-}  // namespace rules
 }  // namespace smurf

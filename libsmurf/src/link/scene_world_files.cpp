@@ -51,19 +51,4 @@ void check_world_files(const SceneFile& scene, LoadContext& context) {
   }
 }
 
-namespace rules {
-
-constinit const Rule sml5305_path_from_working_folder{
-    .id = "SML5305",
-    .name = "path-from-working-folder",
-    .severity = Severity::warning,
-    .summary = "A path of `environment` is looked for where the simulation is started.",
-    .why = "MARS takes the paths of terrain and animations as they are, and that of the sky box "
-           "when there is nothing of that name beside the scene: what is found depends on the "
-           "folder in which the program was started.",
-    .remedy = "Put the sky box beside the scene. For the others only an absolute path, or a fixed "
-              "folder to start in, is certain.",
-    .sources = "MARS SMURFLoader.cpp:484-515."};
-
-}  // namespace rules
 }  // namespace smurf

@@ -8,28 +8,6 @@
 
 namespace smurf {
 
-namespace rules {
-
-extern constinit const Rule sml9104_malformed_baseline{
-    .id = "SML9104",
-    .name = "malformed-baseline",
-    .severity = Severity::error,
-    .summary = "A baseline file is not one that smurf-lint has written.",
-    .why = "What cannot be understood lets no finding pass, and what was meant is not known.",
-    .remedy = "Write it anew with `smurf-lint --generate-baseline`.",
-    .sources = "smurf-lint"};
-
-extern constinit const Rule sml9105_stale_baseline_entry{
-    .id = "SML9105",
-    .name = "stale-baseline-entry",
-    .severity = Severity::info,
-    .summary = "A baseline lets a finding pass that is no longer there.",
-    .why = "The fault is mended; as long as the entry stays, the same fault can come back unseen.",
-    .remedy = "Write the baseline anew with `smurf-lint --generate-baseline`.",
-    .sources = "smurf-lint"};
-
-}  // namespace rules
-
 namespace {
 
 constexpr std::string_view kFirstLine =

@@ -29,6 +29,19 @@ Span visual_or_collision(const LinkedModel& model, NameKind kind, std::string_vi
   return {};
 }
 
+/// Where the element has an attribute or a child whose name is nearly `name`; empty without.
+Span find_slip(const LinkedModel& model, xml::ElementId element, std::string_view name) {
+  const xml::View view(model.robot->document, element);
+  const std::string_view known[] = {name};
+  for (const auto* at = view.attributes_begin(); at != view.attributes_end(); ++at) {
+    if (urdf::meant_name(at->name(), known)) return at->name_span();
+  }
+  for (const xml::View child : view) {
+    if (urdf::meant_name(child.name(), known)) return child.name_span();
+  }
+  return {};
+}
+
 /// An entry without a name, or with that of another, may be the one that is looked for.
 template <class Entries>
 bool are_all_named(const Entries& entries, const NameTable& names) {
@@ -231,15 +244,14 @@ Span name_place(const LinkedModel& model, const urdf::Joint& joint) {
 }
 
 bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view name) {
-  const xml::View view(model.robot->document, element);
-  const std::string_view known[] = {name};
-  const bool in_attributes =
-      std::any_of(view.attributes_begin(), view.attributes_end(), [&](const xml::Attribute& a) {
-        return urdf::meant_name(a.name(), known).has_value();
-      });
-  return in_attributes || std::any_of(view.begin(), view.end(), [&](const xml::View child) {
-           return urdf::meant_name(child.name(), known).has_value();
-         });
+  return !find_slip(model, element, name).empty();
+}
+
+bool is_slip(const LinkedModel& model, xml::ElementId element, std::string_view name,
+             Findings& findings) {
+  const Span slip = find_slip(model, element, name);
+  if (!slip.empty()) findings.add_consequence(slip);
+  return !slip.empty();
 }
 
 }  // namespace smurf

@@ -85,9 +85,12 @@ Span name_place(const LinkedModel& model, const urdf::Link& link);
 Span name_place(const LinkedModel& model, const urdf::Joint& joint);
 /// The `inertia` element's name, or the inertial's.
 Span inertia_place(const LinkedModel& model, const urdf::Inertial& inertial);
-/// True when the element has an attribute or a child whose name is nearly `name`: that the thing
-/// itself is missing is then reported with the slip.
+/// True when the element has an attribute or a child whose name is nearly `name`.
 bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view name);
+/// Same, for a rule that reports no `name` then, because the slip is reported where it stands: to
+/// readers the thing is missing all the same, so the slip is a fault of this rule as well.
+bool is_slip(const LinkedModel& model, xml::ElementId element, std::string_view name,
+             Findings& findings);
 /// Place of an element's name in its start tag.
 Span tag_name(const LinkedModel& model, xml::ElementId element);
 

@@ -11,44 +11,6 @@
 
 namespace smurf {
 
-namespace rules {
-
-extern constinit const Rule sml9101_malformed_suppression{
-    .id = "SML9101",
-    .name = "malformed-suppression",
-    .severity = Severity::warning,
-    .summary = "A comment for smurf-lint is not one that it understands.",
-    .why =
-        "The comment was meant to silence a finding and does not, or it silences nothing for ever "
-        "without anybody noticing.",
-    .remedy =
-        "Write `smurf-lint: ignore[SML3101] reason` at the end of the line or on the line above "
-        "the entry, or `smurf-lint: ignore-file[SML3101] reason` for the whole file. The rules "
-        "have to be named.",
-    .sources = "smurf-lint, docs/integrations.md"};
-
-extern constinit const Rule sml9102_unknown_rule{
-    .id = "SML9102",
-    .name = "unknown-rule",
-    .severity = Severity::warning,
-    .summary = "A comment for smurf-lint names a rule that does not exist.",
-    .why = "A misspelt rule silences nothing.",
-    .remedy = "Name the rule as the report does: by its id or its name.",
-    .sources = "smurf-lint --list-rules"};
-
-extern constinit const Rule sml9103_unused_suppression{
-    .id = "SML9103",
-    .name = "unused-suppression",
-    .severity = Severity::warning,
-    .summary = "A comment for smurf-lint silences nothing.",
-    .why =
-        "The fault it was written for is mended, or the comment stands in the wrong place; if it "
-        "stays, it will silence the next fault there.",
-    .remedy = "Remove the comment; `--fix` does it.",
-    .sources = "smurf-lint"};
-
-}  // namespace rules
-
 namespace {
 
 constexpr std::string_view kMarker = "smurf-lint:";
@@ -98,7 +60,7 @@ class Lines {
 /// those of the other tools (SML6, SML8) never.
 bool has_run(std::string_view name, const RuleSelection& selection, FileSelection& file) {
   const auto has_run_in_full = [&](const Rule& rule) {
-    if (rule.id.starts_with("SML6") || rule.id.starts_with("SML8")) return false;
+    if (rule.reported_by != Tool::lint) return false;
     if (!file.is_enabled(rule)) return false;
     const auto& targets = selection.targets;
     const auto readers = all_readers();

@@ -11,15 +11,6 @@
 namespace smurf {
 namespace {
 
-/// No body has a negative mass or such an inertia, and no joint joins a link to itself: what a
-/// reader makes of it is its own affair.
-constexpr std::string_view kImpossible[] = {"SML1207", "SML1509", "SML1512", "SML1513"};
-
-bool is_impossible(const Rule& rule) {
-  return std::find(std::begin(kImpossible), std::end(kImpossible), rule.id) !=
-         std::end(kImpossible);
-}
-
 Severity severity_of(Effect effect) {
   if (effect >= Effect::breaks) return Severity::error;
   return effect >= Effect::changes ? Severity::warning : Severity::info;
@@ -29,14 +20,20 @@ Severity milder(Severity severity) {
   return severity == Severity::error ? Severity::warning : Severity::info;
 }
 
-/// The facts about a finding, each with the targets it holds for.
-using Stumbles = std::vector<std::pair<const ReaderFact*, std::string>>;
+/// What the targets make of a finding.
+struct Judgement {
+  /// Facts other than that it is taken, each with the targets it holds for.
+  std::vector<std::pair<const Fact*, std::string>> stumbles;
+  bool is_known = true;  ///< of every target
+};
 
-Stumbles find_stumbles(const Diagnostic& diagnostic, std::span<const Reader* const> targets) {
-  Stumbles stumbles;
+Judgement judge(const Diagnostic& diagnostic, std::span<const Reader* const> targets) {
+  Judgement judgement;
   for (const Reader* reader : targets) {
-    const ReaderFact* fact = find_fact(*reader, diagnostic);
-    if (fact == nullptr) continue;
+    const Fact* fact = find_fact(*reader, diagnostic);
+    judgement.is_known = judgement.is_known && fact != nullptr;
+    if (fact == nullptr || fact->effect == Effect::takes) continue;
+    auto& stumbles = judgement.stumbles;
     const auto known = std::find_if(stumbles.begin(), stumbles.end(), [&](const auto& stumble) {
       return stumble.first->makes == fact->makes;
     });
@@ -46,27 +43,32 @@ Stumbles find_stumbles(const Diagnostic& diagnostic, std::span<const Reader* con
       known->second.append(", ").append(reader->name);
     }
   }
-  return stumbles;
+  return judgement;
 }
 
-Severity severity_for(const Diagnostic& diagnostic, const Stumbles& stumbles) {
-  if (!has_facts(*diagnostic.rule)) return diagnostic.severity;
+Severity severity_for(const Diagnostic& diagnostic, const Judgement& judgement) {
+  if (!has_facts(*diagnostic.rule) && judgement.stumbles.empty()) return diagnostic.severity;
   Severity severity = Severity::info;
-  for (const auto& [fact, names] : stumbles) {
+  for (const auto& [fact, names] : judgement.stumbles) {
     severity = std::max(severity, severity_of(fact->effect));
   }
-  if (is_impossible(*diagnostic.rule)) return std::max(severity, diagnostic.severity);
+  // An error stays one while a target may refuse it.
+  const bool is_open = !judgement.is_known && diagnostic.severity == Severity::error;
+  if (diagnostic.rule->is_impossible || (is_open && !diagnostic.rule->needs_target)) {
+    return std::max(severity, diagnostic.severity);
+  }
   const bool is_fine = diagnostic.rule->needs_target;  // unless one of the targets stumbles
-  return stumbles.empty() && !is_fine ? milder(diagnostic.severity) : severity;
+  return judgement.stumbles.empty() && !is_fine ? milder(diagnostic.severity) : severity;
 }
 
 }  // namespace
 
 void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader* const> targets) {
   for (Diagnostic& diagnostic : diagnostics) {
-    const Stumbles stumbles = find_stumbles(diagnostic, targets);
-    diagnostic.severity = severity_for(diagnostic, stumbles);
-    for (const auto& [fact, names] : stumbles) {
+    const Judgement judgement = judge(diagnostic, targets);
+    diagnostic.untargeted = diagnostic.severity;
+    diagnostic.severity = severity_for(diagnostic, judgement);
+    for (const auto& [fact, names] : judgement.stumbles) {
       diagnostic.notes.push_back(names + ": " + std::string(fact->makes));
     }
   }

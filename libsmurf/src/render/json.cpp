@@ -52,14 +52,19 @@ Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
 }
 
 Json to_json(const TargetVerdict& target, const SourceMap& sources) {
-  Json json = {
-      {"verdict", text(to_word(target))}, {"refusals", target.refusals}, {"losses", target.losses}};
-  if (target.first == nullptr) return json;
-  Json first = {{"id", text(target.first->rule->id)},
+  Json json = {{"verdict", text(to_string(target.answer()))},
+               {"refusals", target.refusals},
+               {"unknown", target.unknown},
+               {"losses", target.losses},
+               {"ignored", target.ignored},
+               {"in_baseline", target.in_baseline}};
+  for (const Rule* rule : target.unknown_rules) json["unknown_rules"].push_back(text(rule->id));
+  if (target.fact == nullptr) return json;
+  Json first = {{"id", text(target.rule->id)},
                 {"effect", text(to_string(target.fact->effect))},
                 {"makes", text(target.fact->makes)},
-                {"source", text(target.fact->source)}};
-  add_place(first, target.first->span, sources);
+                {"source", evidence_of(*target.fact)}};
+  add_place(first, target.span, sources);
   json["first"] = std::move(first);
   return json;
 }
@@ -112,7 +117,14 @@ std::string render_rule_list_json(std::span<const Rule* const> rules) {
                   {"summary", text(rule->summary)},
                   {"why", text(rule->why)},
                   {"remedy", text(rule->remedy)},
-                  {"sources", text(rule->sources)}};
+                  {"sources", sources_of(*rule)}};
+    for (const Fact* fact : facts_about(*rule)) {
+      entry["readers"].push_back({{"reader", text(fact->reader->name)},
+                                  {"where", text(fact->where)},
+                                  {"effect", text(to_string(fact->effect))},
+                                  {"makes", text(fact->makes)},
+                                  {"evidence", evidence_of(*fact)}});
+    }
     if (const Tolerance& tolerance = rule->tolerance; !tolerance.meaning.empty()) {
       entry["tolerance"] = {{"value", tolerance.value},
                             {"unit", text(tolerance.unit)},

@@ -29,19 +29,41 @@ std::uint64_t sum(const Json& a, const Json& b) {
   return second > UINT64_MAX - first ? UINT64_MAX : first + second;
 }
 
-/// The worse of two verdicts on one reader; the first place is that of the worse.
+/// The place of a word among words that get worse.
+template <std::size_t N>
+std::ptrdiff_t rank(const std::array<std::string_view, N>& words, const std::string& word) {
+  return std::ranges::find(words, word) - words.begin();
+}
+
+std::ptrdiff_t rank_of_verdict(const Json& target) {
+  static constexpr std::array<std::string_view, 4> kWords = {"takes", "loses", "unknown",
+                                                             "refuses"};
+  return rank(kWords, target.at("verdict"));
+}
+
+std::ptrdiff_t rank_of_first(const Json& target) {
+  static constexpr std::array<std::string_view, 5> kWords = {"changes", "loses", "breaks",
+                                                             "refuses", "crashes"};
+  return target.contains("first") ? rank(kWords, target.at("first").at("effect")) : -1;
+}
+
+void add_count(Json& target, const Json& other, const char* name) {
+  target[name] = sum(target.at(name), other.at(name));
+}
+
+/// The worse of two verdicts on one reader.
 void merge_target(Json& target, const Json& other) {
-  static constexpr std::array<std::string_view, 3> kWorse = {"takes", "loses", "refuses"};
-  const auto rank = [](const Json& json) {
-    const auto found = std::ranges::find(kWorse, json.at("verdict").get<std::string>());
-    return found - kWorse.begin();
-  };
-  if (rank(other) > rank(target)) {
-    target["verdict"] = other.at("verdict");
-    if (other.contains("first")) target["first"] = other.at("first");
+  for (const char* name : {"refusals", "unknown", "losses"}) add_count(target, other, name);
+  if (rank_of_first(other) > rank_of_first(target)) target["first"] = other.at("first");
+  for (const Json& rule : other.value("unknown_rules", Json::array())) {
+    Json& rules = target["unknown_rules"];
+    if (std::find(rules.begin(), rules.end(), rule) == rules.end()) rules.push_back(rule);
   }
-  for (const char* count : {"refusals", "losses"}) {
-    target[count] = sum(target.at(count), other.at(count));
+  const std::ptrdiff_t worse = rank_of_verdict(other) - rank_of_verdict(target);
+  if (worse > 0) target["verdict"] = other.at("verdict");
+  for (const char* name : {"ignored", "in_baseline"}) {  // of the findings that decide
+    if (worse > 0) target[name] = other.at(name);
+    if (worse == 0) add_count(target, other, name);
   }
 }
 

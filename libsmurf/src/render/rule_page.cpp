@@ -16,16 +16,6 @@ using render::wrap;
 
 constexpr std::size_t kPageColumns = 80;
 
-/// "MuJoCo (visual): discards visuals"
-std::string line_of(const KnownFact& known) {
-  std::string line(known.reader->title);
-  std::string_view where = known.fact->where;
-  while (where.starts_with('/') || where.starts_with('#')) where.remove_prefix(1);
-  while (where.ends_with('/')) where.remove_suffix(1);
-  if (!where.empty()) line.append(" (").append(where).append(")");
-  return line + ": " + std::string(known.fact->makes);
-}
-
 std::string severity_of(const Rule& rule) {
   return std::string(to_string(rule.severity)) + (rule.needs_target ? ", with --target" : "");
 }
@@ -55,12 +45,12 @@ std::string render_rule(const Rule& rule, const TextStyle& style) {
     if (!text.empty()) out += "\n" + paint(Ink::strong, heading) + "\n" + wrap(text, 2, columns);
   };
   section("Why it matters", rule.why);
-  section("What to do", rule.remedy);
   std::string readers;
-  for (const KnownFact& known : facts_about(rule)) readers += line_of(known) + "\n";
+  for (const Fact* fact : facts_about(rule)) readers += describe(*fact) + "\n";
   section("What readers make of it", readers.substr(0, readers.rfind('\n')));
+  section("What to do", rule.remedy);
   section("Tolerance", tolerance_of(rule));
-  section("Sources", rule.sources);
+  section("Sources", sources_of(rule));
   return out;
 }
 

@@ -59,6 +59,15 @@ std::string to_uri(const std::string& path) {
   return uri;
 }
 
+/// Why it matters, and what each reader makes of it; the summary when nothing is known of that.
+std::string full_description(const Rule& rule) {
+  std::string description(rule.why);
+  for (const Fact* fact : facts_about(rule)) {
+    description += (description.empty() ? "" : " ") + describe(*fact) + ".";
+  }
+  return description.empty() ? std::string(rule.summary) : description;
+}
+
 /// A name such as "[click](http://...)" would be a link in a message (SARIF 3.11.6).
 std::string without_links(std::string_view message) {
   std::string out;
@@ -91,7 +100,7 @@ class Log {
           {{"id", text(rule->id)},
            {"name", pascal_case(rule->name)},
            {"shortDescription", {{"text", cut(rule->summary)}}},
-           {"fullDescription", {{"text", cut(rule->why)}}},
+           {"fullDescription", {{"text", cut(full_description(*rule))}}},
            {"help", {{"text", text(rule->remedy)}}},
            {"helpUri", std::string(homepage) + "/blob/main/docs/rules.md#" + anchor(*rule)},
            {"defaultConfiguration", {{"level", text(level(rule->severity))}}},

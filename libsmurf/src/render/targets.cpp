@@ -15,26 +15,45 @@ using render::Painter;
 
 constexpr std::size_t kColumns = 80;
 
-std::string verdict_of(const TargetVerdict& target, const Painter& paint) {
-  if (target.refusals > 0) {
-    return paint(Ink::error, "refuses it (" + std::to_string(target.refusals) + ")");
-  }
-  if (target.losses > 0) {
-    return paint(Ink::warning, "takes it with losses (" + std::to_string(target.losses) + ")");
-  }
-  return "takes it";
+/// " (2)", and how many of them were let pass by whom: " (2, 1 in the baseline)".
+std::string count_of(const TargetVerdict& target) {
+  const std::size_t count = target.count(target.answer());
+  std::string text = " (" + std::to_string(count);
+  const auto add = [&](std::size_t some, std::string_view where) {
+    if (some == 0) return;
+    text += some == count ? ", " : ", " + std::to_string(some) + " ";
+    text += where;
+  };
+  add(target.ignored, "ignored by a comment");
+  add(target.in_baseline, "in the baseline");
+  return text + ")";
 }
 
+std::string verdict_of(const TargetVerdict& target, const Painter& paint) {
+  switch (target.answer()) {
+  case Answer::takes: return "takes it";
+  case Answer::loses: return paint(Ink::warning, "takes it with losses" + count_of(target));
+  case Answer::refuses: return paint(Ink::error, "refuses it" + count_of(target));
+  case Answer::unknown: break;
+  }
+  std::string rules;
+  for (const Rule* rule : target.unknown_rules) {
+    rules += (rules.empty() ? ": " : ", ") + std::string(rule->id);
+  }
+  return paint(Ink::warning, "not known" + count_of(target)) + rules;
+}
+
+/// The worst of what the reader makes of the files.
 std::string reason_of(const TargetVerdict& target, const SourceMap& sources) {
   std::string place;
-  const Span span = target.first->span;
+  const Span span = target.span;
   if (static_cast<std::size_t>(span.source) < sources.size()) {
     const auto size = static_cast<std::uint32_t>(sources.text(span.source).size());
     const Position at = sources.position(span.source, std::min(span.begin, size));
     place = render::escape(sources.path(span.source)) + ":" + std::to_string(at.line) + ":" +
             std::to_string(at.column) + ": ";
   }
-  return place + std::string(target.fact->makes) + " (" + std::string(target.first->rule->id) + ")";
+  return place + std::string(target.fact->makes) + " (" + std::string(target.rule->id) + ")";
 }
 
 }  // namespace
@@ -51,7 +70,7 @@ std::string render_targets(std::span<const TargetVerdict> targets, const SourceM
     const std::string_view name = target.reader->name;
     out += paint(Ink::strong, name) + std::string(indent - name.size(), ' ') +
            verdict_of(target, paint) + "\n";
-    if (target.first != nullptr) out += render::wrap(reason_of(target, sources), indent, kColumns);
+    if (target.fact != nullptr) out += render::wrap(reason_of(target, sources), indent, kColumns);
   }
   return out;
 }

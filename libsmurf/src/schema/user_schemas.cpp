@@ -118,18 +118,4 @@ void UserSchemas::check_entity(std::string_view type, yaml::View entity, SchemaW
   check(find(entity_types_, type), entity, work, findings);
 }
 
-namespace rules {
-
-constinit const Rule sml9011_broken_schema{
-    .id = "SML9011",
-    .name = "broken-schema",
-    .severity = Severity::error,
-    .summary = "A schema of your own cannot be used.",
-    .why = "It is no JSON Schema (draft-07), or applying it could take forever; nothing is checked "
-           "by it.",
-    .remedy = "Correct the schema at the place of the message. References lead to "
-              "`#/definitions/NAME` of the same file.",
-    .sources = "JSON Schema draft-07; limits of these tools."};
-
-}  // namespace rules
 }  // namespace smurf

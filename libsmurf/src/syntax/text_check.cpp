@@ -10,41 +10,6 @@
 
 namespace smurf {
 
-namespace rules {
-
-constinit const Rule sml0003_invalid_utf8{
-    .id = "SML0003",
-    .name = "invalid-utf8",
-    .severity = Severity::error,
-    .summary = "A file holds bytes that are not valid UTF-8.",
-    .why =
-        "PyYAML (Phobos) and every strict XML reader refuse the file; yaml-cpp (MARS) and tinyxml2 "
-        "pass the bytes on, so names with such bytes differ from reader to reader.",
-    .remedy = "Save the file as UTF-8.",
-    .sources = "YAML 1.2 section 5.2; XML 1.0 section 2.2; yaml-cpp 0.7 and PyYAML 6.0, executed."};
-
-constinit const Rule sml0004_control_character{
-    .id = "SML0004",
-    .name = "control-character",
-    .severity = Severity::error,
-    .summary = "A file holds a control character that its format, YAML or XML, does not allow.",
-    .why = "PyYAML (Phobos) and strict XML readers refuse the file; yaml-cpp keeps the byte inside "
-           "names and values, where nobody sees it.",
-    .remedy = "Delete the character.",
-    .sources = "YAML 1.2 section 5.1; XML 1.0 section 2.2; yaml-cpp 0.7 and PyYAML 6.0, executed."};
-
-constinit const Rule sml0005_unsupported_encoding{
-    .id = "SML0005",
-    .name = "unsupported-encoding",
-    .severity = Severity::error,
-    .summary = "A file is encoded in UTF-16 or UTF-32.",
-    .why = "urdfdom, sdformat, MuJoCo and Bullet refuse such a URDF; of the YAML readers only some "
-           "transcode it.",
-    .remedy = "Save the file as UTF-8.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, executed."};
-
-}  // namespace rules
-
 namespace {
 
 /// A byte order mark, or a NUL beside the first character: our files begin with ASCII.

@@ -143,9 +143,9 @@ class CreationOrder {
   std::vector<std::size_t> order_;
 };
 
-class Reader {
+class EntityReader {
  public:
-  explicit Reader(const LinkedScene& scene) : scene_(scene) {
+  explicit EntityReader(const LinkedScene& scene) : scene_(scene) {
     result_.entities.resize(scene.instances.size());
   }
 
@@ -341,7 +341,7 @@ class Reader {
   LinkFrames frames_;
 };
 
-SceneReading read(const LinkedScene& scene) { return Reader(scene).run(); }
+SceneReading read(const LinkedScene& scene) { return EntityReader(scene).run(); }
 
 }  // namespace
 

@@ -6,9 +6,9 @@
 namespace smurf::readings {
 namespace {
 
-class Reader {
+class EntityReader {
  public:
-  explicit Reader(const LinkedScene& scene) : scene_(scene) {}
+  explicit EntityReader(const LinkedScene& scene) : scene_(scene) {}
 
   SceneReading run() {
     find_stop();
@@ -94,7 +94,7 @@ class Reader {
   JointPoseTable poses_{result_.joint_poses};
 };
 
-SceneReading read(const LinkedScene& scene) { return Reader(scene).run(); }
+SceneReading read(const LinkedScene& scene) { return EntityReader(scene).run(); }
 
 }  // namespace
 

@@ -40,9 +40,9 @@ Pose pose_of(const LinkedScene& scene, const SceneUse& use, const Entity& entity
   return {entity.position.value_or({0, 0, 0}), turned.value_or(Quaternion{})};
 }
 
-class Reader {
+class EntityReader {
  public:
-  explicit Reader(const LinkedScene& scene) : scene_(scene) {}
+  explicit EntityReader(const LinkedScene& scene) : scene_(scene) {}
 
   SceneReading run() {
     // Outer uses come first.
@@ -193,7 +193,7 @@ class Reader {
   LinkFrames frames_;
 };
 
-SceneReading read(const LinkedScene& scene) { return Reader(scene).run(); }
+SceneReading read(const LinkedScene& scene) { return EntityReader(scene).run(); }
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -25,19 +26,26 @@ void check_scene_files(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "sees an unknown key `<<` and none of the merged ones",
+     "yaml-cpp 0.7 and configmaps, run"},
+    {&readers::mars2, Effect::loses, "sees an unknown key `<<` and none of the merged ones",
+     "yaml-cpp 0.7 and configmaps, run"},
+    {&readers::envire, Effect::loses, "sees an unknown key `<<` and none of the merged ones",
+     "yaml-cpp 0.7 and configmaps, run"},
+    {&readers::phobos, Effect::takes, "merges it", "PyYAML 6.0 constructor.py, run"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml0017_merge_key{
-    .id = "SML0017",
-    .name = "merge-key",
-    .severity = Severity::warning,
-    .summary = "A mapping uses the YAML merge key `<<`.",
-    .why = "yaml-cpp leaves `<<` alone, so MARS and rock-cpp/smurf see an unknown key and "
-           "none of the merged ones; PyYAML (Phobos) merges. The same file is two "
-           "different models.",
-    .remedy = "Write the keys in each mapping.",
-    .sources = "yaml-cpp 0.7 and configmaps (run); PyYAML 6.0 constructor.py (run).",
-    .check_model = check_model_files,
-    .check_scene = check_scene_files};
+extern constinit const Rule sml0017_merge_key{.id = "SML0017",
+                                              .name = "merge-key",
+                                              .severity = Severity::warning,
+                                              .summary = "A mapping uses the YAML merge key `<<`.",
+                                              .why = "The same file is two different models.",
+                                              .remedy = "Write the keys in each mapping.",
+                                              .check_model = check_model_files,
+                                              .check_scene = check_scene_files,
+                                              .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vector>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -27,6 +28,15 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception",
+     "configmaps ConfigItem.cpp, run"},
+    {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
+     "configmaps ConfigItem.cpp, run"},
+    {&readers::envire, Effect::crashes, "ends with an uncaught exception",
+     "configmaps ConfigItem.cpp, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml0018_null_in_list{
@@ -34,10 +44,8 @@ extern constinit const Rule sml0018_null_in_list{
     .name = "null-in-list",
     .severity = Severity::error,
     .summary = "A list of a section of its own holds an empty item.",
-    .why = "configmaps (MARS) throws an uncaught exception on a null inside a list, "
-           "wherever it is.",
     .remedy = "Fill the item, or delete it.",
-    .sources = "configmaps ConfigItem.cpp (run).",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -11,9 +12,10 @@ void check(const LinkedModel& model, Findings& findings) {
   const Field<std::string>& name = model.robot->name;
   if (name.written && !name->empty()) return;
   const Span tag = tag_name(model, model.robot->document.root);
-  if (!name.written && has_slip(model, model.robot->document.root, "name")) return;
+  if (!name.written && is_slip(model, model.robot->document.root, "name", findings)) return;
   Diagnostic& diagnostic =
       findings.report(tag, name.written ? "the robot has an empty name" : "the robot has no name");
+  if (name.written) diagnostic.construct = "empty";
   const std::string stem(path::stem(model.urdf_path));
   if (stem.empty()) return;
   const Edit edit =
@@ -23,6 +25,18 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.fixes.push_back({Applicability::unsafe, {edit}});
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "takes an empty name", kRun, "#empty"},
+    {&readers::urdfdom, Effect::refuses, "refuses a robot without name",
+     "urdfdom model.cpp:115, run"},
+    {&readers::pybullet, Effect::refuses, "refuses a robot without name",
+     "Bullet UrdfParser.cpp, run"},
+    {&readers::gazebo, Effect::refuses, "refuses an empty name", kRun, "#empty"},
+    {&readers::mujoco, Effect::takes, "needs no name", kRun},
+    {&readers::drake, Effect::refuses, "refuses a robot without name, unless the caller names it",
+     "Drake detail_urdf_parser.cc:1452"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1102_robot_name_missing{
@@ -30,10 +44,8 @@ extern constinit const Rule sml1102_robot_name_missing{
     .name = "robot-name-missing",
     .severity = Severity::error,
     .summary = "The robot has no name, or an empty one.",
-    .why = "urdfdom, sdformat and Bullet refuse a robot without name, sdformat an empty one as "
-           "well.",
     .remedy = "Give the robot element a name.",
-    .sources = "urdfdom 3.0.1 model.cpp:115, sdformat 12.3 and Bullet, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -13,6 +14,11 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.fixes.push_back({Applicability::unsafe, {{model.robot->version.span, "1.0"}}});
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "refuses every version but 1.0",
+     "urdfdom model.cpp:126-137, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1104_version_unsupported{
@@ -20,11 +26,9 @@ extern constinit const Rule sml1104_version_unsupported{
     .name = "version-unsupported",
     .severity = Severity::error,
     .summary = "The version of the robot element is not 1.0.",
-    .why = "urdfdom up to 5.0 (all ROS distributions of Debian 12 and Ubuntu 24.04, and with it "
-           "RViz, Gazebo, DART and Pinocchio) refuses every version but 1.0; \"1\" is refused "
-           "too.",
+    .why = "\"1\" is refused too.",
     .remedy = "Delete the attribute, or write 1.0.",
-    .sources = "urdfdom 3.0.1 model.cpp:126-137 and sdformat 12.3, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

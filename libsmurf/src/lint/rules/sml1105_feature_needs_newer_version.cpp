@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "base/words.hpp"
 #include "lint/queries.hpp"
 
@@ -17,6 +18,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::changes, "ignores the rotation, so the frame is not turned",
+     "urdfdom, sdformat, MuJoCo, Bullet, run", "/@quat_xyzw/"},
+    {&readers::urdf, Effect::ignores, "ignores the attribute", "urdfdom, MuJoCo, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1105_feature_needs_newer_version{
@@ -24,12 +31,10 @@ extern constinit const Rule sml1105_feature_needs_newer_version{
     .name = "feature-needs-newer-version",
     .severity = Severity::error,
     .summary = "An attribute belongs to a later URDF version than readers know.",
-    .why = "urdfdom up to 5.0, sdformat, MuJoCo and Bullet ignore it silently: `quat_xyzw` leaves "
-           "the frame unrotated.",
     .remedy = "Write the rotation as rpy; leave the limits out or say them where your controller "
               "reads them.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, executed; urdfdom pull "
-               "requests 212 and 235.",
-    .check_model = check};
+    .sources = "urdfdom pull requests 212 and 235.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

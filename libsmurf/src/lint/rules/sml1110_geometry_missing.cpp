@@ -3,38 +3,68 @@
 #include <vector>
 
 #include "ast/urdf_schema.hpp"
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-/// Any that some reader knows, or a slip for one, which is reported as that.
-bool has_shape(const LinkedModel& model, const urdf::Geometry& geometry) {
+/// Any that some reader knows. A slip for one is reported as that, and is none to readers.
+bool has_shape(const LinkedModel& model, const urdf::Geometry& geometry, Findings& findings) {
   const urdf::ElementSpec& spec = *urdf::find_element_spec("geometry");
   std::vector<std::string_view> shapes;
   for (const urdf::ChildSpec& child : spec.children) shapes.push_back(child.name);
   const xml::View element(model.robot->document, geometry.element);
-  return std::any_of(element.begin(), element.end(), [&](const xml::View child) {
+  for (const xml::View child : element) {
     const bool is_vendors =  // `verbose` is no shape
         child.name() != "verbose" && std::ranges::count(spec.extensions, child.name()) > 0;
-    return is_vendors || std::ranges::count(shapes, child.name()) > 0 ||
-           urdf::meant_name(child.name(), shapes).has_value();
+    if (is_vendors || std::ranges::count(shapes, child.name()) > 0) return true;
+  }
+  for (const xml::View child : element) {
+    if (!urdf::meant_name(child.name(), shapes)) continue;
+    findings.add_consequence(child.name_span());
+    return true;
+  }
+  return false;
+}
+
+/// Of another vocabulary, whose readers may know it.
+bool has_foreign_shape(const LinkedModel& model, const urdf::Geometry& geometry) {
+  if (geometry.element == xml::kNoElement) return false;
+  const xml::View element(model.robot->document, geometry.element);
+  return std::any_of(element.begin(), element.end(), [](const xml::View child) {
+    return child.name().find(':') != std::string_view::npos;
   });
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_geometry(model, [&](const GeometryUse& use) {
     const bool is_written = use.geometry.element != xml::kNoElement;
-    if (is_written && has_shape(model, use.geometry)) return;
-    if (!is_written && has_slip(model, use.element, "geometry")) return;
+    if (is_written && has_shape(model, use.geometry, findings)) return;
+    if (!is_written && is_slip(model, use.element, "geometry", findings)) return;
     const bool is_empty = use.geometry.shape_element == xml::kNoElement;
-    findings.report(tag_name(model, is_written ? use.geometry.element : use.element),
-                    "a " + std::string(to_string(use.role)) + " of " + title(use.link) +
-                        (!is_written ? " has no geometry"
-                         : is_empty  ? " has an empty geometry"
-                                     : " has a geometry without a shape"));
+    Diagnostic& diagnostic =
+        findings.report(tag_name(model, is_written ? use.geometry.element : use.element),
+                        "a " + std::string(to_string(use.role)) + " of " + title(use.link) +
+                            (!is_written ? " has no geometry"
+                             : is_empty  ? " has an empty geometry"
+                                         : " has a geometry without a shape"));
+    if (has_foreign_shape(model, use.geometry)) diagnostic.construct = "foreign";
   });
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow",
+     "urdfdom link.cpp:415-486, run"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses, "refuses a collision without geometry", kRun},
+    {&readers::drake, Effect::takes, "knows shapes of its own", "Drake detail_urdf_geometry.cc",
+     "#foreign"},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc"},
+};
 
 }  // namespace
 
@@ -43,10 +73,10 @@ extern constinit const Rule sml1110_geometry_missing{
     .name = "geometry-missing",
     .severity = Severity::error,
     .summary = "A visual or collision has no geometry, or one without a shape.",
-    .why = "urdfdom drops the rest of the link silently, Bullet refuses the robot, MuJoCo a "
-           "collision; urdf-loader crashes.",
+    .why = "urdf-loader crashes.",
     .remedy = "Add a shape.",
-    .sources = "urdfdom 3.0.1, Bullet, MuJoCo 3.14 and urdf-loader 0.13, executed.",
-    .check_model = check};
+    .sources = "urdf-loader 0.13, executed.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -24,6 +25,16 @@ void check(const LinkedModel& model, Findings& findings) {
                     [&](const GeometryUse& use) { check_geometry(model, use.geometry, findings); });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::changes, "takes the first shape", "urdfdom, Bullet, run"},
+    {&readers::phobos, Effect::refuses, "stops with an AssertionError", "Phobos a613e31, run"},
+    {&readers::mujoco, Effect::changes,
+     "takes a box before a cylinder before a sphere before a mesh", "MuJoCo xml_urdf.cc, run"},
+    {&readers::drake, Effect::changes,
+     "takes a box before a sphere before a cylinder before a mesh",
+     "Drake detail_urdf_geometry.cc:318-346"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1111_geometry_several_shapes{
@@ -31,10 +42,8 @@ extern constinit const Rule sml1111_geometry_several_shapes{
     .name = "geometry-several-shapes",
     .severity = Severity::error,
     .summary = "A geometry holds more than one shape.",
-    .why = "urdfdom and Bullet take the first shape, MuJoCo and Drake the first in an order of "
-           "their own.",
     .remedy = "Write one visual or collision for each shape.",
-    .sources = "urdfdom 3.0.1 link.cpp:224, MuJoCo 3.14 and Bullet, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -27,6 +28,16 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow",
+     "urdfdom link.cpp:224, run"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+    {&readers::mujoco, Effect::takes, "looks for the shape by its name", kRun},
+    {&readers::drake, Effect::takes, "looks for the shape by its name",
+     "Drake detail_urdf_geometry.cc:318-346"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1112_geometry_first_child_foreign{
@@ -34,12 +45,8 @@ extern constinit const Rule sml1112_geometry_first_child_foreign{
     .name = "geometry-first-child-foreign",
     .severity = Severity::error,
     .summary = "The first element of a geometry is not its shape.",
-    .why = "urdfdom and Bullet take the first child whatever it is: urdfdom drops the rest of the "
-           "link and says nothing, Bullet refuses the robot. MuJoCo and Drake look for the shape "
-           "by its name.",
     .remedy = "Move the shape to the front.",
-    .sources = "urdfdom 3.0.1 link.cpp:224, executed; MuJoCo 3.14, executed; Drake "
-               "detail_urdf_geometry.cc:318-346.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -9,17 +10,22 @@ void check(const LinkedModel& model, Findings& findings) {
   findings.report(tag_name(model, model.robot->document.root), "the robot has no link");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses a robot without links", "urdfdom, sdformat, run"},
+    {&readers::mujoco, Effect::takes, "takes a robot without links", kRun},
+    {&readers::drake, Effect::takes, "takes a robot without links", "Drake detail_urdf_parser.cc"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1115_no_links{
-    .id = "SML1115",
-    .name = "no-links",
-    .severity = Severity::error,
-    .summary = "A robot has no link.",
-    .why = "urdfdom, sdformat and Bullet refuse the file.",
-    .remedy = "Add a link, or name the right file.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3 and Bullet, executed; 4 of 322 files of the "
-               "Tola/Corke dataset.",
-    .check_model = check};
+extern constinit const Rule sml1115_no_links{.id = "SML1115",
+                                             .name = "no-links",
+                                             .severity = Severity::error,
+                                             .summary = "A robot has no link.",
+                                             .remedy = "Add a link, or name the right file.",
+                                             .sources = "4 of 322 files of the Tola/Corke dataset.",
+                                             .check_model = check,
+                                             .facts = kFacts,
+                                             .blocks_building = true};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -11,6 +12,12 @@ void check(const LinkedModel& model, Findings& findings) {
   findings.report(origin.name_span(), "the `origin` of a robot is read by sdformat (Gazebo) only");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::ignores, "ignores it", "urdfdom, MuJoCo and Bullet, run"},
+    {&readers::gazebo, Effect::changes, "places the model by it",
+     "sdformat parser_urdf.cc:1227-1270"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1116_robot_origin{
@@ -18,12 +25,10 @@ extern constinit const Rule sml1116_robot_origin{
     .name = "robot-origin",
     .severity = Severity::warning,
     .summary = "The robot element has an origin.",
-    .why = "URDF has none there. sdformat (Gazebo) places the model by it, every other reader "
-           "ignores it: the robot stands elsewhere in Gazebo than in RViz.",
+    .why = "URDF has no origin there: the robot stands elsewhere in one reader than in another.",
     .remedy = "Place the robot where it is used: in the scene, or by a fixed joint below a new "
               "root link.",
-    .sources = "sdformat parser_urdf.cc:1227-1270; urdfdom 3.0.1, MuJoCo 3.14 and Bullet, "
-               "executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

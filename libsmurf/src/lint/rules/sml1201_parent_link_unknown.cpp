@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules {
@@ -18,6 +19,13 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file",
+     "urdfdom model.h:128; MuJoCo, Bullet, run"},
+    {&readers::drake, Effect::takes, "knows a link `world` that nobody declares",
+     "Drake detail_urdf_parser.cc:518", "#world"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1201_parent_link_unknown{
@@ -25,10 +33,9 @@ extern constinit const Rule sml1201_parent_link_unknown{
     .name = "parent-link-unknown",
     .severity = Severity::error,
     .summary = "A joint hangs below a link that the robot does not have.",
-    .why = "Every reader refuses the file; only Drake knows a link `world` that nobody declared.",
     .remedy = "Correct the name, or declare the link.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14, Bullet, executed; urdf_model "
-               "model.h:128.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

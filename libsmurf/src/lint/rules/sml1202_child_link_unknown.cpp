@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules {
@@ -13,6 +14,11 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file",
+     "urdfdom model.h:128; MuJoCo, Bullet, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1202_child_link_unknown{
@@ -20,10 +26,10 @@ extern constinit const Rule sml1202_child_link_unknown{
     .name = "child-link-unknown",
     .severity = Severity::error,
     .summary = "A joint leads to a link that the robot does not have.",
-    .why = "urdfdom, sdformat, MuJoCo and Bullet refuse the file; urdf-loader draws half a robot.",
+    .why = "urdf-loader draws half a robot.",
     .remedy = "Correct the name, or declare the link.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, executed; urdf_model "
-               "model.h:128.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

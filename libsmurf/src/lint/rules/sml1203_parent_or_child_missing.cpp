@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -9,7 +10,8 @@ void check_end(const LinkedModel& model, const urdf::Joint& joint, std::string_v
   if (name && !name->empty()) return;
   const xml::View element(model.robot->document, joint.element);
   const xml::View child = element.child(end);
-  if (has_slip(model, child ? child.id() : joint.element, child ? "link" : end)) return;
+  const xml::ElementId holder = child ? child.id() : joint.element;
+  if (is_slip(model, holder, child ? "link" : end, findings)) return;
   findings.report(child ? child.name_span() : name_place(model, joint),
                   title(joint) + " has no " + std::string(end) + " link");
 }
@@ -21,6 +23,10 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, MuJoCo, Bullet, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1203_parent_or_child_missing{
@@ -30,7 +36,9 @@ extern constinit const Rule sml1203_parent_or_child_missing{
     .summary = "A joint lacks its parent or its child.",
     .why = "Every reader refuses the file.",
     .remedy = "Add `<parent link=\"...\"/>` and `<child link=\"...\"/>`.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, executed.",
-    .check_model = check};
+    .sources = "urdfdom, sdformat, MuJoCo and Bullet, executed.",
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

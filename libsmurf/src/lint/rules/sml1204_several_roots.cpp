@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -32,6 +33,15 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file: it looks for one root",
+     "urdfdom model.h:176, run"},
+    {&readers::pybullet, Effect::breaks, "warns, and ends with root index -1",
+     "BulletUrdfImporter.cpp:316, run"},
+    {&readers::mujoco, Effect::changes, "welds every root to the world", kRun},
+    {&readers::drake, Effect::takes, "takes several trees", "Drake detail_urdf_parser.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1204_several_roots{
@@ -39,11 +49,9 @@ extern constinit const Rule sml1204_several_roots{
     .name = "several-roots",
     .severity = Severity::error,
     .summary = "A robot has more than one link that no joint leads to.",
-    .why = "urdfdom (RViz, Gazebo, DART, Pinocchio, KDL) refuses the file, Bullet ends with root "
-           "index -1, MuJoCo welds all of them to the world.",
     .remedy = "Connect the links by joints; a link that nothing needs can go.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, Bullet and MuJoCo 3.14, executed; urdf_model "
-               "model.h:176.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -20,16 +21,22 @@ void check(const LinkedModel& model, Findings& findings) {
                   "every link is the child of a joint, so there is no root link");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file: it finds no root",
+     "urdfdom model.h:176, run"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1205_no_root{
-    .id = "SML1205",
-    .name = "no-root",
-    .severity = Severity::error,
-    .summary = "Every link of a robot is the child of a joint.",
-    .why = "There is no link to begin with: urdfdom, sdformat, MuJoCo and Bullet refuse the file.",
-    .remedy = "Remove the joint that closes the loop.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, executed.",
-    .check_model = check};
+extern constinit const Rule sml1205_no_root{.id = "SML1205",
+                                            .name = "no-root",
+                                            .severity = Severity::error,
+                                            .summary =
+                                                "Every link of a robot is the child of a joint.",
+                                            .why = "There is no link to begin with.",
+                                            .remedy = "Remove the joint that closes the loop.",
+                                            .check_model = check,
+                                            .facts = kFacts,
+                                            .blocks_building = true};
 
 }  // namespace smurf::rules

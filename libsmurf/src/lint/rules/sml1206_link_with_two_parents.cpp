@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -22,6 +23,17 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes,
+     "does not notice, and keeps the joint that is last in the alphabet", kRun},
+    {&readers::pybullet, Effect::changes, "keeps the last parent", "Bullet UrdfParser.cpp, run"},
+    {&readers::gazebo, Effect::refuses, "reports a duplicate link", kRun},
+    {&readers::dart, Effect::changes, "builds the link twice or does not come to an end", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses several parents", kRun},
+    {&readers::drake, Effect::refuses, "refuses the model when it is finalised",
+     "Drake issue 19034"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1206_link_with_two_parents{
@@ -29,11 +41,10 @@ extern constinit const Rule sml1206_link_with_two_parents{
     .name = "link-with-two-parents",
     .severity = Severity::error,
     .summary = "A link is the child of more than one joint.",
-    .why = "urdfdom does not notice and keeps the alphabetically last joint; sdformat reports a "
-           "duplicate link, MuJoCo refuses the file, DART and Bullet build something else each.",
     .remedy = "URDF cannot say closed chains: keep one joint, and write the other as a loop "
               "constraint where the target supports it.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14, DART 6.12 and Bullet, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

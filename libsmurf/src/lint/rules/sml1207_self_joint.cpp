@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -15,17 +16,25 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes,
+     "accepts it; programs that walk the tree do not come to an end",
+     "urdfdom issue 154; check_urdf 3.0.1, run"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::gazebo, Effect::crashes, "crashes", kRun},
+    {&readers::dart, Effect::crashes, "does not come to an end", kRun},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1207_self_joint{
-    .id = "SML1207",
-    .name = "self-joint",
-    .severity = Severity::error,
-    .summary = "A joint connects a link to itself.",
-    .why = "urdfdom accepts it; check_urdf then prints for ever, sdformat 12 crashes and DART "
-           "hangs.",
-    .remedy = "Name two different links.",
-    .sources = "urdfdom 3.0.1 (issue 154), sdformat 12.3 and DART 6.12, executed.",
-    .check_model = check};
+extern constinit const Rule sml1207_self_joint{.id = "SML1207",
+                                               .name = "self-joint",
+                                               .severity = Severity::error,
+                                               .summary = "A joint connects a link to itself.",
+                                               .remedy = "Name two different links.",
+                                               .check_model = check,
+                                               .facts = kFacts,
+                                               .is_impossible = true,
+                                               .blocks_building = true};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -45,6 +46,16 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::loses, "accepts it; the ring is reached from no root", kRun},
+    {&readers::pybullet, Effect::changes, "accepts the ring", "Bullet UrdfParser.cpp, run"},
+    {&readers::gazebo, Effect::loses, "leaves the ring out", kRun},
+    {&readers::dart, Effect::loses, "leaves the ring out", kRun},
+    {&readers::mujoco, Effect::refuses, "does not find the bodies of the ring", kRun},
+    {&readers::drake, Effect::refuses, "refuses the model when it is finalised",
+     "Drake issue 19034"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1208_detached_cycle{
@@ -52,9 +63,9 @@ extern constinit const Rule sml1208_detached_cycle{
     .name = "detached-cycle",
     .severity = Severity::error,
     .summary = "Links form a ring that the root does not reach.",
-    .why = "urdfdom accepts it and the ring is silently missing in Gazebo and DART.",
     .remedy = "Connect the ring to the rest and remove the joint that closes it.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3 and DART 6.12, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

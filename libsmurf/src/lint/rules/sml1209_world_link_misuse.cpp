@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -22,6 +23,18 @@ void check(const LinkedModel& model, Findings& findings) {
       .labels.push_back({link.name.span, "Gazebo, Drake and MuJoCo take this for the world"});
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::loses,
+     "takes it for the world itself: drops its inertial and collisions, or refuses a joint that leads to it",
+     "sdformat parser_urdf.cc:3397, run"},
+    {&readers::mujoco, Effect::loses,
+     "takes it for the world itself: drops its inertial and collisions, or refuses a joint that leads to it",
+     kRun},
+    {&readers::drake, Effect::loses,
+     "takes it for the world itself: drops its inertial and collisions, or refuses a joint that leads to it",
+     "Drake detail_urdf_parser.cc:203-216"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1209_world_link_misuse{
@@ -29,12 +42,10 @@ extern constinit const Rule sml1209_world_link_misuse{
     .name = "world-link-misuse",
     .severity = Severity::warning,
     .summary = "A link named `world` has a mass or collisions, or hangs on a joint.",
-    .why = "Gazebo, Drake and MuJoCo take a link of this name for the world itself: they drop its "
-           "inertial and collisions, or refuse a joint that leads to it. Other readers see an "
-           "ordinary link.",
+    .why = "Other readers see an ordinary link.",
     .remedy = "Leave `world` an empty root, or give the link another name.",
-    .sources = "sdformat 12.3 (parser_urdf.cc:3397), MuJoCo 3.14 and DART 6.12, executed; Drake "
-               "detail_urdf_parser.cc:203-216.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

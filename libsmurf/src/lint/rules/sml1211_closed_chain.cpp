@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -16,6 +17,15 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::ignores, "ignores it and loads an open chain",
+     "urdfdom, MuJoCo and Bullet, run"},
+    {&readers::gazebo, Effect::takes, "reads a joint inside `gazebo`",
+     "sdformat parser_urdf.cc:1273", "/gazebo/"},
+    {&readers::drake, Effect::refuses, "refuses `loop_joint`", "Drake detail_urdf_parser.cc:1522",
+     "/loop_joint/"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1211_closed_chain{
@@ -23,12 +33,12 @@ extern constinit const Rule sml1211_closed_chain{
     .name = "closed-chain",
     .severity = Severity::info,
     .summary = "A robot has a closed chain that only some readers know.",
-    .why = "URDF describes trees. `loop_joint` is read by Isaac, a joint inside `gazebo` by "
-           "sdformat; Drake refuses `loop_joint`, all others ignore both and load an open chain.",
+    .why = "URDF describes trees. Isaac reads `loop_joint`.",
     .remedy = "Write the loop for each target, e.g. in the annotations of the model, and check "
               "that it is closed there.",
-    .sources = "Drake detail_urdf_parser.cc:1522; Isaac UrdfParser.cpp; sdformat "
-               "parser_urdf.cc:1273.",
-    .check_model = check};
+    .sources = "Isaac UrdfParser.cpp.",
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

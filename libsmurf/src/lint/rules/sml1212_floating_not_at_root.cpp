@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -19,6 +20,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "makes the joint fixed", "MARS smurf.cpp:918-921"},
+    {&readers::pybullet, Effect::changes, "makes the joint fixed",
+     "Bullet URDF2Bullet.cpp:491-497"},
+    {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the file: bodies float in the world only", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1212_floating_not_at_root{
@@ -26,10 +35,9 @@ extern constinit const Rule sml1212_floating_not_at_root{
     .name = "floating-not-at-root",
     .severity = Severity::error,
     .summary = "A floating joint hangs on a link that is not the root.",
-    .why = "MuJoCo refuses the file: bodies float in the world only. Bullet and MARS make the "
-           "joint fixed.",
     .remedy = "Let the joint begin at the root link, or use joints with one axis.",
-    .sources = "MuJoCo 3.14, executed; Bullet URDF2Bullet.cpp:491-497; MARS smurf.cpp:918-921.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -20,6 +21,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "makes the joint fixed", "MARS smurf.cpp:918-921"},
+    {&readers::pybullet, Effect::changes, "makes the joint fixed",
+     "Bullet URDF2Bullet.cpp:491-497"},
+    {&readers::gazebo, Effect::refuses, "cannot build the model", kRun},
+    {&readers::drake, Effect::changes, "drops the origin of a floating joint", "Drake, read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1213_floating_or_planar{
@@ -27,13 +36,12 @@ extern constinit const Rule sml1213_floating_or_planar{
     .name = "floating-or-planar",
     .severity = Severity::warning,
     .summary = "A joint is floating or planar.",
-    .why = "sdformat (Gazebo) cannot build the model, Bullet and MARS make the joint fixed, "
-           "Pinocchio ignores the normal of a planar joint, Drake drops the origin of a floating "
-           "one.",
+    .why = "Pinocchio ignores the normal of a planar joint.",
     .remedy = "Place a free robot in the scene instead; write a planar joint as two prismatic and "
               "one continuous joint.",
-    .sources = "sdformat 12.3, executed; Bullet URDF2Bullet.cpp:491-497; MARS smurf.cpp:918-921; "
-               "Pinocchio model.cpp:238-254.",
-    .check_model = check};
+    .sources = "Pinocchio model.cpp:238-254.",
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -17,6 +18,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, sdformat, Bullet, run"},
+    {&readers::mujoco, Effect::takes, "takes joints of equal names", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1302_duplicate_joint{
@@ -24,10 +30,11 @@ extern constinit const Rule sml1302_duplicate_joint{
     .name = "duplicate-joint",
     .severity = Severity::error,
     .summary = "Two joints have the same name.",
-    .why = "urdfdom, sdformat and Bullet refuse the file; MuJoCo accepts it, urdf-loader takes "
-           "the last one.",
+    .why = "urdf-loader takes the last one.",
     .remedy = "Rename one of them, with everything that refers to it.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and urdf-loader 0.13, executed.",
-    .check_model = check};
+    .sources = "urdf-loader 0.13, executed.",
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

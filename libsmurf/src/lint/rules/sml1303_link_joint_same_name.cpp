@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
@@ -9,18 +10,27 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   Span link_name;
+  bool has_movable = false;
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.name || joint.name->empty()) return;
     const auto link = model.link_names.find(*joint.name);
     if (!link) return;
     if (habit.is_first()) link_name = model.robot->links[*link].name.span;
+    has_movable = has_movable || joint.type != urdf::JointType::fixed;
     habit.add(joint.name.span, "the name " + quoted(*joint.name) + " is that of a link as well");
   });
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;
   diagnostic->labels.push_back({link_name, "the link"});
-  diagnostic->notes.push_back("sdformat (Gazebo) cannot load such a model");
+  if (!has_movable) diagnostic->construct = "fixed";
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::takes,
+     "merges the link into the one it is fixed to, and the name goes with it", kRun, "#fixed"},
+    {&readers::gazebo, Effect::refuses, "reports errors E2 and E24, the model cannot be used",
+     kRun},
+};
 
 }  // namespace
 
@@ -29,10 +39,10 @@ extern constinit const Rule sml1303_link_joint_same_name{
     .name = "link-joint-same-name",
     .severity = Severity::warning,
     .summary = "A link and a joint have the same name.",
-    .why = "sdformat has one name space for both: Gazebo reports errors and cannot use the model. "
-           "URDF itself allows it.",
+    .why = "URDF itself allows it.",
     .remedy = "Give the joint another name, e.g. with the ending `_joint`.",
-    .sources = "sdformat 12.3, executed; 9 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .sources = "9 of 322 files of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

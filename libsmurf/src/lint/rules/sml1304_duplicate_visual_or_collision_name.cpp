@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -20,6 +21,15 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "finds them by name only, so annotations reach the last one",
+     "MARS smurf.cpp:405-449, 706, 779"},
+    {&readers::dart, Effect::ignores, "renames the second one", kRun},
+    {&readers::mujoco, Effect::changes, "leaves the second geometry without name",
+     "MuJoCo xml_urdf.cc:326-359, run"},
+    {&readers::drake, Effect::ignores, "renames the second one", "Drake, read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1304_duplicate_visual_or_collision_name{
@@ -27,11 +37,8 @@ extern constinit const Rule sml1304_duplicate_visual_or_collision_name{
     .name = "duplicate-visual-or-collision-name",
     .severity = Severity::warning,
     .summary = "Two visuals, or two collisions, have one name.",
-    .why = "MARS finds them by name only, so annotations reach the last one; MuJoCo leaves the "
-           "second geometry without name, Drake and DART rename it.",
     .remedy = "Give each a name of its own.",
-    .sources = "MARS smurf.cpp:405-449, 706, 779; MuJoCo 3.14 (xml_urdf.cc:326-359) and DART 6.12, "
-               "executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

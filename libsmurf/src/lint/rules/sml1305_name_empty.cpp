@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -17,17 +18,21 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "reports two roots and refuses the file", kRun},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1305_name_empty{
-    .id = "SML1305",
-    .name = "name-empty",
-    .severity = Severity::error,
-    .summary = "A link or joint has an empty name.",
-    .why = "urdfdom keeps a link without name and then reports two roots; nothing can refer to "
-           "it.",
-    .remedy = "Give it a name.",
-    .sources = "urdfdom 3.0.1 and MuJoCo 3.14, executed.",
-    .check_model = check};
+extern constinit const Rule sml1305_name_empty{.id = "SML1305",
+                                               .name = "name-empty",
+                                               .severity = Severity::error,
+                                               .summary = "A link or joint has an empty name.",
+                                               .why = "Nothing can refer to it.",
+                                               .remedy = "Give it a name.",
+                                               .check_model = check,
+                                               .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "base/words.hpp"
 #include "lint/name_queries.hpp"
 
@@ -16,6 +17,11 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "does not find a link of that name, blank included",
+     "urdfdom, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1306_reference_whitespace{
@@ -23,9 +29,9 @@ extern constinit const Rule sml1306_reference_whitespace{
     .name = "reference-whitespace",
     .severity = Severity::error,
     .summary = "A name or a reference to one begins or ends with a blank.",
-    .why = "Names are compared byte by byte: urdfdom reports \"child link [arm ] not found\".",
+    .why = "Names are compared byte by byte.",
     .remedy = "Delete the blank.",
-    .sources = "urdfdom 3.0.1, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

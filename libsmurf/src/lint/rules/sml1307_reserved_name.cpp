@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules {
@@ -20,17 +21,21 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::takes, "knows no reserved names", "urdfdom, run"},
+    {&readers::gazebo, Effect::refuses,
+     "refuses names that begin and end with two underscores, and `world` as the name of a robot or joint",
+     "sdformat error 3, run"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1307_reserved_name{
-    .id = "SML1307",
-    .name = "reserved-name",
-    .severity = Severity::error,
-    .summary = "A name is reserved by sdformat.",
-    .why = "sdformat (Gazebo) refuses names that begin and end with two underscores, and `world` "
-           "as the name of a robot or joint.",
-    .remedy = "Choose another name.",
-    .sources = "sdformat 12.3 (error 3, reserved name), executed.",
-    .check_model = check};
+extern constinit const Rule sml1307_reserved_name{.id = "SML1307",
+                                                  .name = "reserved-name",
+                                                  .severity = Severity::error,
+                                                  .summary = "A name is reserved by sdformat.",
+                                                  .remedy = "Choose another name.",
+                                                  .check_model = check,
+                                                  .facts = kFacts};
 
 }  // namespace smurf::rules

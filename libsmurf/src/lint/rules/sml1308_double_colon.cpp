@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/name_queries.hpp"
 
 namespace smurf::rules {
@@ -12,17 +13,20 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::changes,
+     "looks such a link or joint up in a nested model that does not exist",
+     "SDFormat specification, frame semantics: names and scopes"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1308_double_colon{
-    .id = "SML1308",
-    .name = "double-colon",
-    .severity = Severity::warning,
-    .summary = "A name holds `::`.",
-    .why = "sdformat (Gazebo) separates the names of nested models by it, so such a link or joint "
-           "is looked up in a model that does not exist.",
-    .remedy = "Use `_` instead.",
-    .sources = "SDFormat specification, frame semantics: names and scopes.",
-    .check_model = check};
+extern constinit const Rule sml1308_double_colon{.id = "SML1308",
+                                                 .name = "double-colon",
+                                                 .severity = Severity::warning,
+                                                 .summary = "A name holds `::`.",
+                                                 .remedy = "Use `_` instead.",
+                                                 .check_model = check,
+                                                 .facts = kFacts};
 
 }  // namespace smurf::rules

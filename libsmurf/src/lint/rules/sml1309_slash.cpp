@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/habit.hpp"
 #include "lint/name_queries.hpp"
 
@@ -17,16 +18,23 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic->notes.push_back("MuJoCo, tf2 and USD take it for the separator of a path");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::changes, "tf2 takes `/` for the separator of frames",
+     "tf2 frame names"},
+    {&readers::mujoco, Effect::changes, "takes `/` for the separator of attached models",
+     "MuJoCo xml_urdf.cc:81"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1309_slash{
-    .id = "SML1309",
-    .name = "slash",
-    .severity = Severity::warning,
-    .summary = "A name holds a slash.",
-    .why = "MuJoCo uses `/` as the separator of attached models, tf2 and USD as that of paths.",
-    .remedy = "Use `_` instead.",
-    .sources = "MuJoCo xml_urdf.cc:81; 32 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+extern constinit const Rule sml1309_slash{.id = "SML1309",
+                                          .name = "slash",
+                                          .severity = Severity::warning,
+                                          .summary = "A name holds a slash.",
+                                          .why = "USD takes `/` for the separator of paths.",
+                                          .remedy = "Use `_` instead.",
+                                          .sources = "32 of 322 files of the Tola/Corke dataset.",
+                                          .check_model = check,
+                                          .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -28,6 +29,12 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.annotations.collisions.empty()) check_role(model, GeometryRole::collision, findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "calls all of them `collision_` or `visual_`: annotations cannot reach them, and of several only the last is found",
+     "MARS smurf.cpp:405-449, 706, 779"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1314_unnamed_collision_or_visual{
@@ -35,10 +42,8 @@ extern constinit const Rule sml1314_unnamed_collision_or_visual{
     .name = "unnamed-collision-or-visual",
     .severity = Severity::warning,
     .summary = "A collision or visual has no name, although annotations refer to others by name.",
-    .why = "MARS calls all of them `collision_` or `visual_`: annotations cannot reach them, and "
-           "of several only the last is found.",
     .remedy = "Name it; names like LINK_collision_1 are usual.",
-    .sources = "MARS smurf.cpp:405-449, 706, 779.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

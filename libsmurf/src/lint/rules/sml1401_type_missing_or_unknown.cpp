@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
@@ -32,6 +33,18 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the joint type, and the file",
+     "urdfdom, MuJoCo, run"},
+    {&readers::mars, Effect::crashes, "dereferences a null pointer, as urdfdom refuses the file",
+     "MARS smurf.cpp:988-998, run"},
+    {&readers::phobos, Effect::takes, "loads it and keeps the word", "Phobos a613e31, run"},
+    {&readers::pybullet, Effect::takes, "knows a spherical joint", "Bullet UrdfParser.cpp, run",
+     "#spherical"},
+    {&readers::mujoco, Effect::takes, "makes it a ball joint", "MuJoCo xml_urdf.cc, run",
+     "#spherical"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1401_type_missing_or_unknown{
@@ -39,10 +52,10 @@ extern constinit const Rule sml1401_type_missing_or_unknown{
     .name = "type-missing-or-unknown",
     .severity = Severity::error,
     .summary = "A joint has no type, or one that URDF does not define.",
-    .why = "Every reader refuses the file; types are case-sensitive. Only Bullet and MuJoCo know a "
-           "seventh type, spherical.",
+    .why = "Types are case-sensitive.",
     .remedy = "Use revolute, continuous, prismatic, fixed, floating or planar.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, MuJoCo 3.14 and Bullet, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
 namespace {
+
+std::string_view tag(const LinkedModel& model, const urdf::Limit& limit) {
+  return xml::View(model.robot->document, limit.element).name();
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
@@ -13,7 +18,10 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     const bool needs_limit =
         joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
-    if (!needs_limit || joint.limit || has_slip(model, joint.element, "limit")) return;
+    if (needs_limit && joint.limit && tag(model, *joint.limit) != "limit") {
+      return findings.add_consequence(tag_name(model, joint.limit->element));  // SML1114
+    }
+    if (!needs_limit || joint.limit || is_slip(model, joint.element, "limit", findings)) return;
     findings
         .report(name_place(model, joint),
                 title(joint) + " is " + *joint.type_name + " and has no `limit`")
@@ -22,6 +30,14 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "refuses the file", kRun},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+    {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
+    {&readers::drake, Effect::changes, "lets the joint move without limit",
+     "Drake detail_urdf_parser.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1403_limit_missing{
@@ -29,11 +45,9 @@ extern constinit const Rule sml1403_limit_missing{
     .name = "limit-missing",
     .severity = Severity::error,
     .summary = "A revolute or prismatic joint has no limit element, or a limit is empty.",
-    .why = "urdfdom (RViz, Gazebo, Pinocchio, DART) and Bullet refuse the file; Drake and MuJoCo "
-           "let the joint turn without end.",
     .remedy = "Add `<limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>`, or "
               "make the joint continuous.",
-    .sources = "urdfdom 3.0.1, Bullet and MuJoCo 3.14, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

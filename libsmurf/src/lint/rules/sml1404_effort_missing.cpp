@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
@@ -8,23 +9,29 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.limit || joint.limit->effort.written) return;
     if (is_empty_limit(model, joint)) return;  // SML1403
-    if (has_slip(model, joint.limit->element, "effort")) return;
+    if (is_slip(model, joint.limit->element, "effort", findings)) return;
     findings.report(tag_name(model, joint.limit->element),
                     "the limit of " + title(joint) + " has no `effort`");
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "refuses the file", kRun},
+    {&readers::pybullet, Effect::changes, "reads 0: the joint has no force",
+     "Bullet UrdfParser.cpp, run"},
+    {&readers::mujoco, Effect::takes, "needs no effort", kRun},
+    {&readers::drake, Effect::changes, "reads infinity", "Drake detail_urdf_parser.cc"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1404_effort_missing{
-    .id = "SML1404",
-    .name = "effort-missing",
-    .severity = Severity::error,
-    .summary = "A limit has no effort.",
-    .why = "urdfdom refuses the whole file; Drake takes infinity, Bullet 0, Isaac the largest "
-           "float.",
-    .remedy = "Write the effort limit of the drive.",
-    .sources = "urdfdom 3.0.1 joint.cpp and Bullet, executed.",
-    .check_model = check};
+extern constinit const Rule sml1404_effort_missing{.id = "SML1404",
+                                                   .name = "effort-missing",
+                                                   .severity = Severity::error,
+                                                   .summary = "A limit has no effort.",
+                                                   .why = "Isaac takes the largest float.",
+                                                   .remedy = "Write the effort limit of the drive.",
+                                                   .check_model = check,
+                                                   .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
@@ -11,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!needs_bounds || !joint.limit || is_empty_limit(model, joint)) return;
     // A slip of the pen is reported where it stands.
     const auto is_there = [&](const Field<double>& bound, std::string_view name) {
-      return bound.written || has_slip(model, joint.limit->element, name);
+      return bound.written || is_slip(model, joint.limit->element, name, findings);
     };
     const bool has_lower = is_there(joint.limit->lower, "lower");
     const bool has_upper = is_there(joint.limit->upper, "upper");
@@ -27,6 +28,16 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes, "reads an absent limit as 0", kRun},
+    {&readers::mars, Effect::ignores, "reads no limits from the URDF", "MARS smurf.cpp:902-910"},
+    {&readers::pybullet, Effect::changes,
+     "reads an absent lower limit as 0, an absent upper one as -1",
+     "Bullet UrdfParser.cpp:1452, run"},
+    {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
+    {&readers::drake, Effect::changes, "reads infinity", "Drake detail_urdf_parser.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1406_bound_missing{
@@ -34,10 +45,8 @@ extern constinit const Rule sml1406_bound_missing{
     .name = "bound-missing",
     .severity = Severity::error,
     .summary = "A revolute or prismatic joint has only one of its position limits, or none.",
-    .why = "Readers disagree: urdfdom and sdformat read 0, MuJoCo and Drake no limit, Bullet an "
-           "upper limit of -1 (a lower limit of -1 alone locks the joint).",
     .remedy = "Write both limits, or make the joint continuous.",
-    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and Bullet, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

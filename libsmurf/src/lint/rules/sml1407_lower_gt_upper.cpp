@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -28,6 +29,16 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes, "keeps limits that no position satisfies", kRun},
+    {&readers::mars, Effect::ignores, "reads no limits from the URDF", "MARS smurf.cpp:902-910"},
+    {&readers::pybullet, Effect::changes, "lets the joint move without limit", kRun},
+    {&readers::gazebo, Effect::changes, "swaps the two limits",
+     "sdformat parser_urdf.cc:3127-3140, run"},
+    {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
+    {&readers::drake, Effect::crashes, "ends the process", "Drake joint.h:159"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1407_lower_gt_upper{
@@ -35,10 +46,8 @@ extern constinit const Rule sml1407_lower_gt_upper{
     .name = "lower-gt-upper",
     .severity = Severity::error,
     .summary = "The lower limit of a joint is above its upper limit.",
-    .why = "sdformat swaps the two, MuJoCo and Bullet ignore the limit, Drake aborts the process.",
     .remedy = "Swap the values, or correct the one that is wrong.",
-    .sources = "sdformat 12.3 (parser_urdf.cc:3127), MuJoCo 3.14 and Bullet, executed; Drake "
-               "joint.h:159.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

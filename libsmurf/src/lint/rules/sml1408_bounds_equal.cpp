@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
@@ -16,6 +17,13 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::takes, "locks the joint", kRun},
+    {&readers::gazebo, Effect::takes, "locks the joint", kRun},
+    {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
+    {&readers::drake, Effect::takes, "locks the joint", "Drake, read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1408_bounds_equal{
@@ -23,9 +31,8 @@ extern constinit const Rule sml1408_bounds_equal{
     .name = "bounds-equal",
     .severity = Severity::warning,
     .summary = "The two position limits of a joint are equal.",
-    .why = "sdformat, Drake and Bullet lock the joint, MuJoCo lets it turn freely.",
     .remedy = "Make the joint fixed, or correct the limits.",
-    .sources = "MuJoCo 3.14, sdformat 12.3 and Bullet, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

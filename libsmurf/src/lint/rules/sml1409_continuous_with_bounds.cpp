@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -17,6 +18,14 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::ignores, "keeps the limits, and its users ignore them", kRun},
+    {&readers::pybullet, Effect::ignores, "ignores the limits", "URDF2Bullet.cpp:541"},
+    {&readers::mujoco, Effect::changes, "enforces the limits", kRun},
+    {&readers::drake, Effect::changes, "enforces the limits",
+     "Drake detail_urdf_parser.cc:628-643"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1409_continuous_with_bounds{
@@ -24,10 +33,9 @@ extern constinit const Rule sml1409_continuous_with_bounds{
     .name = "continuous-with-bounds",
     .severity = Severity::warning,
     .summary = "A continuous joint has position limits.",
-    .why = "MuJoCo, Drake and Isaac enforce them; urdfdom users, sdformat, Bullet, Pinocchio and "
-           "MoveIt ignore them.",
+    .why = "Isaac enforces them, Pinocchio ignores them.",
     .remedy = "Make the joint revolute, or delete the limits.",
-    .sources = "MuJoCo 3.14 and sdformat 12.3, executed; Drake detail_urdf_parser.cc:628-643.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
@@ -13,6 +14,14 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "gives the joint no force", kRun},
+    {&readers::gazebo, Effect::changes, "gives the joint no force", kRun},
+    {&readers::mujoco, Effect::changes, "makes the force unlimited", kRun},
+    {&readers::drake, Effect::loses, "leaves the actuator of the joint out",
+     "Drake detail_urdf_parser.cc:930-1001"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1414_effort_zero{
@@ -20,10 +29,9 @@ extern constinit const Rule sml1414_effort_zero{
     .name = "effort-zero",
     .severity = Severity::warning,
     .summary = "The effort limit of a movable joint is 0.",
-    .why = "Gazebo and Bullet give the joint no force, Drake drops its actuator, MuJoCo makes the "
-           "force unlimited.",
     .remedy = "Write what the drive can give.",
-    .sources = "MuJoCo 3.14, executed; 88 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .sources = "88 of 322 files of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -13,17 +14,22 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
+    {&readers::mujoco, Effect::changes, "takes the absolute value", kRun},
+    {&readers::drake, Effect::refuses, "refuses the file when a transmission drives the joint",
+     "Drake detail_urdf_parser.cc:930-1001"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1415_effort_negative{
-    .id = "SML1415",
-    .name = "effort-negative",
-    .severity = Severity::error,
-    .summary = "The effort limit of a joint is negative.",
-    .why = "MuJoCo takes the absolute value, Drake refuses the file when the joint has a "
-           "transmission.",
-    .remedy = "Write a positive number.",
-    .sources = "MuJoCo 3.14, executed; Drake detail_urdf_parser.cc:930-1001.",
-    .check_model = check};
+extern constinit const Rule sml1415_effort_negative{.id = "SML1415",
+                                                    .name = "effort-negative",
+                                                    .severity = Severity::error,
+                                                    .summary =
+                                                        "The effort limit of a joint is negative.",
+                                                    .remedy = "Write a positive number.",
+                                                    .check_model = check,
+                                                    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/limit_queries.hpp"
 
 namespace smurf::rules {
@@ -15,6 +16,13 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "keeps the joint from moving", "Bullet, read"},
+    {&readers::ros, Effect::changes, "MoveIt takes 0 for no limit", "MoveIt robot_model.cpp:874"},
+    {&readers::drake, Effect::changes, "keeps the joint from moving",
+     "Drake detail_urdf_parser.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1416_velocity_zero{
@@ -22,9 +30,10 @@ extern constinit const Rule sml1416_velocity_zero{
     .name = "velocity-zero",
     .severity = Severity::warning,
     .summary = "The velocity limit of a movable joint is 0.",
-    .why = "Drake and Bullet make the joint immobile, MoveIt and Isaac take 0 for no limit.",
+    .why = "Isaac takes 0 for no limit.",
     .remedy = "Write the speed that the drive reaches.",
-    .sources = "MoveIt robot_model.cpp:874; Isaac UrdfImporter.cpp:964.",
-    .check_model = check};
+    .sources = "Isaac UrdfImporter.cpp:964.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

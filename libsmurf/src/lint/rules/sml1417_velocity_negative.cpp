@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -13,6 +14,14 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
+    {&readers::ros, Effect::changes, "MoveIt takes the absolute value",
+     "MoveIt robot_model.cpp:874"},
+    {&readers::mujoco, Effect::takes, "knows no limits of velocity", kRun},
+    {&readers::drake, Effect::refuses, "throws an exception", "Drake joint.h:435"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1417_velocity_negative{
@@ -20,9 +29,8 @@ extern constinit const Rule sml1417_velocity_negative{
     .name = "velocity-negative",
     .severity = Severity::error,
     .summary = "The velocity limit of a joint is negative.",
-    .why = "Drake aborts the process, MoveIt takes the absolute value.",
     .remedy = "Write a positive number.",
-    .sources = "Drake joint.h:160; MoveIt robot_model.cpp:874.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

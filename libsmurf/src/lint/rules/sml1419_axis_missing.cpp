@@ -21,7 +21,7 @@ extern constinit const Rule sml1419_axis_missing{
     .summary = "A movable joint has no axis.",
     .why = "URDF then means the x axis; most authors expect z.",
     .remedy = "Write the axis.",
-    .sources = "urdfdom 3.0.1, executed.",
+    .sources = "urdfdom, executed.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -16,6 +17,16 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes, "accepts it: the joint has no direction", kRun},
+    {&readers::pybullet, Effect::changes, "accepts it: the joint has no direction",
+     "Bullet UrdfParser.cpp, run"},
+    {&readers::gazebo, Effect::refuses, "reports error E9, an axis of length 0", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses an axis of length 0", kRun},
+    {&readers::drake, Effect::refuses, "refuses an axis of length 0",
+     "Drake detail_urdf_parser.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1421_axis_zero{
@@ -23,10 +34,8 @@ extern constinit const Rule sml1421_axis_zero{
     .name = "axis-zero",
     .severity = Severity::error,
     .summary = "The axis of a joint is the zero vector.",
-    .why = "Drake and MuJoCo refuse the file, sdformat reports an error; urdfdom accepts it and "
-           "the joint has no direction.",
     .remedy = "Write the direction the joint turns about or moves along.",
-    .sources = "sdformat 12.3 and MuJoCo 3.14, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -30,6 +31,13 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes,
+     "does not normalise it: the joint moves too far or not far enough", "btMultiBody.cpp:237"},
+    {&readers::ros, Effect::changes, "MoveIt does not normalise the axis of a prismatic joint",
+     "MoveIt robot_model.cpp"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1422_axis_not_unit{
@@ -37,11 +45,9 @@ extern constinit const Rule sml1422_axis_not_unit{
     .name = "axis-not-unit",
     .severity = Severity::warning,
     .summary = "The axis of a joint is not a unit vector.",
-    .why = "Bullet does not normalise it: `0 0 2` moves the joint twice as far as commanded. "
-           "MoveIt does not normalise prismatic axes; other readers do.",
     .remedy = "Divide the axis by its length.",
-    .sources = "Bullet btMultiBody.cpp:237, executed.",
     .check_model = check,
-    .tolerance = {.value = 1e-3, .meaning = "how far the length of an axis may be from 1"}};
+    .tolerance = {.value = 1e-3, .meaning = "how far the length of an axis may be from 1"},
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -12,8 +13,10 @@ void check(const LinkedModel& model, Findings& findings) {
     // Written as elements or misspelt, they are reported as such.
     const xml::View element(model.robot->document, joint.dynamics->element);
     if (element.child("damping") || element.child("friction")) return;
-    if (has_slip(model, element.id(), "damping") || has_slip(model, element.id(), "friction"))
+    if (is_slip(model, element.id(), "damping", findings) ||
+        is_slip(model, element.id(), "friction", findings)) {
       return;
+    }
     Diagnostic& diagnostic = findings.report(tag_name(model, joint.dynamics->element),
                                              "the dynamics of " + title(joint) +
                                                  " has neither `damping` nor `friction`");
@@ -25,6 +28,11 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "refuses the file", kRun},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1425_dynamics_empty{
@@ -32,9 +40,8 @@ extern constinit const Rule sml1425_dynamics_empty{
     .name = "dynamics-empty",
     .severity = Severity::error,
     .summary = "A dynamics element has neither damping nor friction.",
-    .why = "urdfdom, sdformat, Bullet and DART refuse the whole file.",
     .remedy = "Delete it, or write damping and friction.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3, Bullet and DART 6.12, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -17,16 +18,22 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
+    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
+    {&readers::drake, Effect::refuses, "refuses negative damping", "Drake revolute_joint.h:125"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1426_dynamics_negative{
-    .id = "SML1426",
-    .name = "dynamics-negative",
-    .severity = Severity::error,
-    .summary = "A damping or friction is negative.",
-    .why = "DART aborts the process, Drake refuses the file; elsewhere the joint gains energy.",
-    .remedy = "Write a positive number.",
-    .sources = "DART 6.12, executed; Drake revolute_joint.h:125.",
-    .check_model = check};
+extern constinit const Rule sml1426_dynamics_negative{.id = "SML1426",
+                                                      .name = "dynamics-negative",
+                                                      .severity = Severity::error,
+                                                      .summary =
+                                                          "A damping or friction is negative.",
+                                                      .why = "Elsewhere the joint gains energy.",
+                                                      .remedy = "Write a positive number.",
+                                                      .check_model = check,
+                                                      .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -19,6 +20,11 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::changes, "MoveIt reads the absent limits as 0 and freezes the joint",
+     "MoveIt robot_model.cpp:849-860"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1429_safety_soft_limits_missing{
@@ -26,9 +32,8 @@ extern constinit const Rule sml1429_safety_soft_limits_missing{
     .name = "safety-soft-limits-missing",
     .severity = Severity::warning,
     .summary = "A safety controller has no soft limits.",
-    .why = "MoveIt intersects the hard limits with the default [0, 0]: the joint is frozen.",
     .remedy = "Write soft_lower_limit and soft_upper_limit.",
-    .sources = "MoveIt robot_model.cpp:849-860.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -12,6 +13,15 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes, "does not look for the joint; it is left free", kRun},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::pybullet, Effect::ignores, "ignores mimic",
+     "Bullet UrdfParser.cpp has no code for it"},
+    {&readers::mujoco, Effect::changes, "leaves the joint free", kRun},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:791-880"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1432_mimic_target_unknown{
@@ -19,10 +29,10 @@ extern constinit const Rule sml1432_mimic_target_unknown{
     .name = "mimic-target-unknown",
     .severity = Severity::error,
     .summary = "A joint mimics a joint that the robot does not have.",
-    .why = "urdfdom, sdformat and MuJoCo leave the joint silently free, Drake refuses the file, "
-           "urdf-loader crashes.",
+    .why = "urdf-loader crashes.",
     .remedy = "Correct the name.",
-    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and urdf-loader 0.13, executed.",
-    .check_model = check};
+    .sources = "urdf-loader 0.13, executed.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mimic_queries.hpp"
 
 namespace smurf::rules {
@@ -23,6 +24,16 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::ignores, "ignores mimic",
+     "Bullet UrdfParser.cpp has no code for it"},
+    {&readers::ros, Effect::loses, "MoveIt drops every mimic of the robot",
+     "MoveIt robot_model.cpp:426"},
+    {&readers::mujoco, Effect::refuses,
+     "refuses a joint that mimics itself; makes contradictions of a circle", kRun},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:791-880"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1433_mimic_self_or_cycle{
@@ -30,10 +41,10 @@ extern constinit const Rule sml1433_mimic_self_or_cycle{
     .name = "mimic-self-or-cycle",
     .severity = Severity::error,
     .summary = "Mimic joints follow one another in a circle.",
-    .why = "MuJoCo refuses a joint that mimics itself and makes contradicting equalities of a "
-           "longer circle, urdf-loader refuses it, MoveIt drops every mimic of the robot.",
+    .why = "urdf-loader refuses it.",
     .remedy = "Let one joint of the circle lead.",
-    .sources = "MuJoCo 3.14 and urdf-loader 0.13, executed; MoveIt robot_model.cpp:426.",
-    .check_model = check};
+    .sources = "urdf-loader 0.13, executed.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

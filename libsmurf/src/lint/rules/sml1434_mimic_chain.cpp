@@ -38,7 +38,7 @@ extern constinit const Rule sml1434_mimic_chain{
            "joint as it is commanded, which is none.",
     .remedy = "Let it mimic the joint at the end of the chain: multipliers multiply, and the "
               "offset of the middle joint is multiplied too.",
-    .sources = "urdf-loader 0.13 and MuJoCo 3.14, executed; Pinocchio model.cpp:213.",
+    .sources = "urdf-loader 0.13 and MuJoCo, executed; Pinocchio model.cpp:213.",
     .check_model = check};
 
 }  // namespace smurf::rules

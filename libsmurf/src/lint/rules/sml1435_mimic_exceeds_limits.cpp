@@ -54,7 +54,7 @@ extern constinit const Rule sml1435_mimic_exceeds_limits{
     .why = "The constraint fights the limit: simulators jitter or stop the joint that leads, "
            "planners find no way there.",
     .remedy = "Widen the limits of the mimic joint, or narrow those of the joint it follows.",
-    .sources = "MuJoCo 3.14, executed; 9 of 322 files of the Tola/Corke dataset.",
+    .sources = "MuJoCo, executed; 9 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
     .tolerance = {.value = 0.01,
                   .meaning =

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -12,6 +13,11 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::changes, "takes 0 for absent and multiplies by 1",
+     "Phobos io/representation.py:1975"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1436_mimic_multiplier_zero{
@@ -19,10 +25,9 @@ extern constinit const Rule sml1436_mimic_multiplier_zero{
     .name = "mimic-multiplier-zero",
     .severity = Severity::warning,
     .summary = "The multiplier of a mimic joint is 0.",
-    .why = "The joint then stands still, which a fixed joint says better; Phobos takes 0 for "
-           "absent and multiplies by 1.",
+    .why = "The joint stands still, which a fixed joint says better.",
     .remedy = "Make the joint fixed, or write the multiplier that is meant.",
-    .sources = "Phobos io/representation.py:1975.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

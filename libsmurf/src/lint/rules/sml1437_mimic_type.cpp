@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mimic_queries.hpp"
 #include "lint/queries.hpp"
 
@@ -26,6 +27,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::drake, Effect::refuses, "refuses to couple joints of different degrees of freedom",
+     "Drake detail_urdf_parser.cc:791-880"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1437_mimic_type{
@@ -33,10 +39,10 @@ extern constinit const Rule sml1437_mimic_type{
     .name = "mimic-type",
     .severity = Severity::warning,
     .summary = "A joint without one axis mimics, or is mimicked.",
-    .why = "A fixed joint has no position to follow with; Drake refuses joints of different "
-           "degrees of freedom, other readers ignore the mimic.",
+    .why = "A fixed joint has no position to follow with.",
     .remedy = "Let only revolute, continuous and prismatic joints mimic one another.",
-    .sources = "Drake detail_urdf_parser.cc:791-880; Pinocchio model.cpp:140, 213.",
-    .check_model = check};
+    .sources = "Pinocchio model.cpp:140, 213.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/angle_queries.hpp"
 #include "lint/geometry_queries.hpp"
 
@@ -32,6 +33,15 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes,
+     "takes the pitch for pi/2 when it turns the rotation back into angles, and turns the part by up to 0.0045 rad",
+     "urdfdom pose.h:118-126"},
+    {&readers::gazebo, Effect::changes,
+     "takes the pitch for pi/2 when it turns the rotation back into angles, and turns the part by up to 0.0045 rad",
+     "sdformat parser_urdf.cc:3223, 3269, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1440_rpy_gimbal_snap{
@@ -39,12 +49,9 @@ extern constinit const Rule sml1440_rpy_gimbal_snap{
     .name = "rpy-gimbal-snap",
     .severity = Severity::warning,
     .summary = "The pitch of a visual or collision is almost, but not quite, a right angle.",
-    .why = "Within 0.0045 rad of pi/2 urdfdom takes the pitch for pi/2 when it turns a rotation "
-           "back into angles: exporters, and Gazebo for visuals and collisions, then turn the part "
-           "by up to that, and the parts of a link no longer fit.",
+    .why = "The parts of a link no longer fit.",
     .remedy = "Write the pitch with all digits: 1.5707963267948966.",
-    .sources = "urdfdom pose.h:118-126; sdformat 12.3 (parser_urdf.cc:3223, 3269), executed: up to "
-               "3.9e-3 rad.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

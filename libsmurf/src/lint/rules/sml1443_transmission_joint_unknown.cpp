@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -18,6 +19,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::loses,
+     "ros_control finds no joint for its actuator and does not start the controller",
+     "ros_control, read"},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:968"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1443_transmission_joint_unknown{
@@ -25,10 +33,9 @@ extern constinit const Rule sml1443_transmission_joint_unknown{
     .name = "transmission-joint-unknown",
     .severity = Severity::warning,
     .summary = "A transmission names a joint that the robot does not have.",
-    .why = "ros_control finds no joint for its actuator and does not start the controller; Drake "
-           "refuses the file.",
     .remedy = "Correct the name.",
-    .sources = "Drake detail_urdf_parser.cc:968; 14 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .sources = "14 of 322 files of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
@@ -35,6 +36,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::loses,
+     "ros_control finds no plugin of that name and does not load the transmission",
+     "ros_control transmission_interface"},
+    {&readers::drake, Effect::loses, "makes an actuator of a simple transmission only",
+     "Drake detail_urdf_parser.cc:930-1001"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1444_transmission_type{
@@ -42,11 +51,8 @@ extern constinit const Rule sml1444_transmission_type{
     .name = "transmission-type",
     .severity = Severity::warning,
     .summary = "The type of a transmission looks misspelt.",
-    .why =
-        "ros_control finds no plugin of that name and does not load the transmission; Drake makes "
-        "an actuator of a simple transmission only.",
     .remedy = "Correct the name.",
-    .sources = "ros_control transmission_interface; Drake detail_urdf_parser.cc:930-1001.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

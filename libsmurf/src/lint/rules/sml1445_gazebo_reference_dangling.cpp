@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/edits.hpp"
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
@@ -41,6 +42,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::loses,
+     "ignores the element: friction, colours, sensors and limits in it never reach the simulation",
+     kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1445_gazebo_reference_dangling{
@@ -48,10 +55,9 @@ extern constinit const Rule sml1445_gazebo_reference_dangling{
     .name = "gazebo-reference-dangling",
     .severity = Severity::warning,
     .summary = "A gazebo element refers to neither a link nor a joint.",
-    .why = "sdformat (Gazebo) ignores such an element silently: friction, colours, sensors and "
-           "limits in it never reach the simulation.",
     .remedy = "Correct the reference, or delete the element.",
-    .sources = "sdformat 12.3, executed; 7 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .sources = "7 of 322 files of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

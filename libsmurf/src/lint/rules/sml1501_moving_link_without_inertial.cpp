@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
@@ -26,6 +27,22 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps a link without mass", kRun},
+    {&readers::mars, Effect::changes, "gives the link 1e-6 kg, and 1 g for each collision",
+     "MARS smurf.cpp:719"},
+    {&readers::pybullet, Effect::changes, "gives the link 1 kg and an inertia of 1 kg m2",
+     "Bullet UrdfParser.cpp:1051-1059"},
+    {&readers::gazebo, Effect::loses, "drops the link with everything below it",
+     "sdformat parser_urdf.cc:2669-2779, run"},
+    {&readers::dart, Effect::changes, "gives the link 1 kg and an inertia of 1 kg m2", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
+     "#without-collision"},
+    {&readers::mujoco, Effect::changes, "gives the collisions the density of water", kRun},
+    {&readers::drake, Effect::changes, "computes with a mass matrix that is singular",
+     "Drake, read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1501_moving_link_without_inertial{
@@ -33,12 +50,10 @@ extern constinit const Rule sml1501_moving_link_without_inertial{
     .name = "moving-link-without-inertial",
     .severity = Severity::error,
     .summary = "A link that moves has no mass, nor has anything fixed to it.",
-    .why = "sdformat (Gazebo) drops the link with everything below it, Bullet invents 1 kg, "
-           "MuJoCo refuses the file or takes 1000 kg/m3, Drake and Pinocchio get a singular mass "
-           "matrix.",
+    .why = "Pinocchio gets a singular mass matrix.",
     .remedy = "Add an inertial.",
-    .sources = "sdformat 12.3, Bullet and MuJoCo 3.14, executed; 106 of 322 files of the "
-               "Tola/Corke dataset.",
-    .check_model = check};
+    .sources = "106 of 322 files of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
@@ -27,6 +28,17 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.notes.push_back("Gazebo loads nothing of it, Bullet gives each link 1 kg");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "gives each link 1 kg and 1 kg m2",
+     "Bullet UrdfParser.cpp:1051-1059"},
+    {&readers::gazebo, Effect::refuses, "drops every link, and refuses a model without links",
+     kRun},
+    {&readers::dart, Effect::changes, "gives each link 1 kg and 1 kg m2", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
+     "#massless-body"},
+    {&readers::mujoco, Effect::changes, "gives the collisions the density of water", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1502_no_inertial_anywhere{
@@ -34,12 +46,10 @@ extern constinit const Rule sml1502_no_inertial_anywhere{
     .name = "no-inertial-anywhere",
     .severity = Severity::warning,
     .summary = "A robot with movable joints has no inertial at all.",
-    .why = "sdformat (Gazebo) drops every link and then refuses the model for having none; Bullet "
-           "invents 1 kg a link, MuJoCo refuses it or takes the density of water. For RViz and "
-           "planning of paths it is enough.",
+    .why = "For viewers and the planning of paths it is enough.",
     .remedy = "Add inertials, if the robot is to be simulated.",
-    .sources = "sdformat 12.3 (\"a model must have at least one link\"), Bullet and MuJoCo 3.14, "
-               "executed; 102 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .sources = "102 of 322 files of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

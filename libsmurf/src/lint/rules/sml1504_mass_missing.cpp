@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -9,8 +10,10 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!link.inertial) return;
     const xml::View inertial(model.robot->document, link.inertial->element);
     // Misspelt, or written beside the inertial, it is reported there.
-    if (inertial.child("mass") || has_slip(model, inertial.id(), "mass")) return;
-    if (inertial.parent().child("mass")) return;
+    if (inertial.child("mass") || is_slip(model, inertial.id(), "mass", findings)) return;
+    if (const xml::View misplaced = inertial.parent().child("mass")) {
+      return findings.add_consequence(misplaced.name_span());
+    }
     const bool has_inertia = inertial.child("inertia") || has_slip(model, inertial.id(), "inertia");
     findings
         .report(inertial.name_span(),
@@ -19,17 +22,23 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow",
+     "urdfdom link.cpp:415-486, run"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+    {&readers::drake, Effect::takes, "reads no mass", "Drake detail_common.h:387"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1504_mass_missing{
-    .id = "SML1504",
-    .name = "mass-missing",
-    .severity = Severity::error,
-    .summary = "An inertial has no mass.",
-    .why = "urdfdom keeps the mass 0 and drops the visuals and collisions of the link, while the "
-           "file \"loads\"; MuJoCo and Bullet refuse the file.",
-    .remedy = "Add `<mass value=\"...\"/>` in kg.",
-    .sources = "urdfdom 3.0.1 link.cpp:415-486, MuJoCo 3.14 and Bullet, executed.",
-    .check_model = check};
+extern constinit const Rule sml1504_mass_missing{.id = "SML1504",
+                                                 .name = "mass-missing",
+                                                 .severity = Severity::error,
+                                                 .summary = "An inertial has no mass.",
+                                                 .remedy = "Add `<mass value=\"...\"/>` in kg.",
+                                                 .check_model = check,
+                                                 .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -9,12 +10,24 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!link.inertial) return;
     const xml::View inertial(model.robot->document, link.inertial->element);
     // Misspelt, or written beside the inertial, it is reported there; an empty inertial elsewhere.
-    if (inertial.child("inertia") || has_slip(model, inertial.id(), "inertia")) return;
-    if (inertial.parent().child("inertia") || !inertial.child("mass")) return;
+    if (inertial.child("inertia") || is_slip(model, inertial.id(), "inertia", findings)) return;
+    if (const xml::View misplaced = inertial.parent().child("inertia")) {
+      return findings.add_consequence(misplaced.name_span());
+    }
+    if (!inertial.child("mass")) return;
     findings.report(inertial.name_span(), "the inertial of " + title(link) + " has no inertia")
         .notes.push_back("urdfdom drops the visuals and collisions of this link");
   });
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow",
+     "urdfdom link.cpp:415-486, run"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+    {&readers::drake, Effect::takes, "reads no inertia", "Drake detail_common.h:387"},
+};
 
 }  // namespace
 
@@ -23,10 +36,8 @@ extern constinit const Rule sml1505_inertia_missing{
     .name = "inertia-missing",
     .severity = Severity::error,
     .summary = "An inertial has a mass, but no inertia.",
-    .why = "urdfdom drops the visuals and collisions of the link, while the file \"loads\"; MuJoCo "
-           "and Bullet refuse the file.",
     .remedy = "Add the inertia; it can be computed from the geometry and the mass.",
-    .sources = "urdfdom 3.0.1 link.cpp:415-486, MuJoCo 3.14 and Bullet, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
@@ -8,16 +7,14 @@
 namespace smurf::rules {
 namespace {
 
-/// True when an attribute is a misspelt `name`, which is then reported as such.
-bool is_misspelt(const xml::View element, std::string_view name) {
-  return std::any_of(element.attributes_begin(), element.attributes_end(),
-                     [&](const xml::Attribute& attribute) {
-                       if (attribute.name().size() == 3 && attribute.name().starts_with('i')) {
-                         return false;  // another entry
-                       }
-                       const std::string_view known[] = {name};
-                       return nearest(attribute.name(), known).has_value();
-                     });
+/// The place of a misspelt `name`, which is reported there; empty when there is none.
+Span find_misspelt(const xml::View element, std::string_view name) {
+  const std::string_view known[] = {name};
+  for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
+    const bool is_other_entry = at->name().size() == 3 && at->name().starts_with('i');
+    if (!is_other_entry && nearest(at->name(), known)) return at->name_span();
+  }
+  return {};
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -29,7 +26,11 @@ void check(const LinkedModel& model, Findings& findings) {
     std::string missing, zeros;
     bool is_diagonal_whole = true;
     for (const std::string_view name : {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}) {
-      if (inertia.attribute(name) != nullptr || is_misspelt(inertia, name)) continue;
+      if (inertia.attribute(name) != nullptr) continue;
+      if (const Span slip = find_misspelt(inertia, name); !slip.empty()) {
+        findings.add_consequence(slip);
+        continue;
+      }
       missing += (missing.empty() ? "" : " and no ") + quoted(name);
       zeros += " " + std::string(name) + "=\"0\"";
       is_diagonal_whole = is_diagonal_whole && name[1] != name[2];
@@ -46,6 +47,14 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::breaks,
+     "takes all six for 0, reports an error and drops the visuals and collisions of the link",
+     "urdfdom link.cpp:415-486, run"},
+    {&readers::pybullet, Effect::changes, "takes the three others for 0 where a product is missing",
+     kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1506_inertia_attribute_missing{
@@ -53,11 +62,10 @@ extern constinit const Rule sml1506_inertia_attribute_missing{
     .name = "inertia-attribute-missing",
     .severity = Severity::error,
     .summary = "An inertia lacks some of its six entries.",
-    .why = "urdfdom takes all six for 0 and drops the visuals and collisions of the link, while "
-           "the file \"loads\"; yourdfpy puts 1.0 on the diagonal; Bullet takes the three others "
-           "for 0 where a product is missing.",
+    .why = "yourdfpy puts 1.0 on the diagonal.",
     .remedy = "Write all six; products of inertia that vanish are 0.",
-    .sources = "urdfdom 3.0.1 link.cpp:415-486 and Bullet, executed; yourdfpy urdf.py:1875.",
-    .check_model = check};
+    .sources = "yourdfpy urdf.py:1875.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
+
+/// The root, when nothing that is fixed to it has a mass either.
+bool is_only_root(const LinkedModel& model, const urdf::Link& link) {
+  if (model.tree.roots.size() != 1) return false;
+  const LinkIndex root = model.tree.roots.front();
+  return &model.link(root) == &link && !has_fixed_mass(model, root);
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> massless = massless_bodies(model);
@@ -18,6 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");
     diagnostic.help = "write the mass, or remove the `inertial` of a link that is only a frame";
     if (is_massless_body) diagnostic.construct = "massless-body";
+    if (is_only_root(model, link)) diagnostic.construct += "#root";
     // Mass and inertia both zero: how frames are written on purpose for Bullet.
     const auto moments = principal_moments(*link.inertial);
     const bool is_zero = moments && (*moments)[2] == 0;
@@ -26,6 +35,27 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps the mass 0", kRun},
+    {&readers::mars, Effect::changes, "gives the link 1e-6 kg, and 1 g for each collision",
+     "MARS smurf.cpp:719"},
+    {&readers::pybullet, Effect::changes, "fixes a base without mass to the world",
+     "URDF2Bullet.cpp:382"},
+    {&readers::gazebo, Effect::refuses,
+     "drops the root with everything below it: a model without links", kRun, "#root"},
+    {&readers::gazebo, Effect::loses, "drops the link with everything below it",
+     "sdformat parser_urdf.cc:2669-2779, run"},
+    {&readers::dart, Effect::changes, "warns and goes on with a mass matrix that is singular",
+     kRun},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body without mass", kRun,
+     "#massless-body"},
+    {&readers::mujoco, Effect::takes, "adds it to the body it is fixed to",
+     "MuJoCo (fusestatic), run"},
+    {&readers::drake, Effect::changes,
+     "takes a body without mass and inertia; puts a sphere of 1 kg in the place of one with an inertia",
+     "Drake detail_common.cc:446-515"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1508_mass_zero{
@@ -33,10 +63,8 @@ extern constinit const Rule sml1508_mass_zero{
     .name = "mass-zero",
     .severity = Severity::error,
     .summary = "A link has an inertial with mass 0.",
-    .why = "sdformat drops the link with everything below it, MuJoCo refuses a moving one, ODE "
-           "(MARS) refuses the mass, Bullet fixes the base to the world.",
     .remedy = "Write the mass, or remove the inertial of a link that is only a frame.",
-    .sources = "sdformat 12.3, MuJoCo 3.14, Bullet and ODE 0.16.2, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

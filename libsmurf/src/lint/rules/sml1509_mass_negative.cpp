@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -13,17 +14,28 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
+    {&readers::mars, Effect::breaks, "hands ODE a mass that it reports as wrong",
+     "ODE dMassCheck, run"},
+    {&readers::pybullet, Effect::takes, "keeps the number", kRun},
+    {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
+    {&readers::dart, Effect::changes, "warns and goes on", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the mass", kRun},
+    {&readers::drake, Effect::changes, "puts a sphere of water of 1 kg in its place",
+     "Drake detail_common.cc:446-515"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1509_mass_negative{
-    .id = "SML1509",
-    .name = "mass-negative",
-    .severity = Severity::error,
-    .summary = "A link has a negative mass.",
-    .why = "It is impossible; MuJoCo refuses the file, Drake puts a sphere of water in its place, "
-           "urdfdom and Bullet accept it.",
-    .remedy = "Correct the sign.",
-    .sources = "MuJoCo 3.14, executed; Drake detail_common.cc:446-515.",
-    .check_model = check};
+extern constinit const Rule sml1509_mass_negative{.id = "SML1509",
+                                                  .name = "mass-negative",
+                                                  .severity = Severity::error,
+                                                  .summary = "A link has a negative mass.",
+                                                  .why = "It is impossible.",
+                                                  .remedy = "Correct the sign.",
+                                                  .check_model = check,
+                                                  .facts = kFacts,
+                                                  .is_impossible = true};
 
 }  // namespace smurf::rules

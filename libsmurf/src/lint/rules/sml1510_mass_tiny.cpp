@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
@@ -34,6 +35,15 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::loses, "drops the link with everything below it",
+     "sdformat, run (issue 199)", "#mass"},
+    {&readers::mujoco, Effect::refuses, "refuses a mass below 1e-15 kg", "MuJoCo mjtype.h:27",
+     "#below-1e-15"},
+    {&readers::mujoco, Effect::refuses, "refuses a principal moment below 1e-14 kg m2",
+     "MuJoCo user_util.cc:862, run", "#inertia-below-1e-14"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1510_mass_tiny{
@@ -41,10 +51,10 @@ extern constinit const Rule sml1510_mass_tiny{
     .name = "mass-tiny",
     .severity = Severity::warning,
     .summary = "A mass is so small that it is dropped, or spoils the solver.",
-    .why = "sdformat up to 12 drops a link of 1e-6 kg or less with everything below it; lighter "
-           "links than a gram beside heavy ones make the mass matrix ill-conditioned.",
+    .why = "Links lighter than a gram beside heavy ones make the mass matrix ill-conditioned.",
     .remedy = "Write the real mass, or remove the inertial of a link that is only a frame.",
-    .sources = "sdformat 12.3, executed (issue 199); 34 of 322 files of the Tola/Corke dataset.",
-    .check_model = check};
+    .sources = "34 of 322 files of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

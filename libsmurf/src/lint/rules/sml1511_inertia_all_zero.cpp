@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
@@ -26,6 +27,22 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps the zeros", kRun},
+    {&readers::mars, Effect::breaks, "hands ODE an inertia that it reports as wrong",
+     "ODE dMassCheck, run"},
+    {&readers::pybullet, Effect::ignores, "computes the inertia from the collisions",
+     "BulletUrdfImporter.cpp:374-411"},
+    {&readers::dart, Effect::changes, "goes on with a mass matrix that is singular", kRun,
+     "#moving"},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun,
+     "#without-collision"},
+    {&readers::mujoco, Effect::changes, "computes the inertia from the collisions",
+     "MuJoCo xml_urdf.cc:260-270", "#moving"},
+    {&readers::drake, Effect::changes, "computes with a mass matrix that is singular",
+     "Drake, read", "#moving"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1511_inertia_all_zero{
@@ -33,10 +50,9 @@ extern constinit const Rule sml1511_inertia_all_zero{
     .name = "inertia-all-zero",
     .severity = Severity::error,
     .summary = "An inertia is zero although the link has a mass.",
-    .why = "MuJoCo refuses a moving link, ODE (MARS) refuses the mass, other engines get a "
-           "singular mass matrix.",
+    .why = "Other engines get a singular mass matrix.",
     .remedy = "Compute the inertia from the geometry and the mass.",
-    .sources = "MuJoCo 3.14 and ODE 0.16.2, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
@@ -25,6 +26,20 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps the numbers", kRun},
+    {&readers::mars, Effect::breaks, "hands ODE an inertia that it reports as wrong",
+     "ODE dMassCheck, run"},
+    {&readers::pybullet, Effect::ignores,
+     "computes the inertia from the collisions, unless told otherwise",
+     "BulletUrdfImporter.cpp:374-411"},
+    {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
+    {&readers::dart, Effect::changes, "computes with it all the same", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the inertia", "MuJoCo user_util.cc:862, run"},
+    {&readers::drake, Effect::changes, "puts a sphere of water with that mass in its place",
+     "Drake detail_common.cc:446-515"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1512_not_positive_definite{
@@ -32,11 +47,10 @@ extern constinit const Rule sml1512_not_positive_definite{
     .name = "not-positive-definite",
     .severity = Severity::error,
     .summary = "An inertia tensor has a principal moment that is not positive.",
-    .why = "No body has such an inertia: sdformat reports an error, MuJoCo refuses the file, "
-           "Bullet sets the inertia to 0, Drake puts a sphere of water in its place.",
+    .why = "No body has such an inertia.",
     .remedy = "Compute the inertia again, e.g. from the geometry and the mass.",
-    .sources = "sdformat 12.3 and MuJoCo 3.14, executed; Bullet BulletUrdfImporter.cpp:451-471; "
-               "Drake detail_common.cc:446-515.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts,
+    .is_impossible = true};
 
 }  // namespace smurf::rules

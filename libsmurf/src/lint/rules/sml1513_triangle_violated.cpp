@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
@@ -24,6 +25,20 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps the numbers", kRun},
+    {&readers::mars, Effect::changes, "computes with it all the same", "ODE dMassCheck, run"},
+    {&readers::pybullet, Effect::ignores,
+     "computes the inertia from the collisions, unless told otherwise",
+     "BulletUrdfImporter.cpp:374-411"},
+    {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
+    {&readers::dart, Effect::changes, "computes with it all the same", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the inertia",
+     "MuJoCo user_objects.cc:2762-2770, run"},
+    {&readers::drake, Effect::changes, "puts a sphere of water with that mass in its place",
+     "Drake detail_common.cc:446-515"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1513_triangle_violated{
@@ -31,12 +46,11 @@ extern constinit const Rule sml1513_triangle_violated{
     .name = "triangle-violated",
     .severity = Severity::error,
     .summary = "The principal moments of an inertia break the triangle inequality.",
-    .why = "No mass distribution has such moments: sdformat reports an error, MuJoCo refuses the "
-           "file, Drake puts a sphere of water in its place; ODE (MARS), DART and Pinocchio "
-           "simulate nonsense.",
+    .why = "No mass distribution has such moments; Pinocchio simulates nonsense.",
     .remedy = "Compute the inertia again, e.g. from the geometry and the mass.",
-    .sources = "sdformat 12.3, MuJoCo 3.14 and ODE 0.16.2, executed; 62 links of the Tola/Corke "
-               "dataset, all above 1 %.",
-    .check_model = check};
+    .sources = "62 links of the Tola/Corke dataset, all above 1 %.",
+    .check_model = check,
+    .facts = kFacts,
+    .is_impossible = true};
 
 }  // namespace smurf::rules

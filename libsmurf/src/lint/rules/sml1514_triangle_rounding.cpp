@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
@@ -51,6 +52,15 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia",
+     "gz-math MassMatrix3.hh, run", "#sdformat"},
+    {&readers::mujoco, Effect::refuses, "refuses the inertia: it tolerates nothing",
+     "MuJoCo user_objects.cc:2762-2770, run"},
+    {&readers::drake, Effect::changes, "puts a sphere of water with that mass in its place",
+     "Drake rotational_inertia.cc:184-216", "#drake"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1514_triangle_rounding{
@@ -58,10 +68,10 @@ extern constinit const Rule sml1514_triangle_rounding{
     .name = "triangle-rounding",
     .severity = Severity::warning,
     .summary = "An inertia breaks the triangle inequality by rounding.",
-    .why = "Flat parts reach equality: with few digits the largest moment ends above the sum of "
-           "the others. MuJoCo allows nothing and refuses the file, sdformat reports an error.",
+    .why =
+        "Flat parts reach equality: with few digits the largest moment ends above the sum of the others.",
     .remedy = "Print more digits, or lower the largest moment by the difference.",
-    .sources = "MuJoCo 3.14 (user_objects.cc:2762-2770) and sdformat 12.3, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
@@ -22,6 +23,11 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::refuses, "refuses a principal moment below 1e-14 kg m2",
+     "MuJoCo user_util.cc:862, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1515_inertia_below_mujoco{
@@ -29,10 +35,9 @@ extern constinit const Rule sml1515_inertia_below_mujoco{
     .name = "inertia-below-mujoco",
     .severity = Severity::warning,
     .summary = "A moment of inertia is smaller than MuJoCo accepts.",
-    .why = "MuJoCo compares with 1e-14 kg m2, whatever the unit or mass, and refuses the whole "
-           "file.",
     .remedy = "Write the real inertia, or remove the inertial of a link that is only a frame.",
-    .sources = "MuJoCo 3.14 (user_util.cc:862), executed: 176 inertials of the Tola/Corke dataset.",
-    .check_model = check};
+    .sources = "176 inertials of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -7,8 +8,10 @@ namespace {
 
 void check_extent(const Field<double>& extent, std::string_view what, Findings& findings) {
   if (!extent || *extent > 0) return;
-  findings.report(extent.span, "the " + std::string(what) + " is " + format_number(*extent) +
-                                   ", but must be positive");
+  Diagnostic& diagnostic =
+      findings.report(extent.span, "the " + std::string(what) + " is " + format_number(*extent) +
+                                       ", but must be positive");
+  if (*extent == 0) diagnostic.construct = "zero";
 }
 
 void check_shape(const urdf::Shape& shape, Findings& findings) {
@@ -36,6 +39,20 @@ void check(const LinkedModel& model, Findings& findings) {
                     [&](const GeometryUse& use) { check_shape(use.geometry.shape, findings); });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
+    {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
+     "MARS smurf.cpp:1014-1058, NodePhysics.cpp:626-634"},
+    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses, "refuses a size that is not positive", kRun},
+    {&readers::drake, Effect::takes, "takes a sphere of radius 0",
+     "Drake shape_specification.cc:284", "/sphere/@radius/#zero"},
+    {&readers::drake, Effect::refuses, "refuses a size that is not positive",
+     "Drake shape_specification.h"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1601_size_not_positive{
@@ -43,9 +60,8 @@ extern constinit const Rule sml1601_size_not_positive{
     .name = "size-not-positive",
     .severity = Severity::error,
     .summary = "A size, radius or length of a shape is zero or negative.",
-    .why = "MuJoCo and Drake refuse the file, DART aborts the process; urdfdom accepts it.",
     .remedy = "Write the full extent, in metres.",
-    .sources = "MuJoCo 3.14 and DART 6.12, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

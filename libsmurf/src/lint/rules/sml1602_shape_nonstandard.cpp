@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -28,6 +29,22 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow",
+     "urdfdom link.cpp:224, run"},
+    {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/capsule/"},
+    {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/plane/"},
+    {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/cdf/"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+    {&readers::mujoco, Effect::takes, "knows the capsule", kRun, "/capsule/"},
+    {&readers::mujoco, Effect::refuses, "refuses the shape", kRun},
+    {&readers::drake, Effect::takes, "knows the capsule", "Drake detail_urdf_geometry.cc:318-346",
+     "/capsule/"},
+    {&readers::drake, Effect::refuses, "refuses the shape",
+     "Drake detail_urdf_geometry.cc:318-346"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1602_shape_nonstandard{
@@ -35,11 +52,9 @@ extern constinit const Rule sml1602_shape_nonstandard{
     .name = "shape-nonstandard",
     .severity = Severity::error,
     .summary = "A geometry is a shape that URDF 1.0 does not define.",
-    .why = "urdfdom up to 5.0 drops the rest of the link silently: RViz, Gazebo, DART and "
-           "Pinocchio see a link without this and all later shapes.",
     .remedy = "Use box, sphere, cylinder or mesh; a capsule can be a cylinder and two spheres.",
-    .sources = "urdfdom 3.0.1 link.cpp:224, executed; capsule since urdfdom 5.1 (pull request "
-               "238).",
-    .check_model = check};
+    .sources = "capsule since urdfdom 5.1 (pull request 238).",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -14,6 +15,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow",
+     "urdfdom link.cpp:415-486, run"},
+    {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1603_mesh_filename_empty{
@@ -21,9 +30,8 @@ extern constinit const Rule sml1603_mesh_filename_empty{
     .name = "mesh-filename-empty",
     .severity = Severity::error,
     .summary = "The file name of a mesh or texture is empty.",
-    .why = "urdfdom drops the rest of the link silently, sdformat and MuJoCo refuse the file.",
     .remedy = "Name the file, or delete the element around it.",
-    .sources = "urdfdom 3.0.1, sdformat 12.3 and MuJoCo 3.14, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

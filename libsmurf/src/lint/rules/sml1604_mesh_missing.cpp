@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <map>
 #include <set>
 
 #include "base/path.hpp"
+#include "base/readers.hpp"
+#include "lint/geometry_queries.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -43,6 +46,23 @@ void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& f
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }
 
+/// One finding stands for many meshes: readers that do without visuals need the collisions.
+std::vector<const MeshReference*> collisions_first(const LinkedModel& model) {
+  std::set<std::uint32_t> collisions;
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    const auto* mesh = std::get_if<urdf::Mesh>(&use.geometry.shape);
+    if (mesh != nullptr && use.role == GeometryRole::collision) {
+      collisions.insert(mesh->filename.span.begin);
+    }
+  });
+  std::vector<const MeshReference*> references;
+  for (const MeshReference& mesh : model.meshes) references.push_back(&mesh);
+  std::stable_partition(references.begin(), references.end(), [&](const MeshReference* mesh) {
+    return collisions.contains(mesh->span.begin);
+  });
+  return references;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   std::set<std::string_view> found;  // packages and folders of which something is there
   for (const MeshReference& mesh : model.meshes) {
@@ -53,7 +73,8 @@ void check(const LinkedModel& model, Findings& findings) {
   std::map<std::string_view, std::vector<const MeshReference*>> lost_packages;
   std::map<std::string_view, std::vector<const MeshReference*>> lost_folders;
   std::set<std::string_view> seen;
-  for (const MeshReference& mesh : model.meshes) {
+  for (const MeshReference* use : collisions_first(model)) {
+    const MeshReference& mesh = *use;
     if (path_fault(mesh) != PathFault::missing || !seen.insert(mesh.filename).second) continue;
     const std::string_view package = package_of(mesh.filename);
     const std::string_view folder = path::parent(mesh.path);
@@ -74,6 +95,36 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::loses, "looks for the package in places of its own",
+     "package folders depend on the machine", "#package"},
+    {&readers::mars, Effect::crashes, "ends with an exception on a missing mesh of a collision",
+     "MARS gui_helper_functions.cpp:278-280", "/collision/"},
+    {&readers::mars, Effect::loses, "shows the link without it", "MARS smurf.cpp:1080-1113",
+     "/visual/"},
+    {&readers::phobos, Effect::refuses, "stops with an IOError", "Phobos a613e31, run", "#texture"},
+    {&readers::phobos, Effect::refuses,
+     "looks in the folder above urdf/ only, and stops with an exception", "Phobos a613e31, run",
+     "#package"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot",
+     "Bullet UrdfFindMeshFile.h, run", "#mesh"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot",
+     "Bullet UrdfFindMeshFile.h, run", "#package"},
+    {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
+     "urdfdom stores it unchecked", "#mesh"},
+    {&readers::gazebo, Effect::loses, "does not look for the file; the link has no such shape",
+     "sdformat parser_urdf.cc:2416-2431", "#mesh"},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#mesh"},
+    {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun, "#package"},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun,
+     "#mesh"},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc", "#mesh"},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc",
+     "#texture"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1604_mesh_missing{
@@ -81,12 +132,11 @@ extern constinit const Rule sml1604_mesh_missing{
     .name = "mesh-missing",
     .severity = Severity::error,
     .summary = "A mesh or texture file does not exist.",
-    .why = "Bullet loses the whole robot, Drake, MuJoCo, Pinocchio and DART refuse the file or "
-           "the body; urdfdom and sdformat do not look.",
+    .why = "Pinocchio refuses the body.",
     .remedy =
         "Correct the path (relative to the URDF), add the file, or name the package's folder with "
         "`--package NAME=DIR`.",
-    .sources = "Bullet, MuJoCo 3.14, DART 6.12 and urdfdom 3.0.1, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

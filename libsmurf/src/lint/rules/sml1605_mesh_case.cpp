@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -30,6 +31,23 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an exception",
+     "MARS gui_helper_functions.cpp:278-280", "/collision/"},
+    {&readers::mars, Effect::loses, "shows the link without it", "MARS smurf.cpp:1080-1113"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot",
+     "Bullet UrdfFindMeshFile.h, run"},
+    {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
+     "urdfdom stores it unchecked"},
+    {&readers::gazebo, Effect::loses, "does not look for the file; the link has no such shape",
+     "sdformat parser_urdf.cc:2416-2431"},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1605_mesh_case{
@@ -37,10 +55,10 @@ extern constinit const Rule sml1605_mesh_case{
     .name = "mesh-case",
     .severity = Severity::error,
     .summary = "The path of a mesh or texture has other upper and lower case than the file.",
-    .why =
-        "Only Windows and macOS find it; on Linux it is missing: Bullet loses the whole robot, Drake, MuJoCo, Pinocchio and DART refuse the file or the body.",
+    .why = "Only Windows and macOS find it; on Linux it is missing.",
     .remedy = "Write the path as the file is called.",
-    .sources = "Bullet, MuJoCo 3.14 and DART 6.12, executed on Linux.",
-    .check_model = check};
+    .sources = "executed on Linux.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -33,7 +33,7 @@ extern constinit const Rule sml1606_mesh_backslash{
     .why =
         "Only Windows takes a backslash for a separator; elsewhere it is part of a name that no file has.",
     .remedy = "Write `/`, which Windows takes too.",
-    .sources = "Bullet, MuJoCo 3.14 and DART 6.12, executed on Linux.",
+    .sources = "Bullet, MuJoCo and DART, executed on Linux.",
     .check_model = check};
 
 }  // namespace smurf::rules

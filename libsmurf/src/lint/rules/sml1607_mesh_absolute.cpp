@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -26,6 +27,28 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "puts the folder of the model before it, finds nothing, and ends with an exception",
+     "MARS misc.cpp:112-131", "/collision/"},
+    {&readers::pybullet, Effect::refuses, "where the file is missing, refuses the whole robot",
+     "Bullet UrdfFindMeshFile.h, run"},
+    {&readers::ros, Effect::loses,
+     "where the file is missing, RViz and MoveIt show the link without it",
+     "urdfdom stores it unchecked"},
+    {&readers::gazebo, Effect::loses,
+     "where the file is missing, does not look for the file; the link has no such shape",
+     "sdformat parser_urdf.cc:2416-2431"},
+    {&readers::dart, Effect::refuses,
+     "where the file is missing, cannot load the shape, and refuses the file", kRun},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses,
+     "where the file is missing, cannot open the file, and refuses the model", kRun},
+    {&readers::drake, Effect::refuses, "where the file is missing, refuses the file",
+     "Drake detail_path_utils.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1607_mesh_absolute{
@@ -33,10 +56,9 @@ extern constinit const Rule sml1607_mesh_absolute{
     .name = "mesh-absolute",
     .severity = Severity::error,
     .summary = "A mesh or texture is named by an absolute path.",
-    .why =
-        "The file is found on one machine only; where it is missing, Bullet loses the whole robot and Drake, MuJoCo, Pinocchio and DART refuse the file or the body.",
+    .why = "The file is found on one machine only; elsewhere it is missing.",
     .remedy = "Write a path relative to the URDF, or package://.",
-    .sources = "Bullet, MuJoCo 3.14 and DART 6.12, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

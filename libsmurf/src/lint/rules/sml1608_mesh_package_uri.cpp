@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -22,6 +23,14 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.help = "write paths that hold from the URDF and from the .smurf";
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "takes it for a relative path, finds no file, and ends with an uncaught exception",
+     "MARS smurf.cpp:1066-1137, misc.cpp:108-131, NodePhysics.cpp:626-634", "/collision/"},
+    {&readers::mars, Effect::loses, "takes it for a relative path, and shows the link without it",
+     "MARS smurf.cpp:1066-1137, misc.cpp:108-131"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1608_mesh_package_uri{
@@ -29,11 +38,9 @@ extern constinit const Rule sml1608_mesh_package_uri{
     .name = "mesh-package-uri",
     .severity = Severity::warning,
     .summary = "The URDF of a SMURF model names a mesh by package://.",
-    .why =
-        "MARS takes it for a relative path and finds no file; for a collision it ends with an uncaught exception.",
     .remedy =
         "Write a relative path; with the folders `urdf/` and `smurf/` side by side, `../meshes/x.obj` holds from both.",
-    .sources = "MARS smurf.cpp:1066-1137, misc.cpp:108-131, NodePhysics.cpp:626-634.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -37,6 +38,16 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!fix.edits.empty()) diagnostic.fixes.push_back(std::move(fix));
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::loses, "looks for a folder called `package:`",
+     "resource_retriever, read"},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses, "looks for a folder called `package:`", kRun},
+    {&readers::drake, Effect::refuses, "refuses the file",
+     "Drake detail_urdf_geometry.cc, package URI pattern"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1609_mesh_package_malformed{
@@ -44,9 +55,8 @@ extern constinit const Rule sml1609_mesh_package_malformed{
     .name = "mesh-package-malformed",
     .severity = Severity::error,
     .summary = "A package:// address lacks the name of a package or of a file.",
-    .why = "Drake refuses it, and others look for a folder called `package:`.",
     .remedy = "Write package://NAME/PATH.",
-    .sources = "Drake detail_urdf_geometry.cc, package URI pattern.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

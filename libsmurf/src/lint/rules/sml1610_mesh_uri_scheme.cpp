@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/habit.hpp"
 #include "lint/queries.hpp"
 
@@ -12,13 +13,29 @@ bool has_foreign_scheme(std::string_view path) {
 /// One habit of an exporter, so one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
+  bool has_model_scheme = false;
   for (const MeshReference& mesh : model.meshes) {
     if (!has_foreign_scheme(mesh.filename)) continue;
+    has_model_scheme = has_model_scheme || mesh.filename.starts_with("model://");
     habit.add(mesh.span,
               "the path " + quoted(mesh.filename) + " has a scheme that MuJoCo and MARS refuse");
   }
-  habit.report("such paths", findings);
+  Diagnostic* diagnostic = habit.report("such paths", findings);
+  if (diagnostic != nullptr && has_model_scheme) diagnostic->construct = "model";
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "takes the scheme for a part of the path, and shows the link without it",
+     "MARS smurf.cpp:1080-1113, run", "/visual/"},
+    {&readers::mars, Effect::refuses, "takes the scheme for a part of the path",
+     "MARS misc.cpp:112-131"},
+    {&readers::dart, Effect::refuses, "has no retriever for the scheme, and refuses the file", kRun,
+     "#model"},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses, "takes the scheme for a part of the path", kRun},
+};
 
 }  // namespace
 
@@ -27,10 +44,9 @@ extern constinit const Rule sml1610_mesh_uri_scheme{
     .name = "mesh-uri-scheme",
     .severity = Severity::error,
     .summary = "A mesh path has a scheme that some readers do not take.",
-    .why = "MuJoCo refuses `file://` and `model://`, Pinocchio every scheme but `package://` and "
-           "`file://`, MARS all of them.",
+    .why = "Pinocchio takes `package://` and `file://` only.",
     .remedy = "Write a path relative to the URDF.",
-    .sources = "MuJoCo 3.14, executed; MARS misc.cpp:112-131.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

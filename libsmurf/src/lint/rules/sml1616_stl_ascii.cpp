@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -14,17 +15,23 @@ void check(const LinkedModel& model, Findings& findings) {
       "are ASCII STL, which MuJoCo and Bullet refuse", findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::loses,
+     "compares the size of the file with a binary count, and leaves the shape out",
+     "Bullet LoadMeshFromSTL.h"},
+    {&readers::mujoco, Effect::refuses,
+     "compares the size of the file with a binary count, and refuses the model", kRun},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1616_stl_ascii{
-    .id = "SML1616",
-    .name = "stl-ascii",
-    .severity = Severity::warning,
-    .summary = "The mesh of a collision is an ASCII STL file.",
-    .why =
-        "MuJoCo refuses the model and Bullet leaves the shape out, as both compare the size of the file with a binary count; the others read it.",
-    .remedy = "Export binary STL.",
-    .sources = "MuJoCo 3.14, executed; Bullet LoadMeshFromSTL.h.",
-    .check_model = check};
+extern constinit const Rule sml1616_stl_ascii{.id = "SML1616",
+                                              .name = "stl-ascii",
+                                              .severity = Severity::warning,
+                                              .summary =
+                                                  "The mesh of a collision is an ASCII STL file.",
+                                              .remedy = "Export binary STL.",
+                                              .check_model = check,
+                                              .facts = kFacts};
 
 }  // namespace smurf::rules

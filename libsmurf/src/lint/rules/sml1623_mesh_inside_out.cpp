@@ -25,7 +25,7 @@ extern constinit const Rule sml1623_mesh_inside_out{
     .why =
         "Masses computed from the mesh are negative, which MuJoCo refuses, and its normals point the wrong way.",
     .remedy = "Flip the normals in a mesh editor.",
-    .sources = "MuJoCo 3.14 user_mesh.cc; 1 of 956 public collision meshes.",
+    .sources = "MuJoCo user_mesh.cc; 1 of 956 public collision meshes.",
     .check_model = check};
 
 }  // namespace smurf::rules

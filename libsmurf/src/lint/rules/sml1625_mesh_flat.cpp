@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -19,16 +20,20 @@ void check(const LinkedModel& model, Findings& findings) {
       "of collisions are flat: their volume is zero", findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::refuses, "can make no convex hull of it, and refuses the model",
+     kRun},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1625_mesh_flat{
-    .id = "SML1625",
-    .name = "mesh-flat",
-    .severity = Severity::error,
-    .summary = "The mesh of a collision lies in a plane.",
-    .why = "MuJoCo refuses the model, as no convex hull can be made of it.",
-    .remedy = "Give the mesh a thickness, or use a thin box.",
-    .sources = "MuJoCo 3.14, executed.",
-    .check_model = check};
+extern constinit const Rule sml1625_mesh_flat{.id = "SML1625",
+                                              .name = "mesh-flat",
+                                              .severity = Severity::error,
+                                              .summary = "The mesh of a collision lies in a plane.",
+                                              .remedy =
+                                                  "Give the mesh a thickness, or use a thin box.",
+                                              .check_model = check,
+                                              .facts = kFacts};
 
 }  // namespace smurf::rules

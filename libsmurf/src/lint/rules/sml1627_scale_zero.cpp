@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -16,16 +17,25 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
+     "MARS NodePhysics.cpp:626-634"},
+    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses, "refuses a scale of 0", kRun},
+    {&readers::drake, Effect::refuses, "refuses a scale below 1e-8", "Drake shape_specification.h"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1627_scale_zero{
-    .id = "SML1627",
-    .name = "scale-zero",
-    .severity = Severity::error,
-    .summary = "A mesh scale has a component of 0.",
-    .why = "MuJoCo and Drake refuse it, DART aborts; the mesh is flat.",
-    .remedy = "Write the factor that was meant.",
-    .sources = "MuJoCo 3.14 and DART 6.12, executed.",
-    .check_model = check};
+extern constinit const Rule sml1627_scale_zero{.id = "SML1627",
+                                               .name = "scale-zero",
+                                               .severity = Severity::error,
+                                               .summary = "A mesh scale has a component of 0.",
+                                               .why = "The mesh is flat.",
+                                               .remedy = "Write the factor that was meant.",
+                                               .check_model = check,
+                                               .facts = kFacts};
 
 }  // namespace smurf::rules

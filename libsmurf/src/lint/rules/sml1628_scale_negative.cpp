@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/habit.hpp"
 
@@ -20,16 +21,24 @@ void check(const LinkedModel& model, Findings& findings) {
   habit.report("such scales", findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
+     "MARS NodePhysics.cpp:626-634"},
+    {&readers::pybullet, Effect::changes, "mirrors the mesh and leaves its faces inside out",
+     "BulletUrdfImporter.cpp"},
+    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
+    {&readers::mujoco, Effect::takes, "turns the faces with the mesh", kRun},
+};
+
 }  // namespace
 
-extern constinit const Rule sml1628_scale_negative{
-    .id = "SML1628",
-    .name = "scale-negative",
-    .severity = Severity::warning,
-    .summary = "A mesh scale is negative.",
-    .why = "It mirrors the mesh; only MuJoCo turns the faces with it, DART aborts the process.",
-    .remedy = "Mirror the mesh file.",
-    .sources = "DART 6.12 and MuJoCo 3.14, executed.",
-    .check_model = check};
+extern constinit const Rule sml1628_scale_negative{.id = "SML1628",
+                                                   .name = "scale-negative",
+                                                   .severity = Severity::warning,
+                                                   .summary = "A mesh scale is negative.",
+                                                   .why = "It mirrors the mesh.",
+                                                   .remedy = "Mirror the mesh file.",
+                                                   .check_model = check,
+                                                   .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -4,6 +4,7 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -38,6 +39,13 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::takes, "tells meshes apart by their whole paths", "urdfdom, run"},
+    {&readers::mujoco, Effect::changes,
+     "keeps meshes by the name without folder and extension, so the first silently replaces the second",
+     "MuJoCo xml_urdf.cc:594-615, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1634_mesh_basename_clash{
@@ -45,10 +53,8 @@ extern constinit const Rule sml1634_mesh_basename_clash{
     .name = "mesh-basename-clash",
     .severity = Severity::error,
     .summary = "Two collision meshes have the same file name in different folders or formats.",
-    .why =
-        "MuJoCo keeps meshes by the name without folder and extension: the second is silently replaced by the first.",
     .remedy = "Rename one of them.",
-    .sources = "MuJoCo 3.14 xml_urdf.cc:594-615, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -45,6 +46,10 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "silently prefers the .bobj", "MARS smurf.cpp:1075-1110"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1639_bobj_stale{
@@ -52,9 +57,9 @@ extern constinit const Rule sml1639_bobj_stale{
     .name = "bobj-stale",
     .severity = Severity::warning,
     .summary = "The .bobj that MARS takes instead of a mesh has another bounding box.",
-    .why = "MARS silently prefers it; it was most likely made from an older state of the mesh.",
+    .why = "It was most likely made from an older state of the mesh.",
     .remedy = "Export the .bobj again, or delete it.",
-    .sources = "MARS smurf.cpp:1075-1110.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -28,6 +29,12 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.help = "add a .bobj or name an .obj, which it leaves as they are";
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "turns the mesh of a visual by -90 degrees about x when it is an STL, but not that of a collision",
+     "MARS smurf.cpp:1129-1136"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1640_mars_stl_visual_rotated{
@@ -35,10 +42,9 @@ extern constinit const Rule sml1640_mars_stl_visual_rotated{
     .name = "mars-stl-visual-rotated",
     .severity = Severity::warning,
     .summary = "A visual of a SMURF model is an STL file without a .bobj beside it.",
-    .why =
-        "MARS turns the mesh of a visual, but not that of a collision, by -90 degrees about x when it is an STL: what is seen is not what collides.",
+    .why = "What is seen is not what collides.",
     .remedy = "Convert visual meshes to .obj, or add .bobj files.",
-    .sources = "MARS smurf.cpp:1129-1136.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

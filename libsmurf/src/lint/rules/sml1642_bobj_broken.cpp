@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <set>
 
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -23,6 +24,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::ignores, "reads no .bobj",
+     "only the MARS generations and Phobos know it"},
+    {&readers::mars, Effect::crashes,
+     "checks neither records nor indices: it reads memory that is not its own, or draws a mesh with a hole",
+     "MARS gui_helper_functions.cpp:390-599, control flow executed"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1642_bobj_broken{
@@ -30,10 +39,8 @@ extern constinit const Rule sml1642_bobj_broken{
     .name = "bobj-broken",
     .severity = Severity::error,
     .summary = "A .bobj file is damaged, or of a size whose last triangle MARS loses.",
-    .why =
-        "MARS checks neither records nor indices: it reads memory that is not its own, or draws a mesh with a hole. It reads chunks of 256 bytes and drops what the last full one leaves over.",
     .remedy = "Export the .bobj again; a repeated last triangle changes an unlucky size.",
-    .sources = "MARS gui_helper_functions.cpp:390-599, control flow executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

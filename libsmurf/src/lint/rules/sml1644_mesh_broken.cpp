@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/limits.hpp"
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -66,6 +67,17 @@ void check(const LinkedModel& model, Findings& findings) {
   report_outside(outside, findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet LoadMeshFromSTL.h"},
+    {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
+     "assimp STLLoader.cpp"},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file",
+     "assimp STLLoader.cpp"},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses, "refuses the file", "MuJoCo stl_decoder.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1644_mesh_broken{
@@ -73,10 +85,9 @@ extern constinit const Rule sml1644_mesh_broken{
     .name = "mesh-broken",
     .severity = Severity::error,
     .summary = "A mesh file is cut short, damaged or empty.",
-    .why =
-        "assimp (RViz, MoveIt, Pinocchio, DART) throws, Bullet and MuJoCo refuse the file: the shape or the whole robot is lost.",
     .remedy = "Restore the file, or export it again.",
     .sources = "Bullet LoadMeshFromSTL.h and assimp STLLoader.cpp compare the size with the count.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

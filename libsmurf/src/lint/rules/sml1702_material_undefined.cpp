@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -66,6 +67,12 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes, "leaves the visual without colour and prints a message",
+     kRun},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1702_material_undefined{
@@ -73,10 +80,8 @@ extern constinit const Rule sml1702_material_undefined{
     .name = "material-undefined",
     .severity = Severity::warning,
     .summary = "A material is used or declared, but has no colour or texture anywhere.",
-    .why = "urdfdom leaves the visual without colour and prints a message, Drake refuses the "
-           "file.",
     .remedy = "Define the material at robot level, or give it a colour here.",
-    .sources = "urdfdom 3.0.1, executed; Drake detail_urdf_geometry.cc.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -37,6 +38,12 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes, "leaves the first visual without colour", kRun},
+    {&readers::mujoco, Effect::takes, "finds the definition", kRun},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1703_material_used_before_defined{
@@ -44,9 +51,8 @@ extern constinit const Rule sml1703_material_used_before_defined{
     .name = "material-used-before-defined",
     .severity = Severity::warning,
     .summary = "A visual names a material that a later visual defines.",
-    .why = "urdfdom leaves the first visual without colour; MuJoCo finds the definition.",
     .remedy = "Define the material as a child of `robot`.",
-    .sources = "urdfdom 3.0.1 and MuJoCo 3.14, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -18,6 +19,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "refuses the file", "urdfdom model.cpp:147, run"},
+    {&readers::pybullet, Effect::changes, "takes the first", "Bullet UrdfParser.cpp:2278, run"},
+    {&readers::drake, Effect::refuses, "refuses the file, even when both are equal",
+     "Drake detail_urdf_geometry.cc:54"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1704_material_duplicate_global{
@@ -25,11 +33,10 @@ extern constinit const Rule sml1704_material_duplicate_global{
     .name = "material-duplicate-global",
     .severity = Severity::error,
     .summary = "Two materials of the robot have the same name.",
-    .why = "urdfdom, sdformat, DART and Drake refuse the file, Bullet takes the first, "
-           "urdf-loader the last.",
+    .why = "urdf-loader takes the last.",
     .remedy = "Delete or rename one.",
-    .sources = "urdfdom 3.0.1 model.cpp:147, sdformat 12.3, Bullet and urdf-loader 0.13, "
-               "executed.",
-    .check_model = check};
+    .sources = "urdf-loader 0.13, executed.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

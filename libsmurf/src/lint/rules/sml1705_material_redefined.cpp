@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -33,6 +34,13 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes, "takes the first for both", kRun},
+    {&readers::pybullet, Effect::takes, "gives each its own", kRun},
+    {&readers::mujoco, Effect::takes, "gives each its own", kRun},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1705_material_redefined{
@@ -40,10 +48,8 @@ extern constinit const Rule sml1705_material_redefined{
     .name = "material-redefined",
     .severity = Severity::warning,
     .summary = "A material has one colour or texture here and another one there.",
-    .why =
-        "urdfdom takes the first for both, MuJoCo and Bullet each its own; Drake refuses the file.",
     .remedy = "Name the second material differently, or write the colour once.",
-    .sources = "urdfdom 3.0.1, MuJoCo 3.14 and Bullet, executed; Drake detail_urdf_geometry.cc.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

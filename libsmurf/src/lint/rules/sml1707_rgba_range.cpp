@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -19,6 +20,13 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::loses, "drops the material with a message",
+     "urdfdom link.cpp:86-94, run"},
+    {&readers::gazebo, Effect::loses, "drops the material", kRun},
+    {&readers::mujoco, Effect::changes, "clips it", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1707_rgba_range{
@@ -26,9 +34,9 @@ extern constinit const Rule sml1707_rgba_range{
     .name = "rgba-range",
     .severity = Severity::error,
     .summary = "A colour component lies outside 0 to 1.",
-    .why = "urdfdom drops the material (components are checked, 255 is none), MuJoCo clips it.",
+    .why = "The components of a colour go from 0 to 1, not to 255.",
     .remedy = "Divide 0-255 values by 255.",
-    .sources = "urdfdom 3.0.1 link.cpp:86-94 and MuJoCo 3.14, executed.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

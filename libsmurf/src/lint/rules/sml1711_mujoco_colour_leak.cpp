@@ -43,7 +43,7 @@ extern constinit const Rule sml1711_mujoco_colour_leak{
     .why =
         "MuJoCo does not reset the colour between the visuals of a link; other readers use their default colour.",
     .remedy = "Give each visual its material.",
-    .sources = "MuJoCo 3.14 xml_urdf.cc:291; 23 of 322 public URDFs.",
+    .sources = "MuJoCo xml_urdf.cc:291; 23 of 322 public URDFs.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -31,7 +31,7 @@ extern constinit const Rule sml1712_material_in_collision{
     .summary = "A collision has a material.",
     .why = "Every reader ignores it.",
     .remedy = "Delete it, or move it to the visual.",
-    .sources = "urdfdom 3.0.1 link.cpp; MuJoCo 3.14 xml_urdf.cc.",
+    .sources = "urdfdom link.cpp; MuJoCo xml_urdf.cc.",
     .check_model = check};
 
 }  // namespace smurf::rules

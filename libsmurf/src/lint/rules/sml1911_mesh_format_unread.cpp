@@ -2,6 +2,7 @@
 #include <map>
 
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -35,6 +36,36 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#obj"},
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#dae"},
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#stl"},
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#vtk"},
+    {&readers::pybullet, Effect::takes, "reads it", "Bullet UrdfFindMeshFile.h", "#cdf"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot",
+     "Bullet UrdfFindMeshFile.h, run"},
+    {&readers::ros, Effect::loses, "has no loader for it: RViz and MoveIt show the link without it",
+     "assimp 5.2", "#bobj"},
+    {&readers::gazebo, Effect::loses, "has no loader for it", "sdformat stores it unchecked",
+     "#bobj"},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#bobj"},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#glb"},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::takes, "reads it", kRun, "#obj"},
+    {&readers::mujoco, Effect::takes, "reads it", kRun, "#stl"},
+    {&readers::mujoco, Effect::takes, "reads it", kRun, "#msh"},
+    {&readers::mujoco, Effect::refuses, "has no decoder for it, and refuses the model", kRun},
+    {&readers::drake, Effect::takes, "reads it", "Drake make_convex_hull_mesh_impl.cc:279-291",
+     "#obj"},
+    {&readers::drake, Effect::takes, "reads it", "Drake make_convex_hull_mesh_impl.cc:279-291",
+     "#vtk"},
+    {&readers::drake, Effect::takes, "reads it", "Drake make_convex_hull_mesh_impl.cc:279-291",
+     "#gltf"},
+    {&readers::drake, Effect::refuses, "throws when it needs the hull of the mesh",
+     "Drake make_convex_hull_mesh_impl.cc:279-291", "/collision/"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1911_mesh_format_unread{
@@ -42,12 +73,10 @@ extern constinit const Rule sml1911_mesh_format_unread{
     .name = "mesh-format-unread",
     .severity = Severity::error,
     .summary = "A mesh is in a format that a target does not read.",
-    .why = "URDF names no format. MuJoCo reads .obj, .stl and .msh, Drake .obj, .gltf and .vtk for "
-           "collisions, Bullet .obj, .dae, .stl, .vtk and .cdf; only MARS and Phobos know .bobj.",
+    .why = "URDF names no format.",
     .remedy = "Convert the mesh; .obj is read by all of them.",
-    .sources = "MuJoCo 3.14, DART 6.12.1 and Bullet UrdfFindMeshFile.h, executed; Drake "
-               "make_convex_hull_mesh_impl.cc:279-291.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -25,6 +26,20 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "takes `package://` for a part of the path, and ends with an exception",
+     "MARS misc.cpp:112-131", "/collision/"},
+    {&readers::mars, Effect::loses,
+     "takes `package://` for a part of the path, and shows the link without it",
+     "MARS misc.cpp:112-131"},
+    {&readers::phobos, Effect::changes, "takes the folder above urdf/ for every package",
+     "Phobos xml.py:89-98"},
+    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
+     "/visual/"},
+    {&readers::mujoco, Effect::refuses, "takes `package://` for a part of the path", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1912_mesh_package_uri_unread{
@@ -32,13 +47,9 @@ extern constinit const Rule sml1912_mesh_package_uri_unread{
     .name = "mesh-package-uri-unread",
     .severity = Severity::error,
     .summary = "A mesh is named by `package://`, which a target does not resolve.",
-    .why =
-        "ROS, Gazebo, Drake and Bullet look for the package; MuJoCo and MARS take the scheme for "
-        "a part of the path. It is why MuJoCo refuses 262 of the 322 files of the Tola/Corke "
-        "dataset.",
     .remedy = "Write a path relative to the URDF.",
-    .sources = "MuJoCo 3.14, executed; MARS misc.cpp:112-131; Phobos xml.py:89-98.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -17,6 +18,18 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "ignores mimic of the URDF: it reads that of motors",
+     "MARS smurf.cpp:902-910"},
+    {&readers::pybullet, Effect::loses, "ignores mimic: the joint moves on its own",
+     "Bullet UrdfParser.cpp has no code for it"},
+    {&readers::gazebo, Effect::loses,
+     "leaves mimic out before sdformat 14: the joint moves on its own",
+     "sdformat parser_urdf.cc:3152; 12.3, run"},
+    {&readers::drake, Effect::changes, "couples the joints in some solvers only",
+     "Drake detail_urdf_parser.cc:791-880"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1915_mimic{
@@ -24,13 +37,11 @@ extern constinit const Rule sml1915_mimic{
     .name = "mimic",
     .severity = Severity::warning,
     .summary = "A joint mimics another one, which a target ignores.",
-    .why = "Bullet has no code for mimic and MARS reads it from motors only: fingers of a gripper "
-           "move one by one. sdformat writes it since version 14 only.",
+    .why = "Fingers of a gripper move one by one.",
     .remedy = "Couple the joints where the target can: `mimic_motor` of a motor for MARS, a gear "
               "constraint for Bullet.",
-    .sources = "Bullet UrdfParser.cpp; MARS smurf.cpp:902-910, MotorManager.cpp:105-109; sdformat "
-               "parser_urdf.cc:3152.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
 
@@ -39,6 +40,16 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "gives each such link 1 kg and 1 kg m2",
+     "Bullet UrdfParser.cpp:1051-1059"},
+    {&readers::gazebo, Effect::refuses,
+     "drops the root with everything below it: a model without links", kRun, "#root"},
+    {&readers::dart, Effect::changes, "gives each such link 1 kg and 1 kg m2", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
+     "#massless-body"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1916_link_without_inertial{
@@ -46,13 +57,11 @@ extern constinit const Rule sml1916_link_without_inertial{
     .name = "link-without-inertial",
     .severity = Severity::warning,
     .summary = "A link has no inertial, which a target makes up or drops the link for.",
-    .why = "URDF means no mass. Bullet gives every such link 1 kg and 1 kg m2, frames and sensors "
-           "included. sdformat drops a root without mass, and with it all below: a model without "
-           "links.",
+    .why = "URDF means no mass by it. Frames and sensors have none either.",
     .remedy = "Add an inertial to what has a mass; for Bullet, a small one to every frame.",
-    .sources = "Bullet UrdfParser.cpp:1043-1059 (bullet3 issues 3097, 3110); sdformat 12.3, "
-               "executed: 102 of 322 files of the Tola/Corke dataset.",
+    .sources = "bullet3 issues 3097, 3110; 102 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

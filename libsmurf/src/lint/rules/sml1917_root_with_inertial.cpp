@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -13,6 +14,13 @@ void check(const LinkedModel& model, Findings& findings) {
                   "the root " + title(link) + " has an inertial");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::loses, "KDL warns, and computes without the mass of the root",
+     "kdl_parser"},
+    {&readers::mujoco, Effect::ignores,
+     "welds the root to the world, where its mass does not count", "MuJoCo xml_urdf.cc:366, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1917_root_with_inertial{
@@ -20,11 +28,10 @@ extern constinit const Rule sml1917_root_with_inertial{
     .name = "root-with-inertial",
     .severity = Severity::warning,
     .summary = "The root link has an inertial, which a target leaves out.",
-    .why = "KDL knows no root with a mass: it warns and computes without.",
     .remedy = "Put a link without inertial above it, joined by a fixed joint.",
-    .sources = "kdl_parser; 84 of 322 files of the Tola/Corke "
-               "dataset.",
+    .sources = "84 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -21,6 +22,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "finds no URDF and dereferences a null pointer",
+     "smurf_parser SMURFParser.cpp:49-52, run", "#urdf"},
+    {&readers::mars, Effect::loses, "ignores the file", "smurf_parser SMURFParser.cpp:49-52, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml2002_wrong_suffix{
@@ -28,10 +35,8 @@ extern constinit const Rule sml2002_wrong_suffix{
     .name = "wrong-suffix",
     .severity = Severity::error,
     .summary = "`files` lists a file whose ending MARS does not recognise.",
-    .why = "MARS compares endings literally: it ignores `.yaml`, `.YML` and `.json` silently, and "
-           "a `.URDF` leaves it without a model, which crashes it.",
     .remedy = "Rename the file to .yml or .urdf.",
-    .sources = "smurf_parser SMURFParser.cpp:49-52 (run).",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -32,16 +33,21 @@ void check(const LinkedModel& model, Findings& findings) {
   findings.report(root.find("files").key_span(), "`files` lists no URDF");
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "has no URDF to read", "any reader"},
+    {&readers::mars, Effect::crashes, "dereferences a null pointer", "MARS smurf.cpp:988-998"},
+    {&readers::phobos, Effect::refuses, "has no robot", "Phobos smurfrobot.py"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml2003_no_urdf{
-    .id = "SML2003",
-    .name = "no-urdf",
-    .severity = Severity::error,
-    .summary = "A main file lists no URDF.",
-    .why = "MARS parses an empty path and dereferences the null model; Phobos has no robot.",
-    .remedy = "List the URDF under `files`.",
-    .sources = "smurf_parser SMURFParser.cpp:77, MARS smurf.cpp:988-998 (run).",
-    .check_model = check};
+extern constinit const Rule sml2003_no_urdf{.id = "SML2003",
+                                            .name = "no-urdf",
+                                            .severity = Severity::error,
+                                            .summary = "A main file lists no URDF.",
+                                            .remedy = "List the URDF under `files`.",
+                                            .check_model = check,
+                                            .facts = kFacts,
+                                            .blocks_building = true};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -20,17 +21,22 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "takes the last one",
+     "smurf_parser SMURFParser.cpp:49-51, run"},
+    {&readers::phobos, Effect::refuses,
+     "stops with an assertion, or takes the first when they stand side by side",
+     "Phobos io/smurfrobot.py:174-190, run"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml2006_several_urdfs{
-    .id = "SML2006",
-    .name = "several-urdfs",
-    .severity = Severity::error,
-    .summary = "`files` lists more than one URDF.",
-    .why = "MARS takes the last one and ignores the others; Phobos stops with an "
-           "assertion, or takes the first when they stand side by side.",
-    .remedy = "List one URDF.",
-    .sources = "smurf_parser SMURFParser.cpp:49-51; Phobos io/smurfrobot.py:174-190 (run).",
-    .check_model = check};
+extern constinit const Rule sml2006_several_urdfs{.id = "SML2006",
+                                                  .name = "several-urdfs",
+                                                  .severity = Severity::error,
+                                                  .summary = "`files` lists more than one URDF.",
+                                                  .remedy = "List one URDF.",
+                                                  .check_model = check,
+                                                  .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -26,6 +27,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "ends with an uncaught exception on a mapping after a list, and makes a mapping before a list the first item of it",
+     "smurf_parser SMURFParser.cpp:57-65, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml2007_section_shape_clash{
@@ -33,10 +40,8 @@ extern constinit const Rule sml2007_section_shape_clash{
     .name = "section-shape-clash",
     .severity = Severity::error,
     .summary = "A section is a list in one file and a mapping in another.",
-    .why = "MARS merges the files one after the other: a mapping after a list is an "
-           "uncaught exception, a list after a mapping makes the mapping its first item.",
     .remedy = "Give the section the same shape in all files.",
-    .sources = "smurf_parser SMURFParser.cpp:57-65 (run).",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -14,6 +15,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "appends it to the list that it is walking through, which is undefined behaviour",
+     "smurf_parser SMURFParser.cpp:43-69"},
+    {&readers::phobos, Effect::ignores, "does not read it", "Phobos io/smurfrobot.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml2010_files_in_annotation_file{
@@ -21,10 +29,8 @@ extern constinit const Rule sml2010_files_in_annotation_file{
     .name = "files-in-annotation-file",
     .severity = Severity::error,
     .summary = "An annotation file has a `files` list.",
-    .why = "MARS appends it to the list that it is walking through, which is undefined "
-           "behaviour; nobody else reads it.",
     .remedy = "List the files in the main file.",
-    .sources = "smurf_parser SMURFParser.cpp:43-69.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

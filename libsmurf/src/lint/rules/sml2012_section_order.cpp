@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -68,6 +69,12 @@ void check(const LinkedModel& model, Findings& findings) {
   check_order(model, order, "controllers", used, findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "works through the sections in the order in which it meets them: a controller before the motors or sensors, or a sensor of motors before the motors, finds none of its names and stays empty, without a message",
+     "MARS smurf.cpp:223-228, 161-181, 465-480"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml2012_section_order{
@@ -75,11 +82,8 @@ extern constinit const Rule sml2012_section_order{
     .name = "section-order",
     .severity = Severity::error,
     .summary = "A section stands before the one whose names it uses.",
-    .why = "MARS works through the sections in the order in which it meets them, main file "
-           "first. A controller before the motors or sensors, or a sensor of motors before "
-           "the motors, finds none of its names and stays empty, without a message.",
     .remedy = "Move the section, or its file in `files`, behind the other.",
-    .sources = "MARS smurf.cpp:223-228, 161-181, 465-480.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -21,6 +22,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "joins the parts", "smurf_parser SMURFParser.cpp:57-62, run"},
+    {&readers::phobos, Effect::loses,
+     "keeps the last part only, and nothing that stands in the main file",
+     "Phobos io/smurfrobot.py:196, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml2013_section_in_several_files{
@@ -28,10 +36,8 @@ extern constinit const Rule sml2013_section_in_several_files{
     .name = "section-in-several-files",
     .severity = Severity::warning,
     .summary = "A section stands in several files.",
-    .why = "MARS joins the parts; Phobos keeps the last part only, and nothing that stands "
-           "in the main file.",
     .remedy = "Keep each section in one annotation file.",
-    .sources = "smurf_parser SMURFParser.cpp:57-62; Phobos io/smurfrobot.py:196 (run).",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

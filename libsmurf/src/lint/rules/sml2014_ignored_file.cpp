@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -25,6 +26,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::ignores,
+     "takes .urdf and .yml and passes over everything else without a message",
+     "smurf_parser SMURFParser.cpp:49-52, run"},
+    {&readers::phobos, Effect::breaks, "takes it for an annotation file and fails to parse it",
+     "Phobos io/smurfrobot.py:179-197"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml2014_ignored_file{
@@ -32,11 +41,8 @@ extern constinit const Rule sml2014_ignored_file{
     .name = "ignored-file",
     .severity = Severity::warning,
     .summary = "`files` lists a file of a kind that MARS ignores.",
-    .why = "MARS takes .urdf and .yml and passes over everything else without a message; "
-           "Phobos takes everything but .urdf and .sdf for an annotation file and fails to "
-           "parse it.",
     .remedy = "Take the file out of `files`; a key of your own can name it.",
-    .sources = "smurf_parser SMURFParser.cpp:49-52 (run); Phobos io/smurfrobot.py:179-197.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ast/sections.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -22,6 +23,19 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "passes over `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
+     "MARS smurf.cpp:257-485"},
+    {&readers::mars2, Effect::loses,
+     "passes over `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
+     "MARS smurf.cpp:257-485"},
+    {&readers::envire, Effect::loses,
+     "passes over `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
+     "MARS smurf.cpp:257-485"},
+    {&readers::phobos, Effect::takes, "reads both numbers", "Phobos io/smurfrobot.py:201-205"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml2015_section_of_other_readers{
@@ -29,12 +43,8 @@ extern constinit const Rule sml2015_section_of_other_readers{
     .name = "section-of-other-readers",
     .severity = Severity::warning,
     .summary = "A section has a name that MARS does not know, but Phobos does.",
-    .why = "MARS, MARS 2 and rock-cpp/smurf know exactly `motors`, `sensors`, `materials`, "
-           "`joint`, `link`, `collision`, `visuals`, `controllers` and `lights`; they pass "
-           "over `joints`, `links` and `collisions`, which Phobos 2 writes, and over "
-           "`motor` or `sensor`, without a message. Phobos reads both numbers.",
     .remedy = "Rename the section.",
-    .sources = "MARS smurf.cpp:257-485; Phobos io/smurfrobot.py:201-205.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

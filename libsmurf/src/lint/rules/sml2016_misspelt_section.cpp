@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ast/sections.hpp"
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/annotation_queries.hpp"
 #include "smurf/user_schemas.hpp"
@@ -78,6 +79,15 @@ void check_data(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "looks sections up by their exact names",
+     "MARS smurf.cpp:257-485"},
+    {&readers::mars2, Effect::loses, "looks sections up by their exact names",
+     "MARS smurf.cpp:257-485"},
+    {&readers::phobos, Effect::loses, "looks sections up by their exact names",
+     "MARS smurf.cpp:257-485"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml2016_misspelt_section{
@@ -86,11 +96,9 @@ extern constinit const Rule sml2016_misspelt_section{
     .severity = Severity::warning,
     .summary = "A section that no reader knows is nearly one of the format, by name and "
                "content.",
-    .why = "MARS, MARS 2 and Phobos look sections up by their exact names: the entries of "
-           "this one have no effect.",
     .remedy = "Correct the name. Sections of your own are welcome; name them less alike.",
-    .sources = "MARS smurf.cpp:257-485.",
     .check_model = check,
-    .check_scene = check_data};
+    .check_scene = check_data,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

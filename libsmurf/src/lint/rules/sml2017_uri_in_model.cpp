@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -20,6 +21,15 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "merges the named files into the entry, and their keys win over those written beside them",
+     "configmaps ConfigMap.cpp:607-638, run; MARS smurf.cpp:125-149"},
+    {&readers::mars2, Effect::loses, "does not read `URIs`", "envire_smurf_loader Model.cpp"},
+    {&readers::envire, Effect::loses, "does not read the file", "rock-cpp/smurf Robot.cpp"},
+    {&readers::phobos, Effect::loses, "does not read the file", "Phobos io/smurfrobot.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml2017_uri_in_model{
@@ -28,15 +38,10 @@ extern constinit const Rule sml2017_uri_in_model{
     .severity = Severity::warning,
     .summary = "A mapping of a model has the key `URI` or `URIs`, which readers resolve "
                "differently.",
-    .why = "MARS merges the named files into the entry, and their keys win over those "
-           "written beside them, though the documentation says the reverse; it looks in "
-           "the folder of the .smurf, MARS 2 in that of the annotation file, and Phobos "
-           "and rock-cpp/smurf ignore the key. In the main file absolute paths do not "
-           "work. A circle overflows the stack. This tool does not look into the files "
-           "either.",
+    .why =
+        "The documentation says the reverse. In the main file absolute paths do not work, and a circle overflows the stack. This tool does not look into the files either.",
     .remedy = "Write the keys in place.",
-    .sources = "configmaps ConfigMap.cpp:607-638 (run); MARS smurf.cpp:125-149; "
-               "envire_smurf_loader Model.cpp:719.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

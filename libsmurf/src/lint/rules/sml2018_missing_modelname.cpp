@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -17,19 +18,24 @@ void check(const LinkedModel& model, Findings& findings) {
       "name the model like its URDF's robot";
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "takes the name of the entity", "MARS smurf.cpp"},
+    {&readers::mars2, Effect::changes, "names what it loads by it",
+     "envire_smurf_loader Model.cpp:94-97"},
+    {&readers::envire, Effect::changes, "names what it loads by it",
+     "rock-cpp/smurf Robot.cpp:33-39"},
+    {&readers::phobos, Effect::refuses, "stops with a KeyError", "Phobos io/smurfrobot.py:166"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml2018_missing_modelname{
-    .id = "SML2018",
-    .name = "missing-modelname",
-    .severity = Severity::warning,
-    .summary = "A main file does not name its model.",
-    .why = "Phobos takes the name of the robot from `modelname` and stops with a KeyError "
-           "without it; MARS 2 and rock-cpp/smurf name what they load by it. MARS takes the name"
-           " of the entity.",
-    .remedy = "Add `modelname`.",
-    .sources = "Phobos io/smurfrobot.py:166; rock-cpp/smurf Robot.cpp:33-39; envire_smurf_loader "
-               "Model.cpp:94-97.",
-    .check_model = check};
+extern constinit const Rule sml2018_missing_modelname{.id = "SML2018",
+                                                      .name = "missing-modelname",
+                                                      .severity = Severity::warning,
+                                                      .summary =
+                                                          "A main file does not name its model.",
+                                                      .remedy = "Add `modelname`.",
+                                                      .check_model = check,
+                                                      .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -37,6 +38,15 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "drives nothing, and crashes when a value is set",
+     "MARS smurf.cpp:264, SimMotor.cpp:786-806", "/motors/"},
+    {&readers::phobos, Effect::ignores, "ignores the entry", "Phobos, run", "/joint/"},
+    {&readers::phobos, Effect::refuses,
+     "stops with an UnboundLocalError at the first motor, and drops any later one",
+     "Phobos representation.py:2399, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3101_unknown_joint{
@@ -44,11 +54,8 @@ extern constinit const Rule sml3101_unknown_joint{
     .name = "unknown-joint",
     .severity = Severity::error,
     .summary = "An annotation names a joint that the URDF does not have.",
-    .why = "MARS looks names up in a map that answers 0 for unknown ones: the motor drives "
-           "nothing and crashes when a value is set, the entry has no effect. Phobos stops with "
-           "an error.",
     .remedy = "Correct the name.",
-    .sources = "MARS smurf.cpp:264, SimMotor.cpp:786-806; Phobos representation.py:2399.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unordered_set>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -108,6 +109,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "dereferences a null pointer for a Joint6DOF",
+     "MARS smurf.cpp:277-283", "/sensors/"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
+     "/sensors/"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3102_unknown_link{
@@ -115,10 +123,8 @@ extern constinit const Rule sml3102_unknown_link{
     .name = "unknown-link",
     .severity = Severity::error,
     .summary = "An annotation names a link that the URDF does not have.",
-    .why = "MARS looks names up in a map that answers 0 for unknown ones: a sensor is attached to "
-           "nothing (Joint6DOF dereferences a null pointer), the entry has no effect.",
     .remedy = "Correct the name.",
-    .sources = "MARS smurf.cpp:272-332, 353-390.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

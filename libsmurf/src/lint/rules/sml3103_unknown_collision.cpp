@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -27,6 +28,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "the bitmask and contact parameters have no effect, and a contact sensor has no targets",
+     "MARS smurf.cpp:302-305, 427-449"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
+     "/sensors/"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3103_unknown_collision{
@@ -34,10 +43,8 @@ extern constinit const Rule sml3103_unknown_collision{
     .name = "unknown-collision",
     .severity = Severity::error,
     .summary = "An annotation names a collision that the URDF does not have.",
-    .why = "MARS looks names up in a map that answers 0 for unknown ones: the bitmask and contact "
-           "parameters have no effect, a contact sensor has no targets.",
     .remedy = "Correct the name; collisions without name in the URDF cannot be referred to.",
-    .sources = "MARS smurf.cpp:427-449 and 302-305.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -22,6 +23,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::ignores, "ignores the entry", "MARS smurf.cpp:333-352"},
+    {&readers::phobos, Effect::ignores, "ignores the entry", "Phobos smurfrobot.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3104_unknown_material{
@@ -29,10 +35,8 @@ extern constinit const Rule sml3104_unknown_material{
     .name = "unknown-material",
     .severity = Severity::error,
     .summary = "An annotation names a material that the URDF does not have.",
-    .why = "MARS and Phobos match materials by name and ignore an entry without counterpart "
-           "silently.",
     .remedy = "Correct the name, or define the material in the URDF.",
-    .sources = "MARS smurf.cpp:333-352.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -31,6 +32,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "drops the target from the sensor or controller; for an unknown leader of a mimic it adds the offset in every step",
+     "MARS smurf.cpp:155-181, 465-480; MotorManager.cpp:537-544; SimMotor.cpp:356"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3105_unknown_motor{
@@ -38,11 +45,8 @@ extern constinit const Rule sml3105_unknown_motor{
     .name = "unknown-motor",
     .severity = Severity::error,
     .summary = "An annotation names a motor that the model does not have.",
-    .why = "MARS looks names up in a map that answers 0 for unknown ones: the target is dropped "
-           "from the sensor or controller; an unknown leader of a mimic adds its offset in every "
-           "step.",
     .remedy = "Correct the name.",
-    .sources = "MARS smurf.cpp:155-181, 465-480; MotorManager.cpp:537-544; SimMotor.cpp:356.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

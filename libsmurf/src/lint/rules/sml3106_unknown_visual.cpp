@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -18,6 +19,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "prints a message and ignores the entry",
+     "MARS smurf.cpp:404-426"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3106_unknown_visual{
@@ -25,9 +31,8 @@ extern constinit const Rule sml3106_unknown_visual{
     .name = "unknown-visual",
     .severity = Severity::error,
     .summary = "An annotation names a visual that the URDF does not have.",
-    .why = "MARS prints a message and ignores the entry.",
     .remedy = "Correct the name; visuals without name cannot be referred to.",
-    .sources = "MARS smurf.cpp:404-426.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

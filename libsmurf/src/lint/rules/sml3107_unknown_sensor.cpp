@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -11,6 +12,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "runs the controller without it",
+     "MARS ControllerData.cpp:55-77"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3107_unknown_sensor{
@@ -18,10 +24,8 @@ extern constinit const Rule sml3107_unknown_sensor{
     .name = "unknown-sensor",
     .severity = Severity::error,
     .summary = "A controller names a sensor that the model does not have.",
-    .why = "MARS looks names up in a map that answers 0 for unknown ones: the controller runs "
-           "without it.",
     .remedy = "Correct the name.",
-    .sources = "MARS smurf.cpp:465-480.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

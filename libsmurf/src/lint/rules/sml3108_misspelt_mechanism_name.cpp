@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -53,6 +54,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::refuses,
+     "looks the names up in the URDF, and stops with an exception",
+     "Phobos io/hyrodyn.py, core/robot.py:352-360, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3108_misspelt_mechanism_name{
@@ -61,11 +68,10 @@ extern constinit const Rule sml3108_misspelt_mechanism_name{
     .severity = Severity::warning,
     .summary = "A submechanism or exoskeleton names what is nearly a joint or link of the "
                "URDF.",
-    .why = "Phobos and HyRoDyn look the names up in the URDF and find nothing. Names that "
-           "are altogether unknown are left alone: the joints of a floating base need not "
-           "be in the URDF.",
+    .why =
+        "Names that are altogether unknown are left alone: the joints of a floating base need not be in the URDF.",
     .remedy = "Correct the name.",
-    .sources = "Phobos io/hyrodyn.py, core/robot.py:352-360.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

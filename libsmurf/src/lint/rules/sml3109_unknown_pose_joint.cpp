@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -15,6 +16,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "looks the names up among the motors, and does nothing for an unknown one",
+     "MARS SimEntity.cpp:505-511"},
+    {&readers::phobos, Effect::breaks, "looks the names up among the joints", "Phobos io/poses.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3109_unknown_pose_joint{
@@ -22,10 +30,8 @@ extern constinit const Rule sml3109_unknown_pose_joint{
     .name = "unknown-pose-joint",
     .severity = Severity::error,
     .summary = "A joint pose names neither a motor nor a joint of the model.",
-    .why = "MARS looks the names up among the motors and does nothing for an unknown one; "
-           "Phobos looks among the joints.",
     .remedy = "Correct the name.",
-    .sources = "MARS SimEntity.cpp:505-511; Phobos io/poses.py.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

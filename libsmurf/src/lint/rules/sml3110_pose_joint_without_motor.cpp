@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unordered_map>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -28,6 +29,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "looks the names up among the motors: the joint is not moved",
+     "MARS SimEntity.cpp:505-511"},
+    {&readers::phobos, Effect::takes, "looks the names up among the joints", "Phobos io/poses.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3110_pose_joint_without_motor{
@@ -35,10 +42,8 @@ extern constinit const Rule sml3110_pose_joint_without_motor{
     .name = "pose-joint-without-motor",
     .severity = Severity::warning,
     .summary = "A joint pose names a joint for which there is no motor of the same name.",
-    .why = "MARS looks the names of a pose up among the motors: a joint without motor, or "
-           "with a motor of another name, is not moved. Phobos looks among the joints.",
     .remedy = "Give the motor the name of its joint, which all readers understand.",
-    .sources = "MARS SimEntity.cpp:505-511; Phobos io/poses.py.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

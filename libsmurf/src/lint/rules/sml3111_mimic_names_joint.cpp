@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -17,6 +18,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "looks for a motor of that name; when there is none, the motor adds its offset in every step and drifts away",
+     "MARS MotorManager.cpp:537-544, SimMotor.cpp:356"},
+    {&readers::phobos, Effect::takes, "writes and reads the name of the joint that is mimicked",
+     "Phobos representation.py:2399"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3111_mimic_names_joint{
@@ -24,12 +33,8 @@ extern constinit const Rule sml3111_mimic_names_joint{
     .name = "mimic-names-joint",
     .severity = Severity::warning,
     .summary = "A motor mimics a joint, where MARS needs a motor.",
-    .why = "Phobos writes the name of the joint that is mimicked. MARS looks for a motor "
-           "of that name; when there is none, the motor adds its offset in every step and "
-           "drifts away.",
     .remedy = "Give the leading motor the name of its joint, which both understand.",
-    .sources = "MARS MotorManager.cpp:537-544, SimMotor.cpp:356; Phobos "
-               "representation.py:2399.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -18,6 +19,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "measures the joint that leads to the link, and dereferences a null pointer",
+     "MARS smurf.cpp:277-283, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3112_joint6dof_on_root{
@@ -25,10 +32,8 @@ extern constinit const Rule sml3112_joint6dof_on_root{
     .name = "joint6dof-on-root",
     .severity = Severity::error,
     .summary = "A Joint6DOF sensor is on the root link.",
-    .why = "MARS measures the joint that leads to the link and dereferences a null pointer "
-           "when there is none.",
     .remedy = "Name a link that is the child of a joint.",
-    .sources = "MARS smurf.cpp:277-283.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -25,6 +26,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "ignores `joint` and measures the joint that leads to `link`",
+     "MARS smurf.cpp:277-283"},
+    {&readers::mars2, Effect::takes, "measures the joint that `joint` names",
+     "envire_smurf_loader Model.cpp:487-505"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3113_joint6dof_other_joint{
@@ -32,11 +40,9 @@ extern constinit const Rule sml3113_joint6dof_other_joint{
     .name = "joint6dof-other-joint",
     .severity = Severity::warning,
     .summary = "A Joint6DOF sensor names a joint that does not lead to its link.",
-    .why = "MARS ignores `joint` and measures the joint that leads to `link`; MARS 2 measures "
-           "the joint that `joint` names. The same file gives the forces of two different "
-           "joints.",
+    .why = "The same file gives the forces of two different joints.",
     .remedy = "Name the joint whose child the link is.",
-    .sources = "MARS smurf.cpp:277-283; envire_smurf_loader Model.cpp:487-505.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -38,6 +39,12 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "keeps links and their inertials, collisions and visuals in one map of names, and the last one wins: joints and sensors of the link are attached to the shape, or the loading stops",
+     "MARS smurf.cpp:619-620, 661, 715, 788, 899-900"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3114_shape_named_like_link{
@@ -45,11 +52,8 @@ extern constinit const Rule sml3114_shape_named_like_link{
     .name = "shape-named-like-link",
     .severity = Severity::error,
     .summary = "A visual or collision has the name of a link.",
-    .why = "MARS keeps links, their inertials, collisions and visuals in one map of names, "
-           "and the last one wins: joints and sensors of the link are then attached to the "
-           "shape, which has another place, or the loading stops.",
     .remedy = "Rename the shape.",
-    .sources = "MARS smurf.cpp:619-620, 661, 715, 788, 899-900.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

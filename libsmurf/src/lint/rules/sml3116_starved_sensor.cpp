@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unordered_map>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -40,6 +41,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "does not publish a node with `noDataPackage: true`, and sensors that wait for its data deliver nothing",
+     "MARS SimNode.cpp:100"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3116_starved_sensor{
@@ -47,10 +54,8 @@ extern constinit const Rule sml3116_starved_sensor{
     .name = "starved-sensor",
     .severity = Severity::warning,
     .summary = "A sensor reads a node that publishes no data.",
-    .why = "With `noDataPackage: true` MARS does not publish the node, and sensors that "
-           "wait for its data deliver nothing.",
     .remedy = "Set `noDataPackage: false` for nodes that sensors read.",
-    .sources = "MARS SimNode.cpp:100.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

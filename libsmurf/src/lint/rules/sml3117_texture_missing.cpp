@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -18,6 +19,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "draws the material without it",
+     "MARS MaterialData.cpp:112-115"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3117_texture_missing{
@@ -25,9 +31,8 @@ extern constinit const Rule sml3117_texture_missing{
     .name = "texture-missing",
     .severity = Severity::warning,
     .summary = "The annotation of a material names an image that does not exist.",
-    .why = "MARS draws the material without it.",
     .remedy = "Correct the path; it starts at the folder of the .smurf.",
-    .sources = "MARS MaterialData.cpp:112-115.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -37,6 +38,13 @@ void check(const LinkedModel& model, Findings& findings) {
   check_entries(all.joints, "joint entry", kReplaces, findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "creates both, but a name leads to the last one only: controllers, poses and mimicking motors never reach the first; entries that change the URDF are applied one after the other",
+     "MARS smurf.cpp:262, 326"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3120_duplicate_annotation_name{
@@ -44,12 +52,8 @@ extern constinit const Rule sml3120_duplicate_annotation_name{
     .name = "duplicate-annotation-name",
     .severity = Severity::warning,
     .summary = "Two entries of a section have one name.",
-    .why =
-        "MARS creates both, but a name leads to the last one only: controllers, poses "
-        "and mimicking motors never reach the first. Entries that change the URDF are applied one "
-        "after the other in MARS, while Phobos keeps one of them.",
     .remedy = "Rename one of them, or make one entry of the two.",
-    .sources = "MARS smurf.cpp:262, 326.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

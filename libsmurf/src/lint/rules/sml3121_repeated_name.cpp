@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -36,6 +37,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "puts the value of the sensor, joint or motor into the data twice, so that all later values are found one place too late",
+     "MARS smurf.cpp:151-182, 465-480"},
+    {&readers::phobos, Effect::loses, "does not export a joint that submechanisms list twice",
+     "Phobos core/robot.py:352-360"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3121_repeated_name{
@@ -43,11 +52,8 @@ extern constinit const Rule sml3121_repeated_name{
     .name = "repeated-name",
     .severity = Severity::warning,
     .summary = "A list of names holds one name twice.",
-    .why = "MARS puts the value of the sensor, joint or motor into the data twice, so that all "
-           "later values are found one place too late; Phobos refuses to export a joint that "
-           "submechanisms list twice.",
     .remedy = "Take one of the two out, or write the name that was meant.",
-    .sources = "MARS smurf.cpp:151-182, 465-480; Phobos core/robot.py:352-360.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

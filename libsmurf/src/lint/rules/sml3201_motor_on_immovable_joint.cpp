@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -17,6 +18,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "makes floating and planar joints fixed; the motor has no effect", "MARS smurf.cpp:893-939"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3201_motor_on_immovable_joint{
@@ -24,10 +30,9 @@ extern constinit const Rule sml3201_motor_on_immovable_joint{
     .name = "motor-on-immovable-joint",
     .severity = Severity::warning,
     .summary = "A motor drives a joint that does not move.",
-    .why = "A fixed joint stays fixed in every reader; MARS makes floating and planar "
-           "joints fixed, too. The motor has no effect.",
+    .why = "A fixed joint stays fixed in every reader.",
     .remedy = "Drive another joint, or change the type of this one.",
-    .sources = "MARS smurf.cpp:893-939.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unordered_map>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -20,6 +21,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "lets each motor set the velocity and force limit of the joint in every step, so the last one decides alone",
+     "MARS SimMotor.cpp:352-444"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3202_several_motors_on_joint{
@@ -27,10 +34,8 @@ extern constinit const Rule sml3202_several_motors_on_joint{
     .name = "several-motors-on-joint",
     .severity = Severity::warning,
     .summary = "Two motors drive one joint.",
-    .why = "Each motor of MARS sets the velocity and force limit of the joint in every "
-           "step, so the last one decides alone.",
     .remedy = "Drive each joint by one motor.",
-    .sources = "MARS SimMotor.cpp:352-444.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/annotation_queries.hpp"
 
@@ -78,6 +79,15 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "ignores the limits of the URDF and clamps commands to the bounds of the motor only",
+     "MARS smurf.cpp:902-910, SimMotor.cpp:352-365; MotorData.cpp"},
+    {&readers::mars2, Effect::changes, "gives the joint no stops", "envire_smurf_loader, read"},
+    {&readers::phobos, Effect::takes, "takes them from the limit of the joint",
+     "Phobos a613e31, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3203_motor_bounds_exceed_joint{
@@ -85,11 +95,9 @@ extern constinit const Rule sml3203_motor_bounds_exceed_joint{
     .name = "motor-bounds-exceed-joint",
     .severity = Severity::warning,
     .summary = "A motor may be sent beyond the limits of its joint.",
-    .why = "MARS ignores the limits of the URDF and clamps commands to the bounds of the "
-           "motor only; MARS 2 gives the joint no stops either. Readers of the URDF stop "
-           "at the joint's limits.",
+    .why = "Readers of the URDF stop at the joint's limits.",
     .remedy = "Give the motor the bounds of its joint.",
-    .sources = "MARS smurf.cpp:902-910, SimMotor.cpp:352-365; MotorData.cpp.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -36,6 +37,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "takes effort and speed from the motor only",
+     "MARS smurf.cpp:902-910"},
+    {&readers::phobos, Effect::takes, "takes them from the limit of the joint",
+     "Phobos representation.py:2399, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3204_motor_stronger_than_joint{
@@ -43,13 +51,11 @@ extern constinit const Rule sml3204_motor_stronger_than_joint{
     .name = "motor-stronger-than-joint",
     .severity = Severity::warning,
     .summary = "A motor is stronger or faster than the URDF allows its joint to be.",
-    .why = "MARS takes effort and speed from the motor only; readers of the URDF take them "
-           "from the joint, and Phobos overwrites those of the motor when it saves the "
-           "model. The robot behaves differently in each.",
+    .why = "Readers of the URDF take them from the joint: the robot behaves differently in each.",
     .remedy = "Make the two agree.",
-    .sources = "MARS smurf.cpp:902-910; Phobos representation.py:2399 (run).",
     .check_model = check,
     .tolerance = {.value = 1.1,
-                  .meaning = "how many times what the joint allows a motor may claim"}};
+                  .meaning = "how many times what the joint allows a motor may claim"},
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -48,6 +49,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "passes the command of a motor on to those that mimic it, in every step: in a circle the commands chase each other",
+     "MARS SimMotor.cpp:352-360 and 455-460, MotorManager.cpp:537-544"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3205_mimic_circle{
@@ -55,10 +62,8 @@ extern constinit const Rule sml3205_mimic_circle{
     .name = "mimic-circle",
     .severity = Severity::error,
     .summary = "Motors mimic each other in a circle, or one mimics itself.",
-    .why = "A motor of MARS passes its command on to those that mimic it, in every step: in a "
-           "circle the commands chase each other, and no motor of it can be moved on purpose.",
     .remedy = "Let one motor of the circle lead.",
-    .sources = "MARS SimMotor.cpp:352-360 and 455-460, MotorManager.cpp:537-544.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

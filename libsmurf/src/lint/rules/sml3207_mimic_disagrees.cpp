@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -55,6 +56,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "follows `mimic_motor` and ignores the mimic element of the URDF",
+     "MARS smurf.cpp:902-910, MotorManager.cpp:104-109"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3207_mimic_disagrees{
@@ -62,10 +69,9 @@ extern constinit const Rule sml3207_mimic_disagrees{
     .name = "mimic-disagrees",
     .severity = Severity::warning,
     .summary = "A motor mimics otherwise than its joint does in the URDF.",
-    .why = "MARS follows `mimic_motor` and ignores the mimic element of the URDF; ROS and "
-           "the physics engines that read URDF do the reverse.",
+    .why = "Readers of the URDF do the reverse.",
     .remedy = "Make the two agree.",
-    .sources = "MARS smurf.cpp:902-910, MotorManager.cpp:104-109.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -33,6 +34,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "sets the stops of a joint only when `lowStopAxis1` is not 0 or there is a spring: with a lower stop of 0 the joint turns freely",
+     "MARS JointPhysics.cpp:332-347, 407-420, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3210_stop_without_effect{
@@ -40,11 +47,8 @@ extern constinit const Rule sml3210_stop_without_effect{
     .name = "stop-without-effect",
     .severity = Severity::error,
     .summary = "A joint has an upper stop that MARS does not set.",
-    .why = "MARS sets the stops of a joint only when `lowStopAxis1` is not 0 or there is a "
-           "spring; with a lower stop of 0 the upper one has no effect either, and the "
-           "joint turns freely.",
     .remedy = "Give `lowStopAxis1` a value that is nearly 0, such as -0.000001.",
-    .sources = "MARS JointPhysics.cpp:332-347, 407-420 (run).",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unordered_map>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -27,6 +28,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "removes both stops of a hinge as soon as a position or velocity motor is attached to it",
+     "MARS SimMotor.cpp:768-772, JointPhysics.cpp:695-700"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3211_stop_switched_off_by_motor{
@@ -34,11 +41,10 @@ extern constinit const Rule sml3211_stop_switched_off_by_motor{
     .name = "stop-switched-off-by-motor",
     .severity = Severity::warning,
     .summary = "A joint has stops and a motor that switches them off.",
-    .why = "MARS removes both stops of a hinge as soon as a position or velocity motor is "
-           "attached to it; only the bounds of the motor remain. Sliders keep their stops, "
-           "and so do hinges with a torque motor.",
+    .why =
+        "Only the bounds of the motor remain. Sliders keep their stops, and so do hinges with a torque motor.",
     .remedy = "Give the motor bounds, and delete the stops.",
-    .sources = "MARS SimMotor.cpp:768-772, JointPhysics.cpp:695-700.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

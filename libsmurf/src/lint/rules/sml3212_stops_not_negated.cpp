@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -23,6 +24,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "attaches the parent as first body, so the position of the URDF stays between -highStopAxis1 and -lowStopAxis1",
+     "MARS JointPhysics.cpp:336-347, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3212_stops_not_negated{
@@ -30,11 +37,9 @@ extern constinit const Rule sml3212_stops_not_negated{
     .name = "stops-not-negated",
     .severity = Severity::warning,
     .summary = "The stops of a joint are the limits of the URDF without the change of sign.",
-    .why = "MARS attaches the parent as first body, so the position of the URDF stays "
-           "between -highStopAxis1 and -lowStopAxis1: the limits must change sign and "
-           "places.",
+    .why = "The limits must change sign and places.",
     .remedy = "Write `lowStopAxis1` = -upper and `highStopAxis1` = -lower.",
-    .sources = "MARS JointPhysics.cpp:336-347 (run).",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -42,6 +43,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "builds the joint of the entry",
+     "MARS smurf.cpp:391-403, 893-939"},
+    {&readers::phobos, Effect::changes, "keeps what it read last",
+     "Phobos representation.py:2001-2119"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3213_joint_entry_disagrees{
@@ -49,10 +57,9 @@ extern constinit const Rule sml3213_joint_entry_disagrees{
     .name = "joint-entry-disagrees",
     .severity = Severity::warning,
     .summary = "An entry of `joint` says something else of the joint than the URDF.",
-    .why = "MARS builds the joint of the entry, readers of the URDF that of the URDF; "
-           "Phobos keeps what it read last.",
+    .why = "Readers of the URDF build that of the URDF.",
     .remedy = "Make the two agree.",
-    .sources = "MARS smurf.cpp:391-403, 893-939; Phobos representation.py:2001-2119.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

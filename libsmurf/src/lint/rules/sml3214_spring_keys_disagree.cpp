@@ -3,6 +3,7 @@
 
 #include "ast/keys.hpp"
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -55,6 +56,15 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "reads the keys with `constraint`",
+     "MARS JointData.cpp:89-164"},
+    {&readers::mars2, Effect::changes, "reads both names, of which that with `constraint` wins",
+     "mars_ode_physics Joint.cpp:180-193"},
+    {&readers::envire, Effect::changes, "reads the four keys together or not at all",
+     "rock-cpp/smurf Joint.cpp:101-124"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3214_spring_keys_disagree{
@@ -64,12 +74,9 @@ extern constinit const Rule sml3214_spring_keys_disagree{
     .summary =
         "The two names for the spring or the damping of a joint hold different values, or one"
         " is missing.",
-    .why = "MARS reads the keys with `constraint`, rock-cpp/smurf the four keys together or not "
-           "at all, and MARS 2 both names, of which that with `constraint` wins: the joint "
-           "differs from reader to reader.",
+    .why = "The joint differs from reader to reader.",
     .remedy = "Write the same value under both names.",
-    .sources = "MARS JointData.cpp:89-164; rock-cpp/smurf Joint.cpp:101-124; mars_ode_physics "
-               "Joint.cpp:180-193.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

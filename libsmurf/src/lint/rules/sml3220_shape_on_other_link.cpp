@@ -2,6 +2,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -60,6 +61,16 @@ void check(const LinkedModel& model, Findings& findings) {
       [](const urdf::Link& link) -> const auto& { return link.visuals; }, findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "matches by name alone", "MARS smurf.cpp:404-449"},
+    {&readers::mars2, Effect::loses,
+     "matches by name and link, and finds nothing: the bitmask and contact parameters have no effect",
+     "envire_smurf_loader Model.cpp"},
+    {&readers::envire, Effect::loses,
+     "matches by name and link, and finds nothing: the bitmask and contact parameters have no effect",
+     "rock-cpp/smurf Robot.cpp:53-83"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3220_shape_on_other_link{
@@ -67,10 +78,8 @@ extern constinit const Rule sml3220_shape_on_other_link{
     .name = "shape-on-other-link",
     .severity = Severity::error,
     .summary = "A collision or visual entry names a link that does not have it.",
-    .why = "MARS matches by name alone, but MARS 2 and rock-cpp/smurf by name and link: "
-           "they find nothing, and the bitmask and contact parameters have no effect.",
     .remedy = "Correct `link`.",
-    .sources = "envire_smurf_loader Model.cpp; rock-cpp/smurf Robot.cpp:53-83.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

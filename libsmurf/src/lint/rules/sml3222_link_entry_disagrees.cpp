@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -14,6 +15,13 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "selects the link by `name`", "MARS smurf.cpp:353-365"},
+    {&readers::mars2, Effect::changes, "selects the link by `link`",
+     "envire_smurf_loader Model.cpp:216-230"},
+    {&readers::phobos, Effect::takes, "selects the link by `name`", "Phobos, read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3222_link_entry_disagrees{
@@ -21,10 +29,9 @@ extern constinit const Rule sml3222_link_entry_disagrees{
     .name = "link-entry-disagrees",
     .severity = Severity::warning,
     .summary = "An entry of `link` names two links.",
-    .why = "MARS and Phobos select the link by `name`, MARS 2 by `link`: the entry changes "
-           "another link in each.",
+    .why = "The entry changes another link in each.",
     .remedy = "Write the same name under both keys.",
-    .sources = "MARS smurf.cpp:353-365; envire_smurf_loader Model.cpp:216-230.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -37,6 +38,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "moves the joint there without looking at the limits",
+     "MARS SimEntity.cpp:503-513, SimJoint.cpp:524-528"},
+    {&readers::phobos, Effect::changes, "clamps the position to the limits", "Phobos io/poses.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3230_pose_outside_limits{
@@ -44,10 +51,8 @@ extern constinit const Rule sml3230_pose_outside_limits{
     .name = "pose-outside-limits",
     .severity = Severity::warning,
     .summary = "A joint pose lies outside the limits of the joint.",
-    .why = "MARS moves the joint there without looking at the limits; Phobos clamps the "
-           "position to them.",
     .remedy = "Correct the position, or the limits.",
-    .sources = "MARS SimEntity.cpp:503-513, SimJoint.cpp:524-528; Phobos io/poses.py.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

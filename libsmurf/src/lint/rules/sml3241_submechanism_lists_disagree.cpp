@@ -3,6 +3,7 @@
 #include <string>
 #include <unordered_set>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -42,6 +43,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::changes, "takes them as they are and writes them for HyRoDyn",
+     "Phobos io/hyrodyn.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml3241_submechanism_lists_disagree{
@@ -51,11 +57,9 @@ extern constinit const Rule sml3241_submechanism_lists_disagree{
     .summary = "A list of a submechanism holds a joint that is not among the joints of the "
                "mechanism.",
     .why =
-        "`jointnames` lists all joints of a submechanism, and the other lists choose from it. "
-        "Phobos takes them as they are and writes them for HyRoDyn: lists that disagree describe "
-        "no mechanism.",
+        "`jointnames` lists all joints of a submechanism, and the other lists choose from it: lists that disagree describe no mechanism.",
     .remedy = "Add the joint to `jointnames`, or take it out of the other list.",
-    .sources = "Phobos io/hyrodyn.py.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

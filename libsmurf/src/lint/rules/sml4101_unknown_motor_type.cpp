@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/queries.hpp"
 
@@ -41,6 +42,15 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "takes it for a position controller",
+     "MARS MotorData.cpp:126-135"},
+    {&readers::mars2, Effect::loses, "skips this and all following motors",
+     "envire_smurf_loader Model.cpp"},
+    {&readers::envire, Effect::changes, "takes it for a position controller",
+     "MARS MotorData.cpp:126-135"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4101_unknown_motor_type{
@@ -48,11 +58,8 @@ extern constinit const Rule sml4101_unknown_motor_type{
     .name = "unknown-motor-type",
     .severity = Severity::error,
     .summary = "A motor has a type that no reader knows.",
-    .why = "MARS takes every unknown type for a position controller, so a velocity motor never "
-           "turns; MARS 2 skips this and all following motors.",
     .remedy = "Use one of the known types; they are case-sensitive.",
-    .sources = "MARS MotorData.cpp:126-135, SimMotor.cpp:290; envire_smurf_loader "
-               "Model.cpp:455-478; Phobos representation.py.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/annotation_queries.hpp"
 
@@ -50,6 +51,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::breaks,
+     "stops loading: all later objects are missing, and the pose, the anchor and the joint pose of the robot are skipped",
+     "MARS SensorManager.cpp:351-360, smurf.cpp:1034-1037"},
+    {&readers::phobos, Effect::refuses, "stops with an AttributeError",
+     "Phobos sensor_representations.py, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4102_unknown_sensor_type{
@@ -57,13 +66,9 @@ extern constinit const Rule sml4102_unknown_sensor_type{
     .name = "unknown-sensor-type",
     .severity = Severity::error,
     .summary = "A sensor has a type that MARS does not know.",
-    .why = "MARS stops loading at it: all later objects are missing, and the pose, the "
-           "anchor and the joint pose of the robot are skipped. Phobos 2 stops with an "
-           "AttributeError at types that it has no class for.",
     .remedy = "Use one of the known types; they are case-sensitive. A type that a plug-in of "
               "yours brings: `--severity SML4102=info`.",
-    .sources = "MARS SensorManager.cpp:351-360, smurf.cpp:1034-1037; Phobos "
-               "sensor_representations.py.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

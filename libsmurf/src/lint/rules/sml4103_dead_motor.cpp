@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ast/keys.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -48,6 +49,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "clamps the speed to `maxSpeed` and the force of the joint to `maxEffort`, which are 0 when absent; a position motor moves at `p` times its error",
+     "MARS MotorData.cpp:85-86, SimMotor.cpp:352-407, 434-444"},
+    {&readers::phobos, Effect::takes, "takes effort and speed from the limit of the joint",
+     "Phobos a613e31, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4103_dead_motor{
@@ -55,11 +64,8 @@ extern constinit const Rule sml4103_dead_motor{
     .name = "dead-motor",
     .severity = Severity::error,
     .summary = "A motor has no speed, no effort or no gain, so that it never moves.",
-    .why = "MARS clamps the speed to `maxSpeed` and the force of the joint to `maxEffort`; "
-           "both are 0 when they are absent. A torque motor needs the effort only. A position "
-           "motor moves at `p` times its error: with a `p` of 0 it stands still.",
     .remedy = "Write both; the limits of the URDF joint are a good start.",
-    .sources = "MARS MotorData.cpp:85-86, SimMotor.cpp:352-407, 434-444.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -25,6 +26,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "takes it for a position controller",
+     "MARS MotorData.cpp:126-135, SimMotor.cpp:290-297"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4104_motor_type_of_other_readers{
@@ -33,14 +39,11 @@ extern constinit const Rule sml4104_motor_type_of_other_readers{
     .severity = Severity::warning,
     .summary = "A motor has a type that MARS takes for a position controller, but others do "
                "not.",
-    .why = "MARS knows PID, DC, generic_bldc, generic_dc, direct_torque, direct_effort; "
-           "with any other type the motor is a position controller. `velocity` and `force` "
-           "are types of Phobos 2, `DirectEffort`, `FeedForwardEffort` and `ff_torque` of "
-           "MARS 2.",
+    .why =
+        "`velocity` and `force` are types of one reader, `DirectEffort`, `FeedForwardEffort` and `ff_torque` of another.",
     .remedy = "Write `DC` for a speed and `direct_effort` for a torque when MARS is to "
               "understand it.",
-    .sources = "MARS MotorData.cpp:126-135, SimMotor.cpp:290-297; envire_smurf_loader "
-               "Model.cpp:455-478; Phobos representation.py:2399.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -22,6 +23,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "enables the mimic by `mimic_motor` and reads the absent multiplier as 0: the motor holds `mimic_offset` and follows nobody",
+     "MARS MotorManager.cpp:104-109"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4105_mimic_multiplier_missing{
@@ -29,11 +36,9 @@ extern constinit const Rule sml4105_mimic_multiplier_missing{
     .name = "mimic-multiplier-missing",
     .severity = Severity::error,
     .summary = "A motor mimics another one without `mimic_multiplier`, or with 0.",
-    .why = "MARS enables the mimic by `mimic_motor` and reads the absent multiplier as 0: "
-           "the motor holds `mimic_offset` and follows nobody. The URDF default of 1 does "
-           "not apply.",
+    .why = "The URDF default of 1 does not apply.",
     .remedy = "Write `mimic_multiplier: 1.0`.",
-    .sources = "MARS MotorManager.cpp:104-109.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

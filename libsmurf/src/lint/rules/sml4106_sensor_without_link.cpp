@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ast/keys.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -23,6 +24,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "looks up node 0: a camera ends the program with an assertion, Joint6DOF dereferences a null pointer",
+     "MARS smurf.cpp:272-283, CameraSensor.cpp"},
+    {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
+     "envire_smurf_loader Model.cpp:488"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4106_sensor_without_link{
@@ -30,10 +39,8 @@ extern constinit const Rule sml4106_sensor_without_link{
     .name = "sensor-without-link",
     .severity = Severity::error,
     .summary = "A sensor that is fixed to a link names none.",
-    .why = "MARS looks up node 0: a camera ends the program with an assertion, Joint6DOF "
-           "dereferences a null pointer. MARS 2 stops with an exception at any sensor without it.",
     .remedy = "Add `link`.",
-    .sources = "MARS smurf.cpp:272-283, CameraSensor.cpp; envire_smurf_loader Model.cpp:488.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

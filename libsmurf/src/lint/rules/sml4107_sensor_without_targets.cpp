@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ast/keys.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -35,6 +36,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "collects the targets in `id`, `links`, `joints`, `collisions` and `motors`; without any of them the sensor delivers nothing",
+     "MARS smurf.cpp:151-182, IDListConfig.h:60-64"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4107_sensor_without_targets{
@@ -42,11 +49,9 @@ extern constinit const Rule sml4107_sensor_without_targets{
     .name = "sensor-without-targets",
     .severity = Severity::warning,
     .summary = "A sensor that measures things by name names none.",
-    .why = "MARS collects the targets in `id`, `links`, `joints`, `collisions` and "
-           "`motors`; without any of them the sensor delivers nothing. `link` and `joint` "
-           "do not count.",
+    .why = "`link` and `joint` do not count.",
     .remedy = "List what is measured in `id`.",
-    .sources = "MARS smurf.cpp:151-182, IDListConfig.h:60-64.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -37,6 +38,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "puts the numbers of whatever is listed into one list: numbers of links in the list of a joint sensor are unrelated joints, or undefined behaviour",
+     "MARS smurf.cpp:161-181, LoadCenter.cpp:58-88"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4108_wrong_target_list{
@@ -44,12 +51,9 @@ extern constinit const Rule sml4108_wrong_target_list{
     .name = "wrong-target-list",
     .severity = Severity::error,
     .summary = "A sensor lists targets of a kind that its type does not measure.",
-    .why = "MARS puts the numbers of whatever is listed into one list: numbers of links in "
-           "the list of a joint sensor are unrelated joints, or undefined behaviour when "
-           "there is no joint of that number.",
     .remedy = "Use the list of the sensor's kind: `joints`, `links`, `collisions` or "
               "`motors`.",
-    .sources = "MARS smurf.cpp:161-181, LoadCenter.cpp:58-88.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

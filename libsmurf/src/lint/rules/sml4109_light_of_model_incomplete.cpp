@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 #include "lint/light_values.hpp"
 
@@ -11,6 +12,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "keeps lights in a structure without default values: a number, flag or vector that is left out is whatever was in memory",
+     "MARS LightData.h:40-65, LightData.cpp:45-71"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4109_light_of_model_incomplete{
@@ -18,10 +25,9 @@ extern constinit const Rule sml4109_light_of_model_incomplete{
     .name = "light-of-model-incomplete",
     .severity = Severity::warning,
     .summary = "A light of a model leaves out a value that has no default.",
-    .why = "MARS keeps lights in a structure without default values: a number, flag or "
-           "vector that is left out is whatever was in memory. Colours default to black.",
+    .why = "Colours default to black.",
     .remedy = "Write all keys of the light; attenuations of 1, 0, 0 do not dim it.",
-    .sources = "MARS LightData.h:40-65, LightData.cpp:45-71.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -24,6 +25,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "reads `rate` as an unsigned whole number and cuts off the rest: 0.5 is 0, which means every step",
+     "MARS IDListConfig.h:60, Controller.cpp:173; configmaps, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4112_rate_not_whole{
@@ -31,10 +38,9 @@ extern constinit const Rule sml4112_rate_not_whole{
     .name = "rate-not-whole",
     .severity = Severity::warning,
     .summary = "A rate is not a whole number of milliseconds.",
-    .why = "MARS reads `rate` as an unsigned whole number and cuts off the rest: 0.5 is 0, "
-           "which means every step. A rate in MARS is a period; Phobos and Gazebo read Hz.",
+    .why = "For some readers a rate is a period, for others it is in Hz.",
     .remedy = "Write whole milliseconds.",
-    .sources = "MARS IDListConfig.h:60, Controller.cpp:173; configmaps (run).",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

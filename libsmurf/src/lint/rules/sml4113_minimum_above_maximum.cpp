@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -60,6 +61,14 @@ void check(const LinkedModel& model, Findings& findings) {
   check_entries(model, all.graphics, {{"fogStart", "fogEnd"}}, findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "clamps commands to the upper bound, then to the lower one: the motor goes to the lower bound whatever it is told",
+     "MARS SimMotor.cpp (runPositionController), GraphicData.cpp, RotatingRaySensor.cpp"},
+    {&readers::phobos, Effect::takes, "takes them from the limit of the joint",
+     "Phobos a613e31, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4113_minimum_above_maximum{
@@ -67,11 +76,9 @@ extern constinit const Rule sml4113_minimum_above_maximum{
     .name = "minimum-above-maximum",
     .severity = Severity::error,
     .summary = "A lower bound lies above the upper one, or leaves a motor one position.",
-    .why = "MARS clamps commands to the upper bound, then to the lower one: the motor goes to the "
-           "lower bound whatever it is told. Of stops, distances and fog the other way round "
-           "nothing is left.",
+    .why = "Of stops, distances and fog the other way round nothing is left.",
     .remedy = "Swap the two.",
-    .sources = "MARS SimMotor.cpp (runPositionController), GraphicData.cpp, RotatingRaySensor.cpp.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -33,6 +34,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "reads every absent component as 0, alpha too, so the material may be invisible",
+     "mars_utils Color.cpp:28-34, run"},
+    {&readers::mars2, Effect::takes, "takes 1", "envire_smurf_loader Model.cpp:296-311"},
+    {&readers::phobos, Effect::takes, "takes 1", "Phobos, read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4115_color_without_alpha{
@@ -40,10 +49,8 @@ extern constinit const Rule sml4115_color_without_alpha{
     .name = "color-without-alpha",
     .severity = Severity::warning,
     .summary = "A colour has no alpha, which is 0 in MARS and 1 elsewhere.",
-    .why = "MARS reads every absent component as 0, alpha too, so the material may be "
-           "invisible; MARS 2 and Phobos take 1.",
     .remedy = "Add `a: 1.0`.",
-    .sources = "mars_utils Color.cpp:28-34 (run); envire_smurf_loader Model.cpp:296-311.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -17,6 +18,11 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "dereferences an iterator that it never set",
+     "MARS ScanningSonar.cpp:317-320"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4116_sonar_show_cam{
@@ -24,9 +30,8 @@ extern constinit const Rule sml4116_sonar_show_cam{
     .name = "sonar-show-cam",
     .severity = Severity::error,
     .summary = "A ScanningSonar has `show_cam: true`.",
-    .why = "MARS dereferences an iterator that it never set.",
     .remedy = "Write `show_cam: false`, or leave the key out.",
-    .sources = "MARS ScanningSonar.cpp:317-320.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/angle_queries.hpp"
 #include "lint/annotation_queries.hpp"
 
@@ -82,6 +83,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "takes the opening of a CameraSensor in degrees, that of ray sensors in radians",
+     "MARS CameraSensor.cpp:480-570, RaySensor.cpp, RotatingRaySensor.cpp"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4118_sensor_angle_unit{
@@ -89,11 +96,10 @@ extern constinit const Rule sml4118_sensor_angle_unit{
     .name = "sensor-angle-unit",
     .severity = Severity::warning,
     .summary = "An angle of a sensor looks like radians where MARS takes degrees, or the reverse.",
-    .why = "MARS takes the opening of a CameraSensor in degrees, that of ray sensors in "
-           "radians: 1.57 degrees is a slit, 90 rad are 14 turns. Roll, pitch and yaw of an offset "
-           "are degrees.",
+    .why =
+        "1.57 degrees is a slit, 90 rad are 14 turns. Roll, pitch and yaw of an offset are degrees.",
     .remedy = "Convert the value.",
-    .sources = "MARS CameraSensor.cpp:480-570, RaySensor.cpp, RotatingRaySensor.cpp.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -36,6 +37,12 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "reads the coefficients by number without looking how many there are: beyond the end of the list it reads foreign memory",
+     "MARS MotorData.cpp"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4119_approximation_coefficients{
@@ -43,10 +50,8 @@ extern constinit const Rule sml4119_approximation_coefficients{
     .name = "approximation-coefficients",
     .severity = Severity::error,
     .summary = "An approximation of a motor has fewer coefficients than its function needs.",
-    .why = "MARS reads the coefficients by number without looking how many there are: "
-           "beyond the end of the list it reads foreign memory.",
     .remedy = "Write all coefficients.",
-    .sources = "MARS MotorData.cpp.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

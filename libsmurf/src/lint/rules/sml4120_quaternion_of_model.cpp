@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -41,6 +42,12 @@ void check(const LinkedModel& model, Findings& findings) {
   check_entries(model, all.collisions, "collision entry", {"rotation", "visualrotation"}, findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "multiplies by the numbers as they are written: vectors that are turned by such a quaternion get longer or shorter; ODE ends the program at one of length zero",
+     "MARS SimEntity.cpp:416-434, NodePhysics.cpp:526-597, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4120_quaternion_of_model{
@@ -48,11 +55,8 @@ extern constinit const Rule sml4120_quaternion_of_model{
     .name = "quaternion-of-model",
     .severity = Severity::warning,
     .summary = "An orientation in an annotation is a quaternion whose length is not one.",
-    .why = "MARS multiplies by the numbers as they are written: vectors that are turned by such "
-           "a quaternion get longer or shorter. ODE ends the program at one of length zero.",
     .remedy = "Divide the four numbers by their length; no rotation is w: 1, x: 0, y: 0, z: 0.",
-    .sources = "MARS SimEntity.cpp:416-434, NodePhysics.cpp:526-597 (run); ODE 0.16.2 dxNormalize4 "
-               "(run).",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

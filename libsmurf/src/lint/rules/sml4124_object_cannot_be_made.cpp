@@ -2,6 +2,7 @@
 #include <string>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -57,6 +58,12 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const JointAnnotation& joint : all.joints) check_joint(model, joint, findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::breaks,
+     "stops loading at the first object that cannot be made, such as a shape without size or a joint without axis: all that follows is missing, and the pose and the anchor of the robot are skipped",
+     "MARS smurf.cpp:1014-1058, JointManager.cpp:82-85, NodePhysics.cpp:626-634"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml4124_object_cannot_be_made{
@@ -64,11 +71,8 @@ extern constinit const Rule sml4124_object_cannot_be_made{
     .name = "object-cannot-be-made",
     .severity = Severity::error,
     .summary = "An entry makes a shape or a joint that the physics engine cannot build.",
-    .why = "MARS stops loading at the first object that cannot be made, such as a shape without "
-           "size or a joint without axis: all that follows is missing, and the pose and the "
-           "anchor of the robot are skipped.",
     .remedy = "Write sizes above 0 and an axis with a direction.",
-    .sources = "MARS smurf.cpp:1014-1058, JointManager.cpp:82-85, NodePhysics.cpp:626-634.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

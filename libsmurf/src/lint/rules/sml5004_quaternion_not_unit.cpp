@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -25,6 +26,14 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "turns the root link rightly, but moves the other links and everything in an included scene by a scaled rotation",
+     "MARS SimEntity.cpp:416-434, SMURFLoader.cpp:716, run"},
+    {&readers::phobos, Effect::changes, "normalises it, and reads it as x, y, z, w",
+     "Phobos representation.py:141-160"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5004_quaternion_not_unit{
@@ -32,12 +41,10 @@ extern constinit const Rule sml5004_quaternion_not_unit{
     .name = "quaternion-not-unit",
     .severity = Severity::warning,
     .summary = "A rotation is a quaternion whose length is not one.",
-    .why = "MARS uses it as it is: the root link turns rightly, but the other links and "
-           "everything in an included scene are moved by a scaled rotation; a length of 2.83 "
-           "puts a child at (-7, 8, 0) instead of (0, 1, 0).",
+    .why = "A length of 2.83 puts a child at (-7, 8, 0) instead of (0, 1, 0).",
     .remedy = "Divide the four numbers by the length. This tool normalises them.",
-    .sources = "MARS SimEntity.cpp:416-434, SMURFLoader.cpp:716 (run).",
     .check_scene = check,
-    .tolerance = {.value = 1e-3, .meaning = "how far the length of the quaternion may be from 1"}};
+    .tolerance = {.value = 1e-3, .meaning = "how far the length of the quaternion may be from 1"},
+    .facts = kFacts};
 
 }  // namespace smurf::rules

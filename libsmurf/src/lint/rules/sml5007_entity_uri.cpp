@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -18,6 +19,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception",
+     "MARS SMURFLoader.cpp:315-322"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5007_entity_uri{
@@ -25,10 +32,8 @@ extern constinit const Rule sml5007_entity_uri{
     .name = "entity-uri",
     .severity = Severity::error,
     .summary = "An entity names its file by `URI` instead of `file`.",
-    .why = "Scenes of Phobos 0.6 do. MARS replaces the key by the contents of that file before "
-           "it looks for one, finds neither file nor type, and stops with an uncaught exception.",
     .remedy = "Write `file` instead of `URI`.",
-    .sources = "MARS SMURFLoader.cpp:315-322, 420; configmaps ConfigMap.cpp:607-638 (run).",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vector>
 
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
@@ -38,6 +39,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "leaves the entity out with a message",
+     "MARS EntityFactoryManager.cpp:80-89"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5010_misspelt_entity_type{
@@ -45,10 +51,8 @@ extern constinit const Rule sml5010_misspelt_entity_type{
     .name = "misspelt-entity-type",
     .severity = Severity::warning,
     .summary = "The type of an entity is almost one of the known types.",
-    .why = "MARS compares types exactly and leaves an entity of an unknown type out with a "
-           "message on the console.",
     .remedy = "Write the type as suggested. A type of a plug-in may have any other name.",
-    .sources = "MARS EntityFactoryManager.cpp:70-90, SMURFLoader.cpp:320-349.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -23,6 +24,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "loads nothing and reports success",
+     "MARS SMURFLoader.cpp:405-411"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5011_archive_entity{
@@ -30,11 +37,9 @@ extern constinit const Rule sml5011_archive_entity{
     .name = "archive-entity",
     .severity = Severity::warning,
     .summary = "An entity is a .zsmurf, .zsmurfs or .zsmurfa archive.",
-    .why = "MARS registers these types and unpacks the archive, but no branch then reads what "
-           "was unpacked: nothing is loaded and success is reported. These tools read the archive "
-           "in place.",
+    .why = "These tools read the archive in place.",
     .remedy = "For MARS, unpack the archive and name the .smurf or .smurfs inside it.",
-    .sources = "MARS SMURFLoader.cpp:405-411.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

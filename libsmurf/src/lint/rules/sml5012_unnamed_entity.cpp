@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -16,6 +17,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "creates those that have a parent in another order",
+     "MARS SMURFLoader.cpp:616-621, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5012_unnamed_entity{
@@ -23,10 +29,9 @@ extern constinit const Rule sml5012_unnamed_entity{
     .name = "unnamed-entity",
     .severity = Severity::warning,
     .summary = "An entity has no name.",
-    .why = "Nothing can be placed on it or anchored to it, plug-ins do not find it, and one "
-           "unnamed entity changes the order in which MARS creates those that have a parent.",
+    .why = "Nothing can be placed on it or anchored to it, and plug-ins do not find it.",
     .remedy = "Give it a name that no other entity has.",
-    .sources = "MARS SMURFLoader.cpp:616-621 (run); Phobos multiple.py.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

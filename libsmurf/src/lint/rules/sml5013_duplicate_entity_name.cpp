@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unordered_map>
 
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -29,6 +30,13 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "creates both, and every reference means the first",
+     "MARS EntityManager.cpp:229-239"},
+    {&readers::mars2, Effect::changes, "has one frame for the two", "MarsSceneLoader.cpp"},
+    {&readers::phobos, Effect::refuses, "stops with an assertion", "Phobos multiple.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5013_duplicate_entity_name{
@@ -36,10 +44,8 @@ extern constinit const Rule sml5013_duplicate_entity_name{
     .name = "duplicate-entity-name",
     .severity = Severity::error,
     .summary = "Two entities of one scene have the same name.",
-    .why = "MARS creates both and every reference means the first; MARS 2 has one frame for the "
-           "two, and Phobos stops with an assertion.",
     .remedy = "Rename one of them, and what refers to it.",
-    .sources = "MARS EntityManager.cpp:229-239; Phobos multiple.py; MarsSceneLoader.cpp.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unordered_map>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -83,6 +84,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   for_each_use(scene, [&](const Use& use) { ambiguities.check(use); });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "takes the first entity of that name in all scenes",
+     "MARS EntityManager.cpp:229-239"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5014_ambiguous_entity_name{
@@ -90,11 +96,10 @@ extern constinit const Rule sml5014_ambiguous_entity_name{
     .name = "ambiguous-entity-name",
     .severity = Severity::warning,
     .summary = "A name means another entity in MARS than in the scene that uses it.",
-    .why = "An included scene is meant to refer to its own entities first, then to those around "
-           "it. MARS has one list of names for all scenes and takes the first entity with that "
-           "name, for instance that of an earlier copy of the same scene.",
+    .why =
+        "An included scene is meant to refer to its own entities first, then to those around it.",
     .remedy = "Give the entities different names, or include the scene only once.",
-    .sources = "MARS EntityManager.cpp:229-239, SMURFLoader.cpp:350-380.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

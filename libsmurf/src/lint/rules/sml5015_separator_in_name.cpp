@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -13,6 +14,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "splits at the first `::`", "MARS SimEntity.cpp:373-376"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5015_separator_in_name{
@@ -24,6 +30,7 @@ extern constinit const Rule sml5015_separator_in_name{
            "referred to.",
     .remedy = "Take another separator.",
     .sources = "MARS SimEntity.cpp:373-376.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/angle_queries.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -40,6 +41,13 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "reads degrees", "MARS mathUtils.cpp:133-152"},
+    {&readers::mars2, Effect::changes, "reads degrees", "MarsSceneLoader.cpp"},
+    {&readers::phobos, Effect::takes, "reads and writes radians",
+     "Phobos representation.py (Pose.rotation)"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5016_rotation_like_radians{
@@ -47,11 +55,9 @@ extern constinit const Rule sml5016_rotation_like_radians{
     .name = "rotation-like-radians",
     .severity = Severity::warning,
     .summary = "The angles of a rotation are fractions of pi, but scenes take degrees.",
-    .why = "MARS and MARS 2 read the angles of a scene as degrees: 1.5708 is a turn by one and a "
-           "half degrees. Phobos 2 reads and writes them as radians, as URDF does.",
+    .why = "1.5708 degrees are a turn by one and a half degrees. URDF takes radians.",
     .remedy = "Write degrees: 90 instead of 1.5708.",
-    .sources = "MARS mathUtils.cpp:133-152, SimEntity.cpp:405-416; Phobos representation.py "
-               "(Pose.rotation).",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

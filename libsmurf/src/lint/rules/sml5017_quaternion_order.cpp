@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -38,6 +39,13 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "reads w, x, y, z", "MARS SimEntity.cpp:416-421"},
+    {&readers::mars2, Effect::changes, "reads w, x, y, z", "MarsSceneLoader.cpp"},
+    {&readers::phobos, Effect::takes, "reads x, y, z, w",
+     "Phobos representation.py (Pose.rotation)"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5017_quaternion_order{
@@ -45,11 +53,9 @@ extern constinit const Rule sml5017_quaternion_order{
     .name = "quaternion-order",
     .severity = Severity::warning,
     .summary = "Four numbers of a rotation make more sense as x, y, z, w than as w, x, y, z.",
-    .why = "MARS and MARS 2 read a list of four as w, x, y, z; Phobos 2, as most mathematics "
-           "libraries, as x, y, z, w. [0, 0, 0, 1] is no rotation to one and a half turn to the "
-           "other.",
+    .why = "[0, 0, 0, 1] is no rotation in one order and half a turn in the other.",
     .remedy = "Put w first, or write {w: , x: , y: , z: }, which both read alike.",
-    .sources = "MARS SimEntity.cpp:416-421; Phobos representation.py (Pose.rotation).",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <set>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -24,6 +25,13 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "lets the keys of the file win",
+     "MARS SMURFLoader.cpp:420; configmaps ConfigMap.cpp:615-624, run"},
+    {&readers::mars2, Effect::ignores, "ignores the key", "read"},
+    {&readers::phobos, Effect::ignores, "ignores the key", "read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5018_uri_in_scene{
@@ -31,12 +39,10 @@ extern constinit const Rule sml5018_uri_in_scene{
     .name = "uri-in-scene",
     .severity = Severity::warning,
     .summary = "A mapping of a scene has the key `URI`, which only MARS expands.",
-    .why = "MARS merges the named file into the mapping at any depth, and its keys win over those "
-           "written beside `URI`, though the documentation says the reverse; absolute paths do "
-           "not work, and a circle overflows the stack. MARS 2, Phobos and this tool ignore the "
-           "key.",
+    .why =
+        "The documentation says the reverse. Absolute paths do not work, and a circle overflows the stack.",
     .remedy = "Write the keys in place, or nest a scene with `file`.",
-    .sources = "configmaps ConfigMap.cpp:607-638 (run); MARS SMURFLoader.cpp:420.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -21,6 +22,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "leaves the entity out with a message",
+     "MARS EntityFactoryManager.cpp:80-89"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5019_type_of_plugin{
@@ -28,10 +34,9 @@ extern constinit const Rule sml5019_type_of_plugin{
     .name = "type-of-plugin",
     .severity = Severity::info,
     .summary = "An entity has a type that Phobos writes but MARS does not know.",
-    .why = "Phobos up to 1.0 writes entities of the types light, heightmap, mesh and generic; "
-           "MARS leaves them out with a message on the console unless a plug-in takes them.",
+    .why = "Plug-ins may take it.",
     .remedy = "Load a plug-in for the type, or say the same with `lights`, a primitive or a URDF.",
-    .sources = "MARS EntityFactoryManager.cpp:70-90.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

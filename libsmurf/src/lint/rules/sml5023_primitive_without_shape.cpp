@@ -3,6 +3,7 @@
 
 #include "ast/keys.hpp"
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
@@ -75,6 +76,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "ends with an uncaught exception: it takes the shape from `geometry: {type: ...}`, and has sizes for plane, box and sphere only",
+     "MARS primitives.cpp:115-153 and 212, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5023_primitive_without_shape{
@@ -82,12 +89,9 @@ extern constinit const Rule sml5023_primitive_without_shape{
     .name = "primitive-without-shape",
     .severity = Severity::error,
     .summary = "An entity of type primitive has no shape, an unknown one, or one without a size.",
-    .why = "MARS takes the shape from `geometry: {type: ...}` and has sizes for plane, box and "
-           "sphere only. It cannot make a node without shape or size and then keeps an entity "
-           "that is nothing.",
     .remedy = "Write `geometry: {type: box}` (plane, sphere, cylinder, capsule); give a cylinder "
               "or capsule its `extend`.",
-    .sources = "MARS primitives.cpp:115-153 and 212, EntityFactoryManager.cpp:83.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

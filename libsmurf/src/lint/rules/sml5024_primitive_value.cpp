@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
+#include "base/readers.hpp"
 #include "base/rules.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
@@ -41,6 +42,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "ends with an uncaught exception, or reads uninitialised memory", "MARS NodeData.cpp:181-184"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5024_primitive_value{
@@ -48,11 +54,8 @@ extern constinit const Rule sml5024_primitive_value{
     .name = "primitive-value",
     .severity = Severity::error,
     .summary = "A key of a primitive holds a value that a node of MARS does not take.",
-    .why = "MARS reads all keys of a primitive as those of a node: a list where it needs a "
-           "mapping is an uncaught exception, a text where it needs a number is uninitialised "
-           "memory.",
     .remedy = "Write the kind of value that the message names.",
-    .sources = "MARS primitives.cpp:148-153, NodeData.cpp:98-286; configmaps (run).",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

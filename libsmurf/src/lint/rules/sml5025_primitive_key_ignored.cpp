@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -26,6 +27,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::ignores,
+     "registers no root node for a primitive, so that it is neither placed relative to another entity nor fixed to it",
+     "MARS primitives.cpp:148-212, SimEntity.cpp:344-501"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5025_primitive_key_ignored{
@@ -33,10 +40,8 @@ extern constinit const Rule sml5025_primitive_key_ignored{
     .name = "primitive-key-ignored",
     .severity = Severity::warning,
     .summary = "An entity of type primitive has `parent`, `anchor` or `pose`.",
-    .why = "MARS registers no root node for a primitive, so that it is neither placed relative to "
-           "another entity nor fixed to it.",
     .remedy = "Write its position in the world and `movable: false`, or make it a URDF.",
-    .sources = "MARS primitives.cpp:148-212, SimEntity.cpp:344-501.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -26,6 +27,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "calls a loader that is not there",
+     "MARS SMURFLoader.cpp:342"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5026_old_scene_extension{
@@ -33,10 +40,8 @@ extern constinit const Rule sml5026_old_scene_extension{
     .name = "old-scene-extension",
     .severity = Severity::error,
     .summary = "An entity of type scn, scene or yml names a file with another extension.",
-    .why = "MARS picks the loader of an old scene by the extension, exactly as written, and calls "
-           "it without looking whether there is one: the program crashes.",
     .remedy = "Rename the file to .scn, .scene or .yml, or correct `type`.",
-    .sources = "MARS SMURFLoader.cpp:337-349.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -25,6 +26,15 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "reads all three", "MARS SMURFLoader.cpp:431-450"},
+    {&readers::mars2, Effect::loses, "reads `entities` only", "MarsSceneLoader.cpp"},
+    {&readers::phobos, Effect::loses, "reads `entities`, else `smurfa`, else `smurfs`",
+     "Phobos core/multiple.py"},
+    {&readers::pybullet, Effect::loses, "reads `smurfs`, else `entities`",
+     "Phobos scripts/smurfs_in_pybullet.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5029_several_entity_lists{
@@ -32,10 +42,8 @@ extern constinit const Rule sml5029_several_entity_lists{
     .name = "several-entity-lists",
     .severity = Severity::warning,
     .summary = "A scene has more than one of the lists `entities`, `smurfa` and `smurfs`.",
-    .why = "MARS reads all three. Phobos takes `entities`, else `smurfa`, else `smurfs`; its "
-           "script for PyBullet `smurfs`, else `entities`; MARS 2 `entities` only.",
     .remedy = "Put all entities into one list; nest a .smurfa for an assembly.",
-    .sources = "MARS SMURFLoader.cpp:418-450; Phobos multiple.py:188; MarsSceneLoader.cpp.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -51,11 +51,10 @@ extern constinit const Rule sml5030_implausible_pose{
     .name = "implausible-pose",
     .severity = Severity::warning,
     .summary = "An entity stands further away, or is turned more often, than anybody means.",
-    .why = "Scenes take metres and degrees. MARS draws in single precision, which loses "
-           "centimetres at a hundred kilometres; a rotation of many turns was counted in another"
-           " unit.",
+    .why =
+        "Scenes take metres and degrees. Single precision loses centimetres at a hundred kilometres, and a rotation of many turns was counted in another unit.",
     .remedy = "Write metres and degrees.",
-    .sources = "MARS SimEntity.cpp:344-434; IEEE 754 single precision.",
+    .sources = "IEEE 754 single precision.",
     .check_scene = check};
 
 }  // namespace smurf::rules

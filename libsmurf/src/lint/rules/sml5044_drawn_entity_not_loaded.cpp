@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -18,6 +19,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses,
+     "hands the group to the plug-in of its type, with keys that only plug-ins know: a model is sought in the root folder, and a primitive stays at the origin",
+     "MARS SMURFLoader.cpp:127-302, 564-578, 580-637"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5044_drawn_entity_not_loaded{
@@ -25,14 +32,10 @@ extern constinit const Rule sml5044_drawn_entity_not_loaded{
     .name = "drawn-entity-not-loaded",
     .severity = Severity::warning,
     .summary = "A drawn scene holds an entity that MARS does not load or place from a drawing.",
-    .why =
-        "MARS hands the groups of a .svg to the plug-in of their type, with the keys `origin_x`, "
-        "`origin_y`, `origin_z` and `orientation_z`, of which only types of plug-ins know. A "
-        "model is sought in the root folder, an included or old scene has no plug-in, and a "
-        "primitive stays at the origin. smurfs-flatten places them as they are drawn.",
+    .why = "smurfs-flatten places them as they are drawn.",
     .remedy = "Flatten the drawing to a .smurfs (`smurfs-flatten --format smurfs`), or use a type "
               "of your own.",
-    .sources = "MARS SMURFLoader.cpp:127-302, 564-578, 580-637.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

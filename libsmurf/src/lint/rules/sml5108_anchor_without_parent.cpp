@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -22,6 +23,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "fixes the entity to the world",
+     "MARS SimEntity.cpp:452-453"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5108_anchor_without_parent{
@@ -29,9 +35,8 @@ extern constinit const Rule sml5108_anchor_without_parent{
     .name = "anchor-without-parent",
     .severity = Severity::warning,
     .summary = "`anchor: parent` stands on an entity that has no parent.",
-    .why = "MARS then fixes the entity to the world, as if `anchor: world` were written.",
     .remedy = "Add `parent`, or write `anchor: world`.",
-    .sources = "MARS SimEntity.cpp:452-453.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

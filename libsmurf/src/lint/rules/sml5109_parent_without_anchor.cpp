@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ast/keys.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -28,6 +29,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "waits for the parent only when `anchor` names it as well, and else creates the entity last, in file order",
+     "MARS SimEntity.cpp:344-501, SMURFLoader.cpp:587-636, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5109_parent_without_anchor{
@@ -35,11 +42,10 @@ extern constinit const Rule sml5109_parent_without_anchor{
     .name = "parent-without-anchor",
     .severity = Severity::warning,
     .summary = "An entity has a parent, but says nothing of an anchor.",
-    .why = "`parent` says where an entity starts, not that it stays there: without `anchor: "
-           "parent` it falls. MARS also waits for the parent only when `anchor` names it as "
-           "well, and else creates the entity last, in file order.",
+    .why =
+        "`parent` says where an entity starts, not that it stays there: without `anchor: parent` it falls.",
     .remedy = "Add `anchor: parent`; to place without fixing, write `anchor: none`.",
-    .sources = "MARS SimEntity.cpp:344-501, SMURFLoader.cpp:587-636 (run).",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

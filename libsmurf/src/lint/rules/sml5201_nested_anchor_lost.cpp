@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -30,6 +31,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "gives the entity the anchor of the include",
+     "MARS SMURFLoader.cpp:671-675, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5201_nested_anchor_lost{
@@ -37,12 +43,10 @@ extern constinit const Rule sml5201_nested_anchor_lost{
     .name = "nested-anchor-lost",
     .severity = Severity::warning,
     .summary = "An entity in an included scene has an anchor that MARS overwrites.",
-    .why = "When MARS includes a scene it gives every entity without own parent the anchor of "
-           "the include, `none` if that has none. What stands fixed in the scene on its own "
-           "comes loose. This tool keeps the anchor.",
+    .why = "What stands fixed in the scene comes loose. This tool keeps the anchor.",
     .remedy = "Set `anchor` on the entity that includes the scene, or place the anchored entities "
               "in the outer scene.",
-    .sources = "MARS SMURFLoader.cpp:671-675 (run).",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

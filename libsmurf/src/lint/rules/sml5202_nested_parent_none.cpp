@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -17,6 +18,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "does not move the entity with the include",
+     "MARS SMURFLoader.cpp:667-680, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5202_nested_parent_none{
@@ -24,10 +30,9 @@ extern constinit const Rule sml5202_nested_parent_none{
     .name = "nested-parent-none",
     .severity = Severity::warning,
     .summary = "An entity in an included scene has the parent `none` or an empty one.",
-    .why = "It means no parent, so that the entity moves with the include. MARS looks for the "
-           "exact word `world` there and does not move an entity that has any other parent.",
+    .why = "It means no parent, so that the entity moves with the include.",
     .remedy = "Leave the key out, or write `world`.",
-    .sources = "MARS SMURFLoader.cpp:671-672.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

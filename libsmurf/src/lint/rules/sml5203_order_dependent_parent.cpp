@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -69,6 +70,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "waits for the entities named by `parent` and `anchor` only when both name one; those with one of the two are created last, in file order, and may end in the world frame",
+     "MARS SMURFLoader.cpp:580-637, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5203_order_dependent_parent{
@@ -76,12 +83,10 @@ extern constinit const Rule sml5203_order_dependent_parent{
     .name = "order-dependent-parent",
     .severity = Severity::warning,
     .summary = "An entity refers to a later one in a way that MARS resolves only in file order.",
-    .why = "MARS waits for the entities named by `parent` and `anchor` only when both name one. "
-           "Those with one of the two are created last, in file order: one that is created "
-           "before what it refers to is placed in the world frame and anchored to the world.",
+    .why = "One that is created before what it refers to is misplaced.",
     .remedy = "Move the entity behind the one it refers to, or give it both keys (`anchor: "
               "parent`).",
-    .sources = "MARS SMURFLoader.cpp:580-637 (run).",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

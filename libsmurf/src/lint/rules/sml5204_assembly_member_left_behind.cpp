@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -20,6 +21,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "places the entity in the world frame",
+     "MARS SMURFLoader.cpp:667-680"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5204_assembly_member_left_behind{
@@ -27,10 +33,9 @@ extern constinit const Rule sml5204_assembly_member_left_behind{
     .name = "assembly-member-left-behind",
     .severity = Severity::warning,
     .summary = "A member of an included assembly has neither a parent nor `root: true`.",
-    .why = "MARS gives only the root of a list `smurfa` the parent of the include; the member is "
-           "placed in the world frame instead. This tool places it in the frame of the include.",
+    .why = "This tool places it in the frame of the include.",
     .remedy = "Give the member a parent inside the assembly, or mark it as `root: true`.",
-    .sources = "MARS SMURFLoader.cpp:444-450, 673 (run).",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

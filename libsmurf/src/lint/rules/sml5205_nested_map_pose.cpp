@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -22,6 +23,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception",
+     "MARS SMURFLoader.cpp:688-714, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5205_nested_map_pose{
@@ -29,11 +35,8 @@ extern constinit const Rule sml5205_nested_map_pose{
     .name = "nested-map-pose",
     .severity = Severity::warning,
     .summary = "An entity in an included scene writes its position or rotation as a mapping.",
-    .why = "When MARS includes a scene it composes lists only; a mapping is an uncaught "
-           "exception. On the top level MARS reads mappings since 2025, Phobos 2 reads and "
-           "writes them everywhere.",
     .remedy = "Write lists: [x, y, z] and [w, x, y, z].",
-    .sources = "MARS SMURFLoader.cpp:688-714 (run); Phobos multiple.py, representation.py.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -22,6 +23,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception",
+     "MARS primitives.cpp:148-153"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5206_primitive_list_pose{
@@ -29,10 +35,8 @@ extern constinit const Rule sml5206_primitive_list_pose{
     .name = "primitive-list-pose",
     .severity = Severity::error,
     .summary = "An entity of type primitive writes its position or rotation as a list.",
-    .why = "MARS reads all keys of a primitive as those of a node, whose position and rotation "
-           "are mappings; a list is an uncaught exception.",
     .remedy = "Write {x: , y: , z: } and {w: , x: , y: , z: }.",
-    .sources = "MARS primitives.cpp:148-153, NodeData.cpp:181-184.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

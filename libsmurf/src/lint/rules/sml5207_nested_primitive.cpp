@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -16,6 +17,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception",
+     "MARS NodeData.cpp:181-184"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5207_nested_primitive{
@@ -23,10 +29,8 @@ extern constinit const Rule sml5207_nested_primitive{
     .name = "nested-primitive",
     .severity = Severity::error,
     .summary = "An included scene holds an entity of type primitive.",
-    .why = "MARS writes the composed pose as lists when it includes a scene, and a primitive "
-           "takes mappings only: an uncaught exception.",
     .remedy = "Put the primitive into the outermost scene, or make it a URDF.",
-    .sources = "MARS SMURFLoader.cpp:688-726, primitives.cpp:148-153.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -12,6 +13,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::ignores, "heeds `root` in a list `smurfa` only",
+     "MARS SMURFLoader.cpp:444-450"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5208_root_outside_smurfa{
@@ -19,10 +25,8 @@ extern constinit const Rule sml5208_root_outside_smurfa{
     .name = "root-outside-smurfa",
     .severity = Severity::warning,
     .summary = "`root: true` stands in a list other than `smurfa`.",
-    .why = "MARS heeds it in a list of that name only, whatever the extension of the file; in "
-           "others every entity without parent takes parent and anchor of the include.",
     .remedy = "Rename the list to `smurfa`, or take the key out.",
-    .sources = "MARS SMURFLoader.cpp:444-450, 673.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -19,6 +20,10 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::ignores, "reads it in a .smurfs only", "MARS SMURFLoader.cpp:452"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5209_assembly_world_ignored{
@@ -26,9 +31,8 @@ extern constinit const Rule sml5209_assembly_world_ignored{
     .name = "assembly-world-ignored",
     .severity = Severity::warning,
     .summary = "An assembly (.smurfa) sets physics, environment or lights.",
-    .why = "MARS does not read these keys in a .smurfa.",
     .remedy = "Set them in the scene that includes the assembly.",
-    .sources = "MARS SMURFLoader.cpp:452.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

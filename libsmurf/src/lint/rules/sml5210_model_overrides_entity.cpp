@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -21,6 +22,11 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "lets the model decide, in every scene",
+     "smurf_parser SMURFParser.cpp:43, run"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5210_model_overrides_entity{
@@ -28,10 +34,9 @@ extern constinit const Rule sml5210_model_overrides_entity{
     .name = "model-overrides-entity",
     .severity = Severity::warning,
     .summary = "A model's main file holds a key that belongs to the scene.",
-    .why = "MARS lets keys of the main file replace those of the scene entity: the model stands "
-           "where its own file says, in every scene. Other readers and this tool ignore them.",
+    .why = "The model stands where its own file says. Other readers and this tool ignore the keys.",
     .remedy = "Move the key into the scene.",
-    .sources = "smurf_parser SMURFParser.cpp:43 (run).",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

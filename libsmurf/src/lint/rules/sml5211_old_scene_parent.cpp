@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "link/scene_link.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -22,6 +23,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "creates old scenes (scn, scene, yml) while it parses the file, before every model: it does not find the link, places the scene in the world frame and anchors it to the world",
+     "MARS SMURFLoader.cpp:337-349, 580-637; SimEntity.cpp:371-390"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5211_old_scene_parent{
@@ -29,11 +36,8 @@ extern constinit const Rule sml5211_old_scene_parent{
     .name = "old-scene-parent",
     .severity = Severity::error,
     .summary = "An old MARS scene is placed on, or anchored to, a model.",
-    .why = "MARS creates old scenes (scn, scene, yml) while it parses the file, before every "
-           "model: it does not find the link, places the scene in the world frame and anchors it "
-           "to the world.",
     .remedy = "Place it relative to the world, or turn it into a model.",
-    .sources = "MARS SMURFLoader.cpp:337-349, 580-637; SimEntity.cpp:371-390.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

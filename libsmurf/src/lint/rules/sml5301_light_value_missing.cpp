@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/light_values.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -15,6 +16,10 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "takes whatever is in memory", "MARS LightData.h:40-65"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5301_light_value_missing{
@@ -22,10 +27,9 @@ extern constinit const Rule sml5301_light_value_missing{
     .name = "light-value-missing",
     .severity = Severity::warning,
     .summary = "A light leaves out a value that has no default.",
-    .why = "MARS keeps lights in a structure without default values: a number, flag or vector "
-           "that the scene leaves out is whatever was in memory. Colours default to black.",
+    .why = "Colours default to black.",
     .remedy = "Write all keys of the light; attenuations of 1, 0, 0 do not dim it.",
-    .sources = "MARS LightData.h:40-65, LightData.cpp:45-71.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -31,6 +32,14 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "applies it to the whole world",
+     "MARS SMURFLoader.cpp:451-548"},
+    {&readers::mars2, Effect::changes, "applies it to the whole world, without its entities",
+     "MarsSceneLoader.cpp"},
+    {&readers::phobos, Effect::ignores, "reads no world", "Phobos core/multiple.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5302_world_of_included_scene{
@@ -38,11 +47,9 @@ extern constinit const Rule sml5302_world_of_included_scene{
     .name = "world-of-included-scene",
     .severity = Severity::warning,
     .summary = "An included scene sets physics or environment, and so does a scene around it.",
-    .why = "There is one world: MARS applies the values of the included scene to everything, and "
-           "then those of the outer scene. MARS 2 does the same without its entities, Phobos "
-           "reads neither.",
+    .why = "There is one world.",
     .remedy = "Set `physics` and `environment` in one scene, best the outermost.",
-    .sources = "MARS SMURFLoader.cpp:451-548.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

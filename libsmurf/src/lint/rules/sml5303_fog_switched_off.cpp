@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -40,6 +41,10 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "switches fog off", "MARS SMURFLoader.cpp:516-535"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5303_fog_switched_off{
@@ -47,10 +52,8 @@ extern constinit const Rule sml5303_fog_switched_off{
     .name = "fog-switched-off",
     .severity = Severity::warning,
     .summary = "An environment without `fog` switches off the fog that another file asks for.",
-    .why = "MARS takes an `environment` without `fog` for the wish to have none, whatever a model "
-           "or another scene sets.",
     .remedy = "Repeat `fog` in this environment, or take it out of the other file.",
-    .sources = "MARS SMURFLoader.cpp:516-535.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -32,6 +33,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "reads milliseconds", "MARS SMURFLoader.cpp:471-473"},
+    {&readers::pybullet, Effect::takes, "reads seconds (the script of Phobos)",
+     "Phobos scripts/smurfs_in_pybullet.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml5304_step_size_in_seconds{
@@ -39,11 +46,9 @@ extern constinit const Rule sml5304_step_size_in_seconds{
     .name = "step-size-in-seconds",
     .severity = Severity::warning,
     .summary = "The step of the physics engine is far too small or too large.",
-    .why = "MARS takes `stepsize` as milliseconds, Phobos' script for PyBullet as seconds: a "
-           "simulation runs a thousand times slower than it should.",
+    .why = "A simulation runs a thousand times slower than it should.",
     .remedy = "Write milliseconds: 1 for a thousand steps a second.",
-    .sources = "MARS SMURFLoader.cpp:471-473, Simulator.cpp:99 and 329; Phobos "
-               "smurfs_in_pybullet.py.",
-    .check_scene = check};
+    .check_scene = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

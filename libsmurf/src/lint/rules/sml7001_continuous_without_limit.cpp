@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -12,6 +13,13 @@ void check(const LinkedModel& model, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars2, Effect::crashes, "dereferences a null pointer",
+     "envire_smurf_loader Model.cpp:636-641"},
+    {&readers::envire, Effect::crashes, "dereferences a null pointer",
+     "rock-cpp/smurf Robot.cpp:233-241"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7001_continuous_without_limit{
@@ -19,11 +27,10 @@ extern constinit const Rule sml7001_continuous_without_limit{
     .name = "continuous-without-limit",
     .severity = Severity::error,
     .summary = "A continuous joint has no limit element.",
-    .why = "URDF needs none there. MARS 2 and MARS with envire read effort and velocity of the "
-           "limit of every joint that moves and dereference a null pointer.",
+    .why = "URDF needs none there.",
     .remedy = "Add a limit with effort and velocity.",
-    .sources = "envire_smurf_loader Model.cpp:636-641; rock-cpp/smurf Robot.cpp:233-241.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -12,18 +13,24 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "reads 65535, which collides with everything",
+     "MARS NodeData.cpp"},
+    {&readers::mars2, Effect::takes, "reads 65535, which collides with everything",
+     "MARS NodeData.cpp"},
+    {&readers::envire, Effect::changes, "reads 0: the shape collides with nothing",
+     "rock-cpp/smurf Robot.cpp:73"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml7002_bitmask_missing{
-    .id = "SML7002",
-    .name = "bitmask-missing",
-    .severity = Severity::warning,
-    .summary = "A collision entry has no bitmask.",
-    .why = "MARS and MARS 2 read 65535 then, which collides with everything; MARS with envire "
-           "reads 0, which collides with nothing.",
-    .remedy = "Write `bitmask: 65535`.",
-    .sources = "rock-cpp/smurf Robot.cpp:73; MARS NodeData.cpp.",
-    .check_model = check,
-    .needs_target = true};
+extern constinit const Rule sml7002_bitmask_missing{.id = "SML7002",
+                                                    .name = "bitmask-missing",
+                                                    .severity = Severity::warning,
+                                                    .summary = "A collision entry has no bitmask.",
+                                                    .remedy = "Write `bitmask: 65535`.",
+                                                    .check_model = check,
+                                                    .needs_target = true,
+                                                    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -19,6 +20,17 @@ void check(const LinkedModel& model, Findings& findings) {
   check_entries(model.annotations.collisions, "collision entry", findings);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
+     "envire_smurf_loader Model.cpp:216-230", "/link/"},
+    {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
+     "envire_smurf_loader Model.cpp:443-505", "/sensors/"},
+    {&readers::mars2, Effect::loses, "finds no collision for it", "envire_smurf_loader Model.cpp",
+     "/collision/"},
+    {&readers::envire, Effect::loses, "finds no collision for it", "rock-cpp/smurf Robot.cpp",
+     "/collision/"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7003_entry_without_link{
@@ -26,12 +38,10 @@ extern constinit const Rule sml7003_entry_without_link{
     .name = "entry-without-link",
     .severity = Severity::error,
     .summary = "An entry does not say in the key `link` which link it belongs to.",
-    .why = "MARS goes by `name` and attaches some sensors to joints or motors instead. MARS 2 "
-           "needs the key in every entry of `link` and `sensors` and ends with an exception; it "
-           "and MARS with envire match collisions by name and link.",
+    .why = "Readers match these entries by the link as well as by the name.",
     .remedy = "Add the key `link`; MARS ignores it where it does not need it.",
-    .sources = "envire_smurf_loader Model.cpp:216-230, 443-456, 487-505; rock-cpp/smurf Robot.cpp.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

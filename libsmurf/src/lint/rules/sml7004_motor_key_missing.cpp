@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -37,6 +38,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "has defaults for most keys of a motor", "MARS MotorData.cpp"},
+    {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
+     "envire_smurf_loader Model.cpp:443-456", "#type"},
+    {&readers::mars2, Effect::changes, "computes with whatever is in memory",
+     "envire_types motors"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7004_motor_key_missing{
@@ -44,12 +53,9 @@ extern constinit const Rule sml7004_motor_key_missing{
     .name = "motor-key-missing",
     .severity = Severity::error,
     .summary = "A motor lacks a key that a target does not do without.",
-    .why = "MARS has defaults for most keys of a motor. MARS 2 has none: without `type` it ends "
-           "with an exception, without the others it computes with whatever is in memory. It "
-           "does not know `minPosition` and `maxPosition`.",
     .remedy = "Write the key.",
-    .sources = "envire_smurf_loader Model.cpp:443-456; envire_types motors.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -15,6 +16,16 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "merges the main file and the files it lists",
+     "smurf_parser SMURFParser.cpp:43-69"},
+    {&readers::mars2, Effect::takes, "merges the main file and the files it lists",
+     "smurf_parser SMURFParser.cpp:43-69"},
+    {&readers::envire, Effect::takes, "merges the main file and the files it lists",
+     "smurf_parser SMURFParser.cpp:43-69"},
+    {&readers::phobos, Effect::loses, "ignores the section", "Phobos io/smurfrobot.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7006_inline_section{
@@ -22,11 +33,9 @@ extern constinit const Rule sml7006_inline_section{
     .name = "inline-section",
     .severity = Severity::warning,
     .summary = "An annotation section stands in the main file.",
-    .why = "The MARS generations merge the main file and the files it lists; Phobos reads "
-           "sections from the listed files only.",
     .remedy = "Move the section to an annotation file and list it in `files`.",
-    .sources = "smurf_parser SMURFParser.cpp:43-69; Phobos io/smurfrobot.py.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -21,6 +22,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "passes over unknown sections", "MARS smurf.cpp:257-485"},
+    {&readers::mars2, Effect::takes, "passes over unknown sections", "MARS smurf.cpp:257-485"},
+    {&readers::envire, Effect::takes, "passes over unknown sections", "MARS smurf.cpp:257-485"},
+    {&readers::phobos, Effect::refuses, "raises an exception",
+     "Phobos io/smurfrobot.py:233-243, 376"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7008_list_unknown_to_phobos{
@@ -28,12 +37,9 @@ extern constinit const Rule sml7008_list_unknown_to_phobos{
     .name = "list-unknown-to-phobos",
     .severity = Severity::error,
     .summary = "A list has a name that Phobos 2 does not know.",
-    .why = "Phobos 2 has no `controllers` and `lights`, and takes a list of any unknown name for "
-           "annotations of elements it then does not have: it raises an exception. The MARS "
-           "generations pass over unknown sections.",
     .remedy = "Leave the file out of what Phobos loads, or make the section a mapping.",
-    .sources = "Phobos io/smurfrobot.py:233-243, 376.",
     .check_model = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
@@ -15,19 +16,28 @@ void check(const LinkedScene& scene, Findings& findings) {
       extension.empty() ? extension : extension.substr(1);
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "reads no scenes", "only the MARS generations and Phobos do"},
+    {&readers::mars, Effect::takes, "reads scenes and assemblies", "MARS SMURFLoader.cpp"},
+    {&readers::mars2, Effect::refuses, "reads .smurfs only", "MarsSceneLoader.cpp:76", "#smurfa"},
+    {&readers::mars2, Effect::takes, "reads scenes", "MarsSceneLoader.cpp:76"},
+    {&readers::phobos, Effect::takes, "reads scenes and assemblies", "Phobos core/multiple.py"},
+    {&readers::pybullet, Effect::refuses, "reads .smurfs only (the script of Phobos)",
+     "Phobos scripts/smurfs_in_pybullet.py", "#smurfa"},
+    {&readers::pybullet, Effect::takes, "reads scenes (the script of Phobos)",
+     "Phobos scripts/smurfs_in_pybullet.py"},
+};
+
 }  // namespace
 
-extern constinit const Rule sml7100_scene{
-    .id = "SML7100",
-    .name = "scene",
-    .severity = Severity::error,
-    .summary = "A scene is given to a target that reads no scenes.",
-    .why = "Only the MARS generations and Phobos read SMURF scenes; MARS 2 and the pybullet "
-           "script of Phobos read no .smurfa.",
-    .remedy = "Expand the scene with smurfs-flatten.",
-    .sources =
-        "MARS SMURFLoader.cpp; MarsSceneLoader.cpp:76; Phobos scripts/smurfs_in_pybullet.py.",
-    .check_scene = check,
-    .needs_target = true};
+extern constinit const Rule sml7100_scene{.id = "SML7100",
+                                          .name = "scene",
+                                          .severity = Severity::error,
+                                          .summary =
+                                              "A scene is given to a target that reads no scenes.",
+                                          .remedy = "Expand the scene with smurfs-flatten.",
+                                          .check_scene = check,
+                                          .needs_target = true,
+                                          .facts = kFacts};
 
 }  // namespace smurf::rules

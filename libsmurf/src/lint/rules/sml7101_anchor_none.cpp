@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
@@ -12,6 +13,13 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "leaves the entity free", "read"},
+    {&readers::mars2, Effect::changes, "fixes the entity to the world",
+     "MarsSceneLoader.cpp:361-397"},
+    {&readers::phobos, Effect::takes, "leaves the entity free", "read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7101_anchor_none{
@@ -19,11 +27,9 @@ extern constinit const Rule sml7101_anchor_none{
     .name = "anchor-none",
     .severity = Severity::warning,
     .summary = "An entity has the anchor `none`.",
-    .why = "MARS and Phobos leave it free, as if nothing were written. MARS 2 fixes an entity "
-           "with any anchor to the frame of that name, or to the world.",
     .remedy = "Leave the key out: no anchor is free for every reader.",
-    .sources = "MarsSceneLoader.cpp:361-397.",
     .check_scene = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

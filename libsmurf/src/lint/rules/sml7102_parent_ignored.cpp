@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -13,6 +14,13 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars2, Effect::changes, "places the entity in the world frame",
+     "MarsSceneLoader.cpp"},
+    {&readers::pybullet, Effect::crashes, "stops with a KeyError",
+     "Phobos scripts/smurfs_in_pybullet.py:149-169"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7102_parent_ignored{
@@ -20,11 +28,9 @@ extern constinit const Rule sml7102_parent_ignored{
     .name = "parent-ignored",
     .severity = Severity::warning,
     .summary = "An entity is placed relative to another one, which a target does not do.",
-    .why = "MARS 2 does not read `parent` and places the entity in the world frame; the pybullet "
-           "script of Phobos stops with a KeyError.",
     .remedy = "Place the entity in the world frame: smurfs-flatten computes it.",
-    .sources = "MarsSceneLoader.cpp; Phobos scripts/smurfs_in_pybullet.py:149-169.",
     .check_scene = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
@@ -32,6 +33,18 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "reads one or three numbers as degrees and four as w, x, y, z",
+     "MARS SimEntity.cpp:405-431"},
+    {&readers::mars2, Effect::takes, "reads one or three numbers as degrees and four as w, x, y, z",
+     "MARS SimEntity.cpp:405-431"},
+    {&readers::phobos, Effect::changes, "reads x, y, z, w", "Phobos utils/transform.py:9-48",
+     "#quaternion"},
+    {&readers::phobos, Effect::changes, "reads radians", "Phobos utils/transform.py:9-48"},
+    {&readers::pybullet, Effect::crashes, "stops with an exception",
+     "Phobos scripts/smurfs_in_pybullet.py:115-122", "#quaternion"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7103_rotation_convention{
@@ -39,13 +52,9 @@ extern constinit const Rule sml7103_rotation_convention{
     .name = "rotation-convention",
     .severity = Severity::warning,
     .summary = "A rotation is written in a way that a target reads as another one.",
-    .why = "MARS and MARS 2 read one or three numbers as degrees and four as w, x, y, z. Phobos "
-           "2 reads them as radians and as x, y, z, w; its pybullet script stops at four "
-           "numbers.",
     .remedy = "For Phobos 2 write a mapping with the keys w, x, y, z, which MARS reads since 2025.",
-    .sources = "MARS SimEntity.cpp:405-431; Phobos io/representation.py:141-160, "
-               "utils/transform.py:9-48, scripts/smurfs_in_pybullet.py:115-122.",
     .check_scene = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

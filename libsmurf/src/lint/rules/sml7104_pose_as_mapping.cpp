@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
@@ -14,6 +15,14 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "reads mappings since February 2025", "MARS commit b7f50a4"},
+    {&readers::mars2, Effect::crashes, "ends with an uncaught exception", "MarsSceneLoader.cpp"},
+    {&readers::phobos, Effect::takes, "writes and reads them", "Phobos, read"},
+    {&readers::pybullet, Effect::crashes, "stops with an exception",
+     "Phobos scripts/smurfs_in_pybullet.py:115-122"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7104_pose_as_mapping{
@@ -21,12 +30,9 @@ extern constinit const Rule sml7104_pose_as_mapping{
     .name = "pose-as-mapping",
     .severity = Severity::error,
     .summary = "A position or rotation is a mapping, which a target does not read.",
-    .why = "MARS reads mappings since February 2025, Phobos 2 writes them; MARS 2 and the "
-           "pybullet script of Phobos end with an exception.",
     .remedy = "Write `position: [x, y, z]` and `rotation: [w, x, y, z]`.",
-    .sources = "MARS commit b7f50a4; MarsSceneLoader.cpp; Phobos "
-               "scripts/smurfs_in_pybullet.py:115-122.",
     .check_scene = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

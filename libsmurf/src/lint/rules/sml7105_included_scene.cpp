@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
@@ -19,6 +20,15 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "composes the poses and takes all entities",
+     "MARS SMURFLoader.cpp"},
+    {&readers::mars2, Effect::loses, "takes only its .yml entities, and ignores the pose",
+     "MarsSceneLoader.cpp:209, 249-298"},
+    {&readers::pybullet, Effect::changes, "ignores the pose of the include",
+     "Phobos scripts/smurfs_in_pybullet.py:105-107", "#placed"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7105_included_scene{
@@ -26,12 +36,9 @@ extern constinit const Rule sml7105_included_scene{
     .name = "included-scene",
     .severity = Severity::warning,
     .summary = "A scene includes another one, of which a target takes a part.",
-    .why = "MARS composes the poses and takes all entities. MARS 2 takes only the .yml entities "
-           "of an included scene and its physics; it and the pybullet script of Phobos ignore "
-           "the pose of the include.",
     .remedy = "Write all entities into one scene: smurfs-flatten computes their poses.",
-    .sources = "MarsSceneLoader.cpp:209, 249-298; Phobos scripts/smurfs_in_pybullet.py:105-107.",
     .check_scene = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
@@ -13,6 +14,13 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "loads it", "read"},
+    {&readers::mars2, Effect::refuses, "reports an error and stops loading the scene",
+     "MarsSceneLoader.cpp:206-226"},
+    {&readers::phobos, Effect::takes, "loads it", "read"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7106_urdf_entity{
@@ -20,11 +28,9 @@ extern constinit const Rule sml7106_urdf_entity{
     .name = "urdf-entity",
     .severity = Severity::error,
     .summary = "An entity is a URDF, which a target does not take.",
-    .why = "MARS and Phobos load it. MARS 2 takes .smurf, .smurfs and .yml files and stops "
-           "loading the scene at any other.",
     .remedy = "Write a .smurf whose `files` list the URDF.",
-    .sources = "MarsSceneLoader.cpp:206-226.",
     .check_scene = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

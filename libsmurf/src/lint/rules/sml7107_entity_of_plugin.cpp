@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
@@ -12,6 +13,14 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "hands it to the plug-in or primitive of its type",
+     "MARS EntityFactoryManager.cpp:68-86"},
+    {&readers::phobos, Effect::refuses, "stops with an assertion", "Phobos core/multiple.py"},
+    {&readers::pybullet, Effect::crashes, "stops with a KeyError",
+     "Phobos scripts/smurfs_in_pybullet.py"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7107_entity_of_plugin{
@@ -19,11 +28,9 @@ extern constinit const Rule sml7107_entity_of_plugin{
     .name = "entity-of-plugin",
     .severity = Severity::error,
     .summary = "An entity has no file, which a target asks for.",
-    .why = "MARS hands it to the plug-in or primitive of its type. Phobos 2 stops with an "
-           "assertion, its pybullet script with a KeyError.",
     .remedy = "Keep such entities in a scene of their own.",
-    .sources = "MARS EntityFactoryManager.cpp:68-86; Phobos core/multiple.py.",
     .check_scene = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

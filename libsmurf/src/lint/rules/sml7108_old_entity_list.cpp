@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <set>
 
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
@@ -18,6 +19,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   });
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "reads `smurfs`, `entities` and `smurfa`",
+     "MARS SMURFLoader.cpp:431-450"},
+    {&readers::mars2, Effect::loses, "reads `entities` only", "MarsSceneLoader.cpp"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7108_old_entity_list{
@@ -25,10 +32,9 @@ extern constinit const Rule sml7108_old_entity_list{
     .name = "old-entity-list",
     .severity = Severity::warning,
     .summary = "Entities stand in a list that a target does not read.",
-    .why = "MARS reads `smurfs`, `entities` and `smurfa`, MARS 2 `entities` only.",
     .remedy = "Call the list `entities`.",
-    .sources = "MARS SMURFLoader.cpp:431-450; MarsSceneLoader.cpp.",
     .check_scene = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
+#include "base/readers.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
@@ -15,6 +16,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "reads milliseconds", "MARS SMURFLoader.cpp:471-473"},
+    {&readers::pybullet, Effect::changes, "reads seconds",
+     "Phobos scripts/smurfs_in_pybullet.py:92-96"},
+};
+
 }  // namespace
 
 extern constinit const Rule sml7109_step_size{
@@ -22,10 +29,9 @@ extern constinit const Rule sml7109_step_size{
     .name = "step-size",
     .severity = Severity::warning,
     .summary = "A scene sets the step of the physics, which a target reads in another unit.",
-    .why = "MARS reads `stepsize` in milliseconds, the pybullet script of Phobos in seconds.",
     .remedy = "Set the step where pybullet is started.",
-    .sources = "MARS SMURFLoader.cpp:471-473; Phobos scripts/smurfs_in_pybullet.py:92-96.",
     .check_scene = check,
-    .needs_target = true};
+    .needs_target = true,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file, or reads no further", "urdfdom, run"},
+    {&readers::mars, Effect::changes, "keeps the byte inside names and values",
+     "yaml-cpp 0.7, run"},
+    {&readers::phobos, Effect::refuses, "refuses the file", "PyYAML 6.0, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml0004_control_character{
+    .id = "SML0004",
+    .name = "control-character",
+    .severity = Severity::error,
+    .summary = "A file holds a control character that its format, YAML or XML, does not allow.",
+    .why = "Where the byte is kept inside a name or value, nobody sees it.",
+    .remedy = "Delete the character.",
+    .sources = "YAML 1.2 section 5.1; XML 1.0 section 2.2.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

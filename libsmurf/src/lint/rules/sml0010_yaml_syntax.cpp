@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
+    {&readers::mars2, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
+    {&readers::envire, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
+    {&readers::phobos, Effect::loses, "logs the error and goes on without the annotations",
+     "Phobos smurfrobot.py"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml0010_yaml_syntax{
+    .id = "SML0010",
+    .name = "yaml-syntax",
+    .severity = Severity::error,
+    .summary = "A file is not well-formed YAML.",
+    .why = "No reader gets anything out of the file.",
+    .remedy = "Correct the line; indentation (spaces only), an unclosed bracket or quote and an "
+              "unquoted `: ` inside a value are the usual causes.",
+    .sources = "yaml-cpp 0.7 and PyYAML 6.0, executed.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

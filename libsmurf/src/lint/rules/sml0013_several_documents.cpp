@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "reads the first document only", "configmaps, run"},
+    {&readers::mars2, Effect::loses, "reads the first document only", "configmaps, run"},
+    {&readers::envire, Effect::loses, "reads the first document only", "configmaps, run"},
+    {&readers::phobos, Effect::loses, "refuses the file and goes on without the annotations",
+     "PyYAML safe_load"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml0013_several_documents{
+    .id = "SML0013",
+    .name = "several-documents",
+    .severity = Severity::warning,
+    .summary = "A file holds more than one YAML document.",
+    .remedy = "Keep one document a file.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "recurses until its stack overflows",
+     "configmaps copies aliases"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml0016_cyclic_alias{
+    .id = "SML0016",
+    .name = "cyclic-alias",
+    .severity = Severity::error,
+    .summary = "An alias stands inside the value it repeats.",
+    .why = "The value would contain itself: readers that follow aliases recurse until the stack "
+           "overflows.",
+    .remedy = "Remove the alias.",
+    .sources = "yaml-cpp 0.7, executed.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

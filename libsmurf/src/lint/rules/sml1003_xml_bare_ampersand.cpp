@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::takes, "reads on", "urdfdom, sdformat, MuJoCo and Bullet, run"},
+    {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1003_xml_bare_ampersand{
+    .id = "SML1003",
+    .name = "xml-bare-ampersand",
+    .severity = Severity::error,
+    .summary = "An `&` begins no character reference.",
+    .why = "Browsers (urdf-loader) refuse the file.",
+    .remedy = "Write `&amp;`.",
+    .sources = "urdf-loader 0.13, executed.",
+    .facts = kFacts,
+    .blocks_building = true};
+
+}  // namespace smurf::rules

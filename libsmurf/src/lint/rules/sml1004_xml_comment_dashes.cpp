@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::takes, "reads on", "urdfdom, run; tinyxml2"},
+    {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1004_xml_comment_dashes{
+    .id = "SML1004",
+    .name = "xml-comment-dashes",
+    .severity = Severity::error,
+    .summary = "A comment holds `--`.",
+    .why = "XML forbids it: browsers (urdf-loader) refuse the file.",
+    .remedy = "Write `- -` or another dash.",
+    .sources = "urdf-loader 0.13, executed; XML 1.0 section 2.5.",
+    .facts = kFacts,
+    .blocks_building = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1005_xml_junk_before_prolog{
+    .id = "SML1005",
+    .name = "xml-junk-before-prolog",
+    .severity = Severity::error,
+    .summary = "Something stands before the XML declaration.",
+    .why = "The declaration must be the first bytes of the file: browsers (urdf-loader), expat and "
+           "yourdfpy refuse it otherwise.",
+    .remedy = "Delete what stands before `<?xml`.",
+    .sources = "urdf-loader 0.13, executed; XML 1.0 section 2.8.",
+    .facts = kFacts,
+    .blocks_building = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::changes, "reads the first root element only",
+     "tinyxml2 FirstChildElement; urdfdom, run"},
+    {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1006_xml_several_roots{.id = "SML1006",
+                                                      .name = "xml-several-roots",
+                                                      .severity = Severity::error,
+                                                      .summary =
+                                                          "A file holds a second root element.",
+                                                      .remedy = "Keep one robot a file.",
+                                                      .facts = kFacts,
+                                                      .blocks_building = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, MuJoCo, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1007_xml_duplicate_attribute{
+    .id = "SML1007",
+    .name = "xml-duplicate-attribute",
+    .severity = Severity::error,
+    .summary = "An element has the same attribute twice.",
+    .remedy = "Delete one of the two.",
+    .facts = kFacts,
+    .blocks_building = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::loses, "ignores the element, and what it would have become is missing",
+     "urdfdom, sdformat, MuJoCo, Bullet, run", "/xacro:"},
+    {&readers::urdf, Effect::changes, "takes the text literally", "no URDF reader expands xacro",
+     "/@filename/"},
+    {&readers::urdf, Effect::changes, "takes the text literally", "no URDF reader expands xacro",
+     "/@name/"},
+    {&readers::urdfdom, Effect::loses,
+     "ignores the element, and what it would have become is missing", kRun, "/xacro:"},
+    {&readers::urdfdom, Effect::changes, "takes the text literally", kRun, "/@filename/"},
+    {&readers::urdfdom, Effect::changes, "takes the text literally", kRun, "/@name/"},
+    {&readers::urdfdom, Effect::refuses, "refuses the number, and with it the file", kRun,
+     "/joint/"},
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow",
+     "urdfdom link.cpp:415-486, run", "/link/"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run", "/@"},
+    {&readers::pybullet, Effect::loses,
+     "ignores the element, and what it would have become is missing", kRun, "/xacro:"},
+    {&readers::pybullet, Effect::changes, "takes the text literally", kRun, "/@filename/"},
+    {&readers::pybullet, Effect::changes, "takes the text literally", kRun, "/@name/"},
+    {&readers::pybullet, Effect::changes, "reads the digits in front, or 0",
+     "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::mujoco, Effect::loses,
+     "ignores the element, and what it would have become is missing", kRun, "/xacro:"},
+    {&readers::mujoco, Effect::changes, "takes the text literally", kRun, "/@filename/"},
+    {&readers::mujoco, Effect::changes, "takes the text literally", kRun, "/@name/"},
+    {&readers::mujoco, Effect::refuses, "refuses what is no number and no name", kRun},
+    {&readers::drake, Effect::loses,
+     "ignores the element, and what it would have become is missing", "Drake detail_urdf_parser.cc",
+     "/xacro:"},
+    {&readers::drake, Effect::changes, "takes the text literally", "Drake detail_urdf_parser.cc",
+     "/@filename/"},
+    {&readers::drake, Effect::changes, "takes the text literally", "Drake detail_urdf_parser.cc",
+     "/@name/"},
+    {&readers::drake, Effect::refuses, "refuses what is left of the number",
+     "Drake detail_tinyxml.h:60-73"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1009_xacro_residue{
+    .id = "SML1009",
+    .name = "xacro-residue",
+    .severity = Severity::error,
+    .summary = "A file still holds xacro elements or expressions.",
+    .why = "No URDF reader knows xacro.",
+    .remedy = "Run xacro and keep its output, or give the file the ending .urdf.xacro.",
+    .sources = "25 of 322 files of the Tola/Corke dataset.",
+    .facts = kFacts,
+    .blocks_building = true};
+
+}  // namespace smurf::rules

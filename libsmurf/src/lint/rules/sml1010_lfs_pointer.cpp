@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "finds no document in the file", "urdfdom, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1010_lfs_pointer{
+    .id = "SML1010",
+    .name = "lfs-pointer",
+    .severity = Severity::error,
+    .summary = "A file is empty, or a Git LFS pointer instead of its content.",
+    .why = "Readers say \"document empty\" and nothing of the cause.",
+    .remedy = "Run `git lfs pull`, or restore the file.",
+    .sources = "urdfdom, executed: 31 of 941 public files were such.",
+    .facts = kFacts,
+    .blocks_building = true};
+
+}  // namespace smurf::rules

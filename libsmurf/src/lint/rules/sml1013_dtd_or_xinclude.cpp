@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml1013_dtd_or_xinclude{
+    .id = "SML1013",
+    .name = "dtd-or-xinclude",
+    .severity = Severity::warning,
+    .summary = "A URDF uses a document type with declarations, an own entity or XInclude.",
+    .why =
+        "TinyXML and tinyxml2 do not expand them, lxml may: the same file is two robots. Declarations in "
+        "the document type are worse: urdfdom (TinyXML) then finds no robot at all.",
+    .remedy = "Write the text out.",
+    .sources =
+        "urdfdom and tinyxml2 9.0, executed (tinyxml2 issue 1082: unknown entities corrupt the "
+        "text).",
+    .blocks_building = true};
+
+}  // namespace smurf::rules

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses a root other than `robot`",
+     "urdfdom model.cpp:106, run"},
+    {&readers::mujoco, Effect::takes, "compares the name without case", "MuJoCo xml.cc:293, run",
+     "/Robot/"},
+    {&readers::mujoco, Effect::takes, "compares the name without case", "MuJoCo xml.cc:293, run",
+     "/ROBOT/"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1101_root_not_robot{
+    .id = "SML1101",
+    .name = "root-not-robot",
+    .severity = Severity::error,
+    .summary = "The root element of a URDF is not `robot`.",
+    .why = "The name is case-sensitive.",
+    .remedy = "Name the root element `robot`, or name the right file.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::changes, "ignores the attribute", "urdfdom, MuJoCo, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1107_unknown_attribute{
+    .id = "SML1107",
+    .name = "unknown-attribute",
+    .severity = Severity::warning,
+    .summary = "An element has an attribute that URDF does not define.",
+    .why = "What a misspelt attribute was meant to say is missing.",
+    .remedy = "Correct the name; foreign attributes need a prefix.",
+    .sources = "186 of 797 public files.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

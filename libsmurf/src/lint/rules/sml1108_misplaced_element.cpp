@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::loses, "ignores the element and all it holds", "urdfdom, MuJoCo, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1108_misplaced_element{
+    .id = "SML1108",
+    .name = "misplaced-element",
+    .severity = Severity::warning,
+    .summary = "A URDF element stands inside an element that does not take it.",
+    .why = "Readers ignore it silently: an `inertial` beside the links gives no link a mass.",
+    .remedy = "Move it into the element it belongs to.",
+    .sources = "urdfdom, executed.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::changes, "takes the first one", "urdfdom, Bullet, run"},
+    {&readers::phobos, Effect::refuses, "stops with an AssertionError", "Phobos a613e31, run"},
+    {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1109_duplicate_singleton{
+    .id = "SML1109",
+    .name = "duplicate-singleton",
+    .severity = Severity::error,
+    .summary = "An element that may stand once stands twice.",
+    .why = "urdf-loader takes the last origin.",
+    .remedy = "Keep one of them.",
+    .sources = "urdf-loader 0.13, executed.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes, "reads the axis 0 0 0", "urdfdom joint.cpp, run",
+     "/axis/"},
+    {&readers::urdfdom, Effect::refuses, "refuses the file", kRun, "/joint/"},
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow",
+     "urdfdom link.cpp:415-486, run", "/link/"},
+    {&readers::urdfdom, Effect::loses, "drops the material", "urdfdom model.cpp:146, run",
+     "/material/"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::pybullet, Effect::ignores, "ignores mimic",
+     "Bullet UrdfParser.cpp has no code for it", "/mimic/"},
+    {&readers::pybullet, Effect::ignores, "ignores safety controllers",
+     "Bullet UrdfParser.cpp has no code for it", "/safety_controller/"},
+    {&readers::pybullet, Effect::changes, "reads absent moments as 0",
+     "Bullet UrdfParser.cpp:321-339, run", "/inertia/"},
+    {&readers::pybullet, Effect::changes, "leaves the colour at its default",
+     "Bullet UrdfParser.cpp, run", "/color/"},
+    {&readers::pybullet, Effect::changes, "reads the axis 0 0 0", "Bullet UrdfParser.cpp, run",
+     "/axis/"},
+    {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp:1452, run", "/limit/"},
+    {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+    {&readers::gazebo, Effect::refuses, "reports error E9, an axis of length 0", kRun, "/axis/"},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun, "/color/"},
+    {&readers::mujoco, Effect::takes, "needs no name of a material", kRun, "/material/"},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc",
+     "/color/"},
+    {&readers::drake, Effect::takes, "needs no name of a material", "Drake detail_urdf_geometry.cc",
+     "/material/"},
+    {&readers::drake, Effect::changes, "reads 0, which most inertias do not survive",
+     "Drake detail_common.h:387", "/inertial/"},
+    {&readers::drake, Effect::ignores, "ignores safety controllers", "Drake detail_urdf_parser.cc",
+     "/safety_controller/"},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1113_required_attribute_missing{
+    .id = "SML1113",
+    .name = "required-attribute-missing",
+    .severity = Severity::error,
+    .summary = "An element lacks an attribute that readers need.",
+    .remedy = "Add the attribute.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

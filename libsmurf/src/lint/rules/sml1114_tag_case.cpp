@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses,
+     "ignores the element, and then misses the link that joints name", "urdfdom, MuJoCo, run",
+     "/Link/"},
+    {&readers::urdf, Effect::refuses,
+     "ignores the element, and then misses the link that joints name", "urdfdom, MuJoCo, run",
+     "/LINK/"},
+    {&readers::urdf, Effect::loses, "ignores the element and all it holds", "urdfdom, MuJoCo, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1114_tag_case{
+    .id = "SML1114",
+    .name = "tag-case",
+    .severity = Severity::error,
+    .summary = "An element name differs from a URDF element only in case.",
+    .why = "Names are case-sensitive in every reader but urdf-loader.",
+    .remedy = "Write it in lower case.",
+    .sources = "urdf-loader 0.13, executed.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::mujoco, Effect::takes, "reads an empty vector as absent", kRun,
+     "/origin/@xyz/#empty"},
+    {&readers::mujoco, Effect::takes, "reads an empty vector as absent", kRun,
+     "/origin/@rpy/#empty"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1801_not_a_number{
+    .id = "SML1801",
+    .name = "not-a-number",
+    .severity = Severity::error,
+    .summary = "An attribute that takes numbers holds something else.",
+    .why = "urdf-loader reads NaN.",
+    .remedy = "Write a decimal number.",
+    .sources = "urdf-loader 0.13, executed; 35 of 941 public files.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

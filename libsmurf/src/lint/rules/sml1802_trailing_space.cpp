@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::takes, "skips blanks", "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::mujoco, Effect::takes, "skips blanks", kRun},
+    {&readers::drake, Effect::takes, "skips blanks", "Drake detail_tinyxml.h:60-73"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1802_trailing_space{
+    .id = "SML1802",
+    .name = "trailing-space",
+    .severity = Severity::error,
+    .summary = "A blank follows a single number.",
+    .why =
+        "A mass written so loses all visuals and collisions of its link while the load \"succeeds\".",
+    .remedy = "Delete the blank.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "computes with it until nothing has a position",
+     "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1803_nan{
+    .id = "SML1803",
+    .name = "nan",
+    .severity = Severity::error,
+    .summary = "A number is `nan`.",
+    .why = "urdf-loader computes with it until nothing in the simulation has a position.",
+    .remedy = "Write the number that was meant; look at the exporter that wrote it.",
+    .sources = "urdf-loader 0.13, executed.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

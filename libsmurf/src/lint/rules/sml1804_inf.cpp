@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::takes, "reads infinity", "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::mujoco, Effect::takes, "reads infinity", kRun},
+    {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1804_inf{
+    .id = "SML1804",
+    .name = "inf",
+    .severity = Severity::error,
+    .summary = "A number is infinite.",
+    .remedy = "Write a large finite number, or use a continuous joint.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

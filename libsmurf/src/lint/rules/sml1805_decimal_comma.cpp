@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::pybullet, Effect::changes, "reads the digits before the comma",
+     "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::drake, Effect::changes, "reads the digits before the comma",
+     "Drake detail_tinyxml.h:60-73"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1805_decimal_comma{
+    .id = "SML1805",
+    .name = "decimal-comma",
+    .severity = Severity::error,
+    .summary = "A number is written with a decimal comma.",
+    .why = "urdf-loader and Isaac silently read `1,5` as 1.",
+    .remedy = "Write a point.",
+    .sources = "urdf-loader 0.13, executed.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

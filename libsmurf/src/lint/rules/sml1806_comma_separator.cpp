@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::pybullet, Effect::changes, "reads a vector of zeros and warns",
+     "Bullet UrdfParser.cpp:49-78, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1806_comma_separator{
+    .id = "SML1806",
+    .name = "comma-separator",
+    .severity = Severity::error,
+    .summary = "Commas separate the numbers of a vector.",
+    .why = "yourdfpy accepts it for some attributes.",
+    .remedy = "Separate the numbers by single spaces.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

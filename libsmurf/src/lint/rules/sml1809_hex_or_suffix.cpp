@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "reads a hexadecimal number",
+     "Bullet UrdfParser.cpp (atof), run", "#hex"},
+    {&readers::pybullet, Effect::changes, "reads the digits in front",
+     "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::mujoco, Effect::changes, "reads a hexadecimal number", kRun, "#hex"},
+    {&readers::drake, Effect::changes, "reads the digits in front", "Drake detail_tinyxml.h:60-73"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1809_hex_or_suffix{
+    .id = "SML1809",
+    .name = "hex-or-suffix",
+    .severity = Severity::error,
+    .summary = "A number is hexadecimal or carries a unit or suffix.",
+    .why = "urdf-loader reads `0x10` as 0.",
+    .remedy = "Write a plain decimal number in SI units.",
+    .sources = "urdf-loader 0.13, executed.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml1811_unicode_digit_or_space{
+    .id = "SML1811",
+    .name = "unicode-digit-or-space",
+    .severity = Severity::error,
+    .summary = "A number holds a character that only looks like a digit, minus or blank.",
+    .why = "A Unicode minus or a no-break space comes with text that was pasted from a document.",
+    .remedy = "Type the number again."};
+
+}  // namespace smurf::rules

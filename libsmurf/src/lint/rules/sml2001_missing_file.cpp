@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "cannot read the URDF", "any reader", "#urdf"},
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception",
+     "smurf_parser SMURFParser.cpp:45-77, run"},
+    {&readers::phobos, Effect::loses, "logs an error and goes on without the annotations",
+     "Phobos io/smurfrobot.py:171-197"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml2001_missing_file{
+    .id = "SML2001",
+    .name = "missing-file",
+    .severity = Severity::error,
+    .summary = "`files` lists a file that cannot be read.",
+    .remedy = "Correct the path (relative to the .smurf's folder), or take the entry out.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

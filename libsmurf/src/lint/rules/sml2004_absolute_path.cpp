@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "puts the folder of the .smurf before it, and does not find the file",
+     "smurf_parser SMURFParser.cpp:40-54, run"},
+    {&readers::mars2, Effect::crashes,
+     "puts the folder of the .smurf before it, and does not find the file",
+     "smurf_parser SMURFParser.cpp:40-54, run"},
+    {&readers::envire, Effect::crashes,
+     "puts the folder of the .smurf before it, and does not find the file",
+     "smurf_parser SMURFParser.cpp:40-54, run"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml2004_absolute_path{
+    .id = "SML2004",
+    .name = "absolute-path",
+    .severity = Severity::error,
+    .summary = "`files` lists an absolute path.",
+    .why = "No other machine has it there.",
+    .remedy = "Write the path relative to the .smurf's folder.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

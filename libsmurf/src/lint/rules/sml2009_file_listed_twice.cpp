@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "merges it twice: every motor, sensor and light exists two times, under one name",
+     "smurf_parser SMURFParser.cpp:43-69, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml2009_file_listed_twice{.id = "SML2009",
+                                                      .name = "file-listed-twice",
+                                                      .severity = Severity::error,
+                                                      .summary = "`files` lists one file twice.",
+                                                      .remedy = "List the file once.",
+                                                      .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception",
+     "smurf_parser SMURFParser.cpp:45-77, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml2011_root_not_mapping{
+    .id = "SML2011",
+    .name = "root-not-mapping",
+    .severity = Severity::error,
+    .summary = "A main, annotation or scene file is empty or does not hold a mapping.",
+    .remedy =
+        "Write the keys of the file kind (`files:`, `motors:`, `entities:`), or take the file "
+        "out of the list that names it.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

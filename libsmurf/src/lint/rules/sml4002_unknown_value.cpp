@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
+     "MARS SensorManager.cpp:357-360"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml4002_unknown_value{
+    .id = "SML4002",
+    .name = "unknown-value",
+    .severity = Severity::error,
+    .summary = "A key holds a word that is not one of its values.",
+    .remedy = "Use one of the known values; they are case-sensitive.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "takes the number as it is", "MARS MotorData.cpp and others"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml4003_out_of_range{
+    .id = "SML4003",
+    .name = "out-of-range",
+    .severity = Severity::error,
+    .summary = "A number lies outside what its key allows.",
+    .remedy = "Write a number within the bounds of the message.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes,
+     "has no URDF without `files`, and dereferences the null model", "MARS smurf.cpp:988-998, run",
+     "/files/"},
+    {&readers::mars, Effect::changes, "reads 0 or an empty text", "configmaps, run"},
+    {&readers::phobos, Effect::refuses, "stops with a KeyError", "Phobos smurfrobot.py"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml4004_missing_key{
+    .id = "SML4004",
+    .name = "missing-key",
+    .severity = Severity::error,
+    .summary = "An entry or a main file lacks a key without which it means nothing.",
+    .remedy = "Add the key.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

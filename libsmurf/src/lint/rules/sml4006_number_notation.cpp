@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "reads whole numbers with scanf's %d, which stops at the first character that is no digit: `1e3` is 1, `0x10` is 0",
+     "configmaps ConfigAtom.hpp:335-386, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml4006_number_notation{
+    .id = "SML4006",
+    .name = "number-notation",
+    .severity = Severity::error,
+    .summary = "A number is written in a notation that MARS reads as another number.",
+    .why = "Other numbers may have exponents, but `0o17` is 0.",
+    .remedy = "Write plain decimal digits.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

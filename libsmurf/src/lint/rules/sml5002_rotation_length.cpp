@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "reads no rotation from a list of another length; a mapping without all of w, x, y, z is an uncaught exception",
+     "MARS SimEntity.cpp:405-431, run"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5002_rotation_length{
+    .id = "SML5002",
+    .name = "rotation-length",
+    .severity = Severity::error,
+    .summary = "A rotation does not have one, three or four numbers.",
+    .remedy =
+        "Write one number (degrees about z), three (degrees about the fixed axes x, y, z), or "
+        "a quaternion w, x, y, z.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

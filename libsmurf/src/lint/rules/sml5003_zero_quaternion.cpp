@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends the process when ODE normalises it", "ODE, run"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5003_zero_quaternion{
+    .id = "SML5003",
+    .name = "zero-quaternion",
+    .severity = Severity::error,
+    .summary = "A rotation is a quaternion of length zero.",
+    .why = "No direction follows from it.",
+    .remedy = "Write a unit quaternion; no rotation is [1, 0, 0, 0].",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

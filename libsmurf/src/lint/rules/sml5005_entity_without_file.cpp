@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception",
+     "MARS SMURFLoader.cpp:319-322"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5005_entity_without_file{
+    .id = "SML5005",
+    .name = "entity-without-file",
+    .severity = Severity::error,
+    .summary = "An entity does not say what it stands for.",
+    .remedy =
+        "Add `file:` with the model or scene, and `type:` when the extension does not tell it.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "goes by the type and fails on the file",
+     "MARS SMURFLoader.cpp:319-322"},
+    {&readers::mars2, Effect::changes, "goes by the extension", "MarsSceneLoader.cpp:206-226"},
+    {&readers::phobos, Effect::changes, "goes by the extension", "Phobos multiple.py"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5009_entity_type_mismatch{
+    .id = "SML5009",
+    .name = "entity-type-mismatch",
+    .severity = Severity::error,
+    .summary = "The type of an entity and the extension of its file disagree.",
+    .remedy = "Leave `type` out, or make it smurf for a .smurf and urdf for a .urdf.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

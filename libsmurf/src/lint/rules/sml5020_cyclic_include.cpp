@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "recurses until its stack overflows",
+     "MARS SMURFLoader.cpp:350-380"},
+    {&readers::phobos, Effect::refuses, "stops with a RecursionError", "Phobos multiple.py:28-33"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5020_cyclic_include{
+    .id = "SML5020",
+    .name = "cyclic-include",
+    .severity = Severity::error,
+    .summary = "A scene includes itself, directly or through others.",
+    .remedy = "Take one include out of the circle; the notes name its files.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::crashes, "ends with an uncaught exception",
+     "MARS SMURFLoader.cpp:205-262"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5040_incomplete_drawn_entity{
+    .id = "SML5040",
+    .name = "incomplete-drawn-entity",
+    .severity = Severity::error,
+    .summary = "A group of a drawn scene lacks what makes it an entity.",
+    .why =
+        "Its title names a YAML file, its description says `origin_z: NUMBER`, and its first path begins with `m X,Y`.",
+    .remedy = "Give the group a `<title>`, a `<desc>` and a path of this form, or move what is "
+              "drawn for show out of groups.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

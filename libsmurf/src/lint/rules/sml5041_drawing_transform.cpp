@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "counts the numbers between the first brackets, with commas between them: six are a matrix, two a translation, everything else is no transform",
+     "MARS SMURFLoader.cpp:224-262"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5041_drawing_transform{
+    .id = "SML5041",
+    .name = "drawing-transform",
+    .severity = Severity::error,
+    .summary = "MARS takes a transform of a drawn scene otherwise than a drawing program.",
+    .why = "The entity stands elsewhere than it is drawn.",
+    .remedy = "Write `matrix(a,b,c,d,e,f)` or `translate(x,y)`.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

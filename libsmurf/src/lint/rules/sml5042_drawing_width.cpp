@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "subtracts y from the width of the page, not from its height; a number with a unit is 0",
+     "MARS SMURFLoader.cpp:180, 264-270; Qt QString::toDouble"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5042_drawing_width{
+    .id = "SML5042",
+    .name = "drawing-width",
+    .severity = Severity::error,
+    .summary = "The width of a drawn scene is missing or is no plain number.",
+    .why = "The y of a page goes down, that of the world up: all entities are shifted.",
+    .remedy = "Give the `svg` element a `width` without unit; one unit is one metre.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

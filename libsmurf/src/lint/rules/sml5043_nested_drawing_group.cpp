@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "takes every group for an entity",
+     "MARS SMURFLoader.cpp:205-215"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5043_nested_drawing_group{
+    .id = "SML5043",
+    .name = "nested-drawing-group",
+    .severity = Severity::warning,
+    .summary = "A group of a drawn scene holds other groups.",
+    .why = "smurfs-flatten takes the drawing as it looks: a layer is no entity.",
+    .remedy = "Draw without layers and ungroup.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

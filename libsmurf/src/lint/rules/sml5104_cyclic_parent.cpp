@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "creates them in file order, the first in the world frame",
+     "MARS SMURFLoader.cpp:580-637, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5104_cyclic_parent{
+    .id = "SML5104",
+    .name = "cyclic-parent",
+    .severity = Severity::error,
+    .summary = "Entities are placed relative to each other in a circle.",
+    .why = "No placement satisfies it.",
+    .remedy = "Place one of them relative to the world or to another entity.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "leaves all joints at zero", "MARS SimEntity.cpp:505-511"},
+    {&readers::mars2, Effect::breaks, "reports an error and leaves all joints at zero",
+     "MarsSceneLoader.cpp:338-346"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5105_unknown_pose{
+    .id = "SML5105",
+    .name = "unknown-pose",
+    .severity = Severity::error,
+    .summary = "`pose` names a joint pose set that the model does not have.",
+    .remedy = "Correct the name, or add the set to the section `poses` of the model.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

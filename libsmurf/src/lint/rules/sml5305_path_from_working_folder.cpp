@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes, "looks in the folder where the program was started",
+     "MARS SMURFLoader.cpp:484-488"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5305_path_from_working_folder{
+    .id = "SML5305",
+    .name = "path-from-working-folder",
+    .severity = Severity::warning,
+    .summary = "A path of `environment` is looked for where the simulation is started.",
+    .why = "What is found depends on the folder in which the program was started.",
+    .remedy = "Put the sky box beside the scene. For the others only an absolute path, or a fixed "
+              "folder to start in, is certain.",
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml6301_zero_outside_limits{
+    .id = "SML6301",
+    .name = "zero-outside-limits",
+    .severity = Severity::warning,
+    .summary = "A joint cannot be at zero, or a pose has it outside its limits.",
+    .why =
+        "Simulators start with all joints at zero; one whose stops exclude zero is thrown to the "
+        "nearest stop in the first steps. The check starts it at the nearest allowed position.",
+    .remedy = "Give the model a joint pose within the limits, or start the simulation there.",
+    .sources = "ODE 0.16.2, executed: all of 307 robots that move at rest have such a joint.",
+    .reported_by = Tool::load_check};
+
+}  // namespace smurf::rules

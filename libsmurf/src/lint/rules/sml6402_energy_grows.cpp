@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml6402_energy_grows{
+    .id = "SML6402",
+    .name = "energy-grows",
+    .severity = Severity::error,
+    .summary = "A robot that hangs freely gains energy.",
+    .why = "Nothing drives it, so the solver does: the simulation diverges.",
+    .remedy = "Look at the inertias of the link and at the limits of the joints above it.",
+    .sources = "ODE 0.16.2, executed: sound robots gain at most 2e-5 m.",
+    .reported_by = Tool::load_check};
+
+}  // namespace smurf::rules

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml8002_not_requested{
+    .id = "SML8002",
+    .name = "not-requested",
+    .severity = Severity::info,
+    .summary = "An annotation differs from the URDF, and the export keeps what the URDF says.",
+    .why =
+        "MARS simulates with the annotation, a reader of the exported URDF with the other value: "
+        "the same robot behaves differently.",
+    .remedy = "Export with `--apply`, which takes the values of the annotations.",
+    .sources = "MARS smurf.cpp:902 (limits of the URDF are not used), MaterialData.cpp:47-118.",
+    .reported_by = Tool::converters};
+
+}  // namespace smurf::rules

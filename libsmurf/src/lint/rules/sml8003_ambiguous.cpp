@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml8003_ambiguous{
+    .id = "SML8003",
+    .name = "ambiguous",
+    .severity = Severity::info,
+    .summary = "Several annotations say different things about one value of the URDF.",
+    .why = "Only one of them can be written; which one a simulator would use depends on its order "
+           "of loading.",
+    .remedy = "Leave one of them.",
+    .sources = "Two motors of one joint in MARS: smurf.cpp:257-270.",
+    .reported_by = Tool::converters};
+
+}  // namespace smurf::rules

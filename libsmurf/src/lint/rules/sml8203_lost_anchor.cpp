@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml8203_lost_anchor{
+    .id = "SML8203",
+    .name = "lost-anchor",
+    .severity = Severity::warning,
+    .summary = "What an entity is fixed to cannot be written in the format.",
+    .why = "The entity falls, or moves on its own, where it was fixed.",
+    .remedy = "Choose --form expand, or a format that joins models.",
+    .sources = "SDFormat 1.9 world.sdf has no joints; MuJoCo 3 drops bodies inside attach (run).",
+    .reported_by = Tool::converters};
+
+}  // namespace smurf::rules

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml8205_lost_shape{
+    .id = "SML8205",
+    .name = "lost-shape",
+    .severity = Severity::warning,
+    .summary = "A shape cannot be written in the format.",
+    .why = "It is neither seen nor touched there.",
+    .remedy = "Convert the mesh, or use a shape that the format has.",
+    .sources = "smurfs-flatten.",
+    .reported_by = Tool::converters};
+
+}  // namespace smurf::rules

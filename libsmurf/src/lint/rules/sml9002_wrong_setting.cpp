@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+
+extern constinit const Rule sml9002_wrong_setting{
+    .id = "SML9002",
+    .name = "wrong-setting",
+    .severity = Severity::error,
+    .summary = "A setting of the configuration has a value that it cannot take.",
+    .why = "It is ignored: a rule that does not exist selects nothing, a schema that cannot be "
+           "read checks nothing.",
+    .remedy = "Write a value as the message asks for; `--list-rules` shows the rules.",
+    .sources = "smurf-lint."};
+
+}  // namespace smurf::rules
