@@ -55,8 +55,8 @@ TEST_CASE("a result arrives as it was sent") {
 TEST_CASE("all that a finding says arrives") {
   // One more member does not compile here before the test looks at it.
   const auto parts = [](const Diagnostic& diagnostic) {
-    const auto& [rule, severity, span, message, caret, pointer, named_pointer, construct, labels,
-                 notes, help, fixes, left_out] = diagnostic;
+    const auto& [rule, severity, span, message, caret, pointer, named_pointer, construct,
+                 consequences, untargeted, labels, notes, help, fixes, left_out] = diagnostic;
     const auto place = [](const Span& s) { return std::tuple(s.source, s.begin, s.end); };
     std::vector<std::string> texts = {message, caret, pointer, named_pointer, construct, help};
     texts.insert(texts.end(), notes.begin(), notes.end());
@@ -73,7 +73,8 @@ TEST_CASE("all that a finding says arrives") {
         places.push_back(place(edit.span));
       }
     }
-    return std::tuple(rule, severity, texts, places, applicabilities, left_out);
+    return std::tuple(rule, severity, texts, consequences, untargeted, places, applicabilities,
+                      left_out);
   };
   const auto at = [](std::uint32_t begin) { return Span{SourceId{2}, begin, begin + 3}; };
   const Diagnostic sent{.rule = &rules::sml6401_joint_comes_apart,
@@ -84,6 +85,8 @@ TEST_CASE("all that a finding says arrives") {
                         .pointer = "/robot",
                         .named_pointer = "/robot/name",
                         .construct = "construct",
+                        .consequences = {&rules::sml6402_energy_grows},
+                        .untargeted = Severity::warning,
                         .labels = {{at(10), "first"}, {at(20), "second"}},
                         .notes = {"one", "two"},
                         .help = "help",

@@ -57,6 +57,11 @@ const Rule* to_rule(const Json& json) {
   return json.is_null() ? nullptr : find_rule(json.get<std::string>());
 }
 
+std::optional<Severity> to_severity(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return static_cast<Severity>(json.get<int>());
+}
+
 Json to_json(const Label& label) {
   const auto& [span, message] = label;
   return {to_json(span), message};
@@ -79,8 +84,8 @@ Fix to_fix(const Json& json) {
 
 /// The binding names every member, so that one more does not compile before it is sent, too.
 Json to_json(const Diagnostic& diagnostic) {
-  const auto& [rule, severity, span, message, caret, pointer, named_pointer, construct, labels,
-               notes, help, fixes, left_out] = diagnostic;
+  const auto& [rule, severity, span, message, caret, pointer, named_pointer, construct,
+               consequences, untargeted, labels, notes, help, fixes, left_out] = diagnostic;
   return {{"rule", to_json(rule)},
           {"severity", static_cast<int>(severity)},
           {"span", to_json(span)},
@@ -89,6 +94,8 @@ Json to_json(const Diagnostic& diagnostic) {
           {"pointer", pointer},
           {"named_pointer", named_pointer},
           {"construct", construct},
+          {"consequences", to_list(consequences)},
+          {"untargeted", untargeted ? Json(static_cast<int>(*untargeted)) : Json()},
           {"labels", to_list(labels)},
           {"notes", notes},
           {"help", help},
@@ -104,6 +111,8 @@ Diagnostic to_diagnostic(const Json& json) {
           .pointer = json["pointer"],
           .named_pointer = json["named_pointer"],
           .construct = json["construct"],
+          .consequences = from_list(json["consequences"], to_rule),
+          .untargeted = to_severity(json["untargeted"]),
           .labels = from_list(json["labels"], to_label),
           .notes = json["notes"],
           .help = json["help"],
