@@ -25,6 +25,8 @@ struct Limits {
   std::uint64_t xml_attributes = 100;
   std::uint64_t annotation_entries = 500'000;
   std::uint64_t urdf_parts = 500'000;
+  std::uint64_t repeated_bytes = 16'000'000;
+  std::uint64_t rechecked_bytes = 60'000'000;
   std::uint64_t include_depth = 64;
   std::uint64_t instances = 150'000;
   std::uint64_t scene_bytes = 100'000'000;
@@ -87,6 +89,14 @@ inline constexpr std::array kLimits{
         "urdf-parts", &Limits::urdf_parts, 100'000'000,
         "links, joints, extensions, visuals and collisions of a robot", "SML0002",
         "a robot of 100,000 links has four fifths of it; each takes 300 to 700 bytes of memory"},
+    LimitInfo{"repeated-bytes", &Limits::repeated_bytes, 1'000'000'000,
+              "bytes that the models of a scene read again of a file that another one has read",
+              "SML0002",
+              "a hundred models with a URDF of 160 kB; each byte takes 14 bytes of memory"},
+    LimitInfo{"rechecked-bytes", &Limits::rechecked_bytes, 100'000'000'000,
+              "bytes of files that `smurf-lint` checks again, for each further model or scene that "
+              "reads them; a finding in one counts as 600",
+              "SML0002", "a hundred scenes with a robot of 500 kB have 50 million; two seconds"},
     LimitInfo{"include-depth", &Limits::include_depth, 1'000, "scenes in each other", "SML5021",
               "scenes that people write have three"},
     LimitInfo{"instances", &Limits::instances, 100'000'000,
