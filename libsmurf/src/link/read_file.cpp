@@ -5,6 +5,7 @@
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
+#include "base/utf8.hpp"
 
 namespace smurf {
 namespace {
@@ -69,7 +70,8 @@ std::optional<std::string> similar_file(const std::string& path, const Rule& rul
   std::vector<std::string_view> same_kind;
   const std::string extension = path::to_lower(path::extension(path));
   for (const std::string& name : names) {
-    if (path::to_lower(path::extension(name)) == extension) same_kind.push_back(name);
+    const bool is_kind = path::to_lower(path::extension(name)) == extension;
+    if (is_kind && utf8::is_printable(name)) same_kind.push_back(name);
   }
   if (const auto near = nearest(path::file_name(path), same_kind)) return std::string(*near);
   return std::nullopt;
