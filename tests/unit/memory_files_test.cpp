@@ -130,6 +130,38 @@ TEST_CASE("files: confined to the files in a folder, and to those of a name") {
   CHECK(files.read(folder / "rules", 99).status == ReadStatus::denied);
 }
 
+TEST_CASE("files: confined to folders without what has a name") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in/deep/.git/info");
+  std::filesystem::create_directories(folder / "in/.hg");
+  for (const char* name : {"in/a", "in/deep/.git/config", "in/deep/.git/info/exclude",
+                           "in/.hg/hgrc", "in/deep/.gitignore"}) {
+    std::ofstream(folder / name) << name;
+  }
+  std::filesystem::create_symlink("deep/.git/config", folder / "in/link");
+  std::filesystem::create_symlink("deep/.git", folder / "in/way");
+  ConfinedFiles files;
+  files.deny_named(".git", "info/exclude");
+  files.deny_named(".hg");
+  files.allow(folder / "in");
+  for (const char* name : {"in/a", "in/deep/.gitignore", "in/deep/.git/info/exclude"}) {
+    CAPTURE(name);
+    CHECK(files.read(folder / name, 99).text == name);
+  }
+  for (const char* name : {"in/deep/.git/config", "in/deep/.git/gone", "in/link", "in/way/config",
+                           "in/way/gone", "in/.hg/hgrc", "in/.hg", "in/deep/.git/info",
+                           "in/deep/.git/info/exclude/x", "in/deep/.git"}) {
+    CAPTURE(name);
+    CHECK(files.read(folder / name, 99).reason == files.read(folder / "out", 99).reason);
+    CHECK(files.is_denied(folder / name));
+    CHECK(!files.is_file(folder / name));
+    CHECK(files.list(folder / name).empty());
+  }
+  // A work tree may lie in there, when somebody names it.
+  files.allow(folder / "in/.hg");
+  CHECK(files.read(folder / "in/.hg/hgrc", 99).text == "in/.hg/hgrc");
+}
+
 TEST_CASE("files: all names of a file have one identity") {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "a") << "text";

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -112,6 +113,7 @@ struct ConfinedFiles::Allowed {
   Paths whole;  ///< with all that is in them
   Paths files_in;
   std::set<std::pair<std::string, std::string>, std::less<>> named;  ///< name and folder
+  std::map<std::string, std::string, std::less<>> denied;            ///< by name, what is not
 
   bool holds(std::string_view path) const {
     if (everything || is_whole(path)) return true;
@@ -125,11 +127,20 @@ struct ConfinedFiles::Allowed {
   }
 
  private:
-  bool is_whole(std::string_view path) const {
-    for (; path.size() > 1; path = path::parent(path)) {
+  /// What is inside of a denied folder may be allowed for itself.
+  bool is_whole(std::string_view whole_path) const {
+    for (std::string_view path = whole_path; path.size() > 1; path = path::parent(path)) {
       if (whole.contains(path)) return true;
+      if (is_denied(path, whole_path)) return false;
     }
     return false;
+  }
+
+  /// `inside` is `path`, or in it.
+  bool is_denied(std::string_view path, std::string_view inside) const {
+    const auto found = denied.find(path::to_lower(path::file_name(path)));
+    if (found == denied.end()) return false;
+    return found->second.empty() || inside.substr(path.size()) != "/" + found->second;
   }
 
   bool is_named(std::string_view name, std::string_view folder) const {
@@ -169,6 +180,11 @@ void ConfinedFiles::allow_files_in(const std::string& folder) {
 
 void ConfinedFiles::allow_named(const std::string& name, const std::string& folder) {
   if (auto place = place_of(folder)) allowed_->named.emplace(name, *std::move(place));
+  lists_.clear();
+}
+
+void ConfinedFiles::deny_named(const std::string& name, const std::string& but) {
+  allowed_->denied.emplace(path::to_lower(name), but);
   lists_.clear();
 }
 
