@@ -187,6 +187,30 @@ TEST_CASE(
   CHECK(session.check(plan, settings).diagnostics.empty());
 }
 
+TEST_CASE("patterns of paths are compared until there were too many") {
+  MemoryFiles files;
+  files.add("/.smurf-lint.yaml", "paths: {a*: {ignore: SML}, b*: {ignore: SML}}\n");
+  std::vector<std::string> models;
+  for (const char* name : {"/a1.urdf", "/a2.urdf", "/a3.urdf"}) {
+    models.emplace_back(name);
+    files.add(name, kUrdf);
+  }
+  const Plan plan = plan_of(models, "/.smurf-lint.yaml");
+  Limits limits;
+  limits.path_checks = 6;
+  Session enough(files, limits);
+  CHECK(enough.check(plan).diagnostics.empty());
+  CHECK(enough.check(plan).diagnostics.empty());
+  limits.path_checks = 4;
+  Session exhausted(files, limits);
+  const Report report = exhausted.check(plan);
+  REQUIRE(!report.diagnostics.empty());
+  CHECK(report.diagnostics[0].rule->id == "SML0002");
+  CHECK(report.diagnostics[0].help == "raise the limit with `--limit path-checks=N`");
+  CHECK(exhausted.sources().path(report.diagnostics[0].span.source) == "/.smurf-lint.yaml");
+  CHECK(exhausted.sources().path(report.diagnostics.back().span.source) == "/a3.urdf");
+}
+
 TEST_CASE("what a converter loads is checked as by its path") {
   for (const char* name : {"rules/SML3101-unknown-joint/bad/model.smurf",
                            "rules/SML9103-unused-suppression/bad/model.smurf",

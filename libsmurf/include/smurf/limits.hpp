@@ -34,6 +34,7 @@ struct Limits {
   std::uint64_t findings = 10'000;
   std::uint64_t folder_entries = 1'000'000;
   std::uint64_t ignore_checks = 20'000'000;
+  std::uint64_t path_checks = 4'000'000;
   std::uint64_t suggestions = 200'000'000;
 };
 
@@ -118,6 +119,10 @@ inline constexpr std::array kLimits{
     LimitInfo{"ignore-checks", &Limits::ignore_checks, 1'000'000'000'000,
               "comparisons of a file or folder with a pattern of an ignore file", "",
               "a second; 20,000 models with a thousand patterns each have as many"},
+    LimitInfo{
+        "path-checks", &Limits::path_checks, 1'000'000'000'000,
+        "comparisons of a file that has findings with a pattern of `paths` in a configuration",
+        "SML0002", "a second; 20,000 files with two hundred patterns have as many"},
     LimitInfo{"suggestions", &Limits::suggestions, 100'000'000'000,
               "characters compared to find the names that misspelt ones are near to", "SML0002",
               "every misspelt name is compared with all known ones, which takes a second for a "
