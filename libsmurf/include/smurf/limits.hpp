@@ -26,7 +26,7 @@ struct Limits {
   std::uint64_t annotation_entries = 500'000;
   std::uint64_t urdf_parts = 500'000;
   std::uint64_t repeated_bytes = 16'000'000;
-  std::uint64_t rechecked_bytes = 60'000'000;
+  std::uint64_t rechecked_bytes = 50'000'000;
   std::uint64_t include_depth = 64;
   std::uint64_t instances = 150'000;
   std::uint64_t scene_bytes = 100'000'000;
@@ -97,7 +97,7 @@ inline constexpr std::array kLimits{
     LimitInfo{"rechecked-bytes", &Limits::rechecked_bytes, 100'000'000'000,
               "bytes of files that `smurf-lint` checks again, for each further model or scene that "
               "reads them; a finding in one counts as 600",
-              "SML0002", "a hundred scenes with a robot of 500 kB have 50 million; two seconds"},
+              "SML0002", "a hundred scenes with a robot of 500 kB have as many; two seconds"},
     LimitInfo{"include-depth", &Limits::include_depth, 1'000, "scenes in each other", "SML5021",
               "scenes that people write have three"},
     LimitInfo{"instances", &Limits::instances, 100'000'000,
