@@ -77,10 +77,12 @@ class ConfinedFiles final : public FileReader {
 
  private:
   struct Allowed;
-  std::optional<std::string> place_of(const std::string& path) const;
+  std::optional<std::string> place_of(const std::string& path, const CanonicalPaths& paths) const;
+  void judge_ways_anew();
 
   DiskFiles disk_;
   std::unique_ptr<CanonicalPaths> canonical_;
+  std::unique_ptr<CanonicalPaths> ways_;  ///< no further than links may go
   std::unique_ptr<Allowed> allowed_;
   mutable std::mutex mutex_;
   mutable std::unordered_map<std::string, std::vector<std::string>> lists_;
