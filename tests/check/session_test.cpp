@@ -147,6 +147,70 @@ TEST_CASE("unsaved texts stand in front of files") {
   CHECK(session.check(plan).diagnostics.empty());
 }
 
+TEST_CASE(
+    "models that share a file are checked until it was read too often, on any number of threads") {
+  const std::string urdf = "<robot name=\"r\"><link name=\"a\"/></robot>\n";
+  MemoryFiles files;
+  files.add("/r.urdf", urdf);
+  std::vector<std::string> models;
+  for (int i = 0; i < 200; ++i) {
+    models.push_back("/m" + std::to_string(i) + ".smurf");
+    files.add(models.back(), "modelname: r\nfiles: [r.urdf]\n");
+  }
+  const Plan plan = plan_of(models);
+  CheckSettings settings;
+  settings.selection.select = {"SML0002"};
+  Limits limits;
+  limits.rechecked_bytes = 99 * urdf.size();
+  std::string first;
+  for (const unsigned jobs : {1U, 2U, 7U}) {
+    for (const bool remembers : {false, true}) {
+      CAPTURE(jobs);
+      CAPTURE(remembers);
+      settings.jobs = jobs;
+      settings.remembers = remembers;
+      Session session(files, limits);
+      const Report report = session.check(plan, settings);
+      REQUIRE(report.diagnostics.size() == 1);
+      const Diagnostic& told = report.diagnostics[0];
+      CHECK(session.sources().path(told.span.source) == "/m100.smurf");
+      CHECK(told.help == "raise the limit with `--limit rechecked-bytes=N`");
+      CHECK(report.summary.models == 100);
+      const std::string text = text_of(report, session.sources());
+      if (first.empty()) first = text;
+      CHECK(text == first);
+      CHECK(check(session, plan, settings) == first);
+    }
+  }
+  limits.rechecked_bytes = 199 * urdf.size();
+  Session session(files, limits);
+  CHECK(session.check(plan, settings).diagnostics.empty());
+}
+
+TEST_CASE("patterns of paths are compared until there were too many") {
+  MemoryFiles files;
+  files.add("/.smurf-lint.yaml", "paths: {a*: {ignore: SML}, b*: {ignore: SML}}\n");
+  std::vector<std::string> models;
+  for (const char* name : {"/a1.urdf", "/a2.urdf", "/a3.urdf"}) {
+    models.emplace_back(name);
+    files.add(name, kUrdf);
+  }
+  const Plan plan = plan_of(models, "/.smurf-lint.yaml");
+  Limits limits;
+  limits.path_checks = 6;
+  Session enough(files, limits);
+  CHECK(enough.check(plan).diagnostics.empty());
+  CHECK(enough.check(plan).diagnostics.empty());
+  limits.path_checks = 4;
+  Session exhausted(files, limits);
+  const Report report = exhausted.check(plan);
+  REQUIRE(!report.diagnostics.empty());
+  CHECK(report.diagnostics[0].rule->id == "SML0002");
+  CHECK(report.diagnostics[0].help == "raise the limit with `--limit path-checks=N`");
+  CHECK(exhausted.sources().path(report.diagnostics[0].span.source) == "/.smurf-lint.yaml");
+  CHECK(exhausted.sources().path(report.diagnostics.back().span.source) == "/a3.urdf");
+}
+
 TEST_CASE("what a converter loads is checked as by its path") {
   for (const char* name : {"rules/SML3101-unknown-joint/bad/model.smurf",
                            "rules/SML9103-unused-suppression/bad/model.smurf",

@@ -177,6 +177,27 @@ class Confine(cli.CliTest):
             done = self.run_tool("--show-config", ".", "--allow-outside", cwd=self.project)
             self.assertIn("TOP", done.stderr)
 
+    def test_the_history_of_a_repository_is_not_read(self):
+        """A CI keeps its tokens in .git/config."""
+        self.write("a/b/project/.git/config", "[http]\n  the_token\n")
+        self.write("a/b/project/.git/info/exclude", "left_out.urdf\n")
+        self.write("a/b/project/left_out.urdf", URDF)
+        (self.project / "link.yml").symlink_to(".git/config")
+        for name in ("config", "gone"):
+            self.model(f"../.git/{name}.yml")
+            self.assertIn("outside of the project", self.lint(code=1))
+        self.model("../link.yml")
+        self.assertIn("outside of the project", self.lint(code=1))
+        self.write("a/b/project/smurf/r.smurf", "files: [../r.urdf]\n")
+        for setting in ("extends: .git/config", "extends: link.yml", "extends: .git/gone",
+                        "schemas: {sections: {foo: .git/config}}"):
+            self.write("a/b/project/.smurf-lint.yaml", setting + "\n")
+            done = self.run_tool("--format", "full", ".", cwd=self.project)
+            self.assertIn("outside of the project", done.stdout, setting)
+            self.assertNotIn("token", done.stdout + done.stderr, setting)
+        self.assertEqual(self.expect(0, "--isolated", "--list-files", ".", cwd=self.project).stdout,
+                         "r.urdf\nsmurf/r.smurf\n")
+
     def test_links_that_lead_outside_are_not_searched(self):
         self.write("elsewhere/deep/private.smurf", "files: []\n")
         self.write("a/b/project/smurf/r.smurf", "files: [../r.urdf]\n")

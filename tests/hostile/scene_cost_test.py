@@ -115,6 +115,15 @@ def poses_of_their_own():
 
 
 @construct
+def many_poses_of_an_entity_often_included():
+    poses = "".join(f"  - {{name: p{i}, joints: {{}}}}\n" for i in range(16_000))
+    return {"s.smurfs": entities("- {name: i{}, type: smurfs, file: t.smurfs}\n"),
+            "t.smurfs": "smurfs:\n- name: e\n  type: smurf\n  file: r.smurf\n  pose: q\n  poses:\n" + poses
+                        + "  - {name: q, joints: {j0: 0.1}}\n",
+            "r.smurf": "modelname: r\nfiles: [r.urdf]\n", "r.urdf": robot(link(), 100)}
+
+
+@construct
 def scenes_that_double():
     files = {f"s{i}.smurfs" if i else "s.smurfs": "smurfs:\n" + "".join(
         f"- {{name: {name * 1000}, type: smurfs, file: s{i + 1}.smurfs}}\n" for name in "ab") for i in range(16)}

@@ -99,6 +99,19 @@ Demand of_include_depth(std::uint64_t depth) {
   return demand;
 }
 
+/// The second model reads them again.
+Demand of_repeated_bytes(std::uint64_t bytes) {
+  Demand demand("s.smurfs",
+                "entities: [{name: a, type: smurf, file: a.smurf}, {name: b, type: smurf, file: "
+                "b.smurf}]\n");
+  for (const char* model : {"a.smurf", "b.smurf"}) {
+    demand.files.add(model, "modelname: r\nfiles: [r.urdf]\n");
+  }
+  const std::string robot = "<robot name='r'><link name='a'/></robot>";
+  demand.files.add("r.urdf", robot + repeat(" ", bytes - robot.size()));
+  return demand;
+}
+
 /// The scene itself counts.
 Demand of_instances(std::uint64_t instances) {
   Demand demand("s.smurfs", "entities:\n" + repeat("- {type: urdf, file: r.urdf}\n", instances));
@@ -132,6 +145,7 @@ const LimitCase kCases[] = {{"file-bytes", 100, of_file},
                             {"xml-attributes", 20, of_xml_attributes},
                             {"annotation-entries", 20, of_annotation_entries},
                             {"urdf-parts", 20, of_urdf_parts},
+                            {"repeated-bytes", 100, of_repeated_bytes},
                             {"include-depth", 20, of_include_depth},
                             {"instances", 20, of_instances},
                             {"scene-bytes", 100, of_scene_bytes},
@@ -229,9 +243,9 @@ TEST_CASE("limits: those of archives") {
 
 TEST_CASE("limits: every row of the table has a name of its own, a usual value and a test") {
   // Where the others are tested.
-  constexpr std::string_view kElsewhere[] = {"image-pixels",   "archive-bytes", "archive-files",
-                                             "archive-growth", "srdf-bytes",    "folder-entries",
-                                             "ignore-checks",  "suggestions"};
+  constexpr std::string_view kElsewhere[] = {
+      "image-pixels",   "archive-bytes", "archive-files", "archive-growth",  "srdf-bytes",
+      "folder-entries", "ignore-checks", "suggestions",   "rechecked-bytes", "path-checks"};
   for (const LimitInfo& info : kLimits) {
     CAPTURE(info.name);
     CHECK(&info_of(info.name) == &info);

@@ -130,6 +130,84 @@ TEST_CASE("files: confined to the files in a folder, and to those of a name") {
   CHECK(files.read(folder / "rules", 99).status == ReadStatus::denied);
 }
 
+TEST_CASE("files: confined to folders without what has a name") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in/deep/.git/info");
+  std::filesystem::create_directories(folder / "in/.hg");
+  for (const char* name : {"in/a", "in/deep/.git/config", "in/deep/.git/info/exclude",
+                           "in/.hg/hgrc", "in/deep/.gitignore"}) {
+    std::ofstream(folder / name) << name;
+  }
+  std::filesystem::create_symlink("deep/.git/config", folder / "in/link");
+  std::filesystem::create_symlink("deep/.git", folder / "in/way");
+  ConfinedFiles files;
+  files.deny_named(".git", "info/exclude");
+  files.deny_named(".hg");
+  files.allow(folder / "in");
+  for (const char* name : {"in/a", "in/deep/.gitignore", "in/deep/.git/info/exclude"}) {
+    CAPTURE(name);
+    CHECK(files.read(folder / name, 99).text == name);
+  }
+  for (const char* name : {"in/deep/.git/config", "in/deep/.git/gone", "in/link", "in/way/config",
+                           "in/way/gone", "in/.hg/hgrc", "in/.hg", "in/deep/.git/info",
+                           "in/deep/.git/info/exclude/x", "in/deep/.git"}) {
+    CAPTURE(name);
+    CHECK(files.read(folder / name, 99).reason == files.read(folder / "out", 99).reason);
+    CHECK(files.is_denied(folder / name));
+    CHECK(!files.is_file(folder / name));
+    CHECK(files.list(folder / name).empty());
+  }
+  // A work tree may lie in there, when somebody names it.
+  files.allow(folder / "in/.hg");
+  CHECK(files.read(folder / "in/.hg/hgrc", 99).text == "in/.hg/hgrc");
+}
+
+TEST_CASE("files: links that go outside and come back tell nothing") {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in/deep");
+  std::filesystem::create_directories(folder / "other");
+  std::ofstream(folder / "in/o") << "text";
+  const auto link = [&](const std::string& name, const std::string& target) {
+    std::filesystem::create_symlink(target, folder / name);
+  };
+  link("system", folder / "in");
+  link("in/there", "../other/../in/o");
+  link("in/gone", "../gone/../in/o");
+  link("in/proc", "/proc/self/cwd/../" + (folder / "in/o"));
+  link("in/deep/top", "../..");
+  link("in/deep/there", "top/other/../in/o");
+  link("in/deep/gone", "top/gone/../in/o");
+  link("in/deep/by-there", "../there");
+  link("in/way", "../other");
+  link("in/way-back", "way/../in/o");
+  link("in/deep/list", "../../other/../in");
+  link("in/up", "../in/o");
+  link("in/whole", folder / "in/o");
+  link("in/by-system", folder / "system/o");
+  link("in/deep/round", "top/in/deep/../o");
+  ConfinedFiles files;
+  files.allow(folder / "in");
+  for (const char* name : {"in/there", "in/gone", "in/proc", "in/deep/there", "in/deep/gone",
+                           "in/deep/by-there", "in/way-back", "in/way/x"}) {
+    CAPTURE(name);
+    CHECK(files.read(folder / name, 99).reason == files.read(folder / "out", 99).reason);
+    CHECK(files.is_denied(folder / name));
+    CHECK(!files.is_file(folder / name));
+  }
+  for (const char* name :
+       {"in/o", "in/up", "in/whole", "in/by-system", "in/deep/round", "system/o"}) {
+    CAPTURE(name);
+    CHECK(files.read(folder / name, 99).text == "text");
+    CHECK(files.is_file(folder / name));
+  }
+  CHECK(files.list(folder / "in/deep/list").empty());
+  CHECK(!files.list(folder / "system").empty());
+  files.allow(folder / "other");
+  CHECK(!files.list(folder / "in/deep/list").empty());
+  CHECK(files.read(folder / "in/there", 99).text == "text");
+  CHECK(files.is_denied(folder / "in/gone"));
+}
+
 TEST_CASE("files: all names of a file have one identity") {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "a") << "text";

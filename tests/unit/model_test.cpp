@@ -114,6 +114,27 @@ TEST_CASE("model: of several URDFs the last one counts") {
   CHECK(loaded.model.files.size() == 3);
 }
 
+TEST_CASE("model: a file name that no text can hold is not suggested") {
+  for (const char* name : {"mod\xE9l.urdf", "mod\nl.urdf", "mode\xE2\x80\xAEl.urdf"}) {
+    CAPTURE(name);
+    const LoadedFiles loaded({{"r.smurf", "files: [modl.urdf]\n"}, {name, kUrdf}}, "r.smurf");
+    REQUIRE(!loaded.sink.diagnostics().empty());
+    const Diagnostic& missing = loaded.sink.diagnostics()[0];
+    CHECK(missing.help.empty());
+    CHECK(missing.fixes.empty());
+  }
+  const LoadedFiles loaded({{"r.smurf", "files: [modl.urdf]\n"}, {"model.urdf", kUrdf}}, "r.smurf");
+  CHECK(loaded.sink.diagnostics()[0].fixes.size() == 1);
+}
+
+TEST_CASE("model: files beside it whose names no text can hold are not missed in its list") {
+  const LoadedFiles loaded({{"m\xE9.smurf", "files: [r.urdf]\n"},
+                            {"m\xE9_motors.yml", "motors: []\n"},
+                            {"r.urdf", kUrdf}},
+                           "m\xE9.smurf");
+  CHECK(loaded.model.unlisted_files.empty());
+}
+
 TEST_CASE("model: a single name in place of the list") {
   const LoadedFiles loaded({{"r.smurf", "files: r.urdf\n"}, {"r.urdf", kUrdf}}, "r.smurf");
   CHECK(loaded.model.robot);

@@ -117,6 +117,16 @@ TEST_CASE("resources: names that are nearly right") {
   CHECK(model.meshes[2].similar.empty());
 }
 
+TEST_CASE("resources: a name that cannot be written is not suggested") {
+  Models models;
+  models.files.files.add("r.urdf", robot({"M&#x85;.obj", "SHADE.obj"}));
+  models.files.files.add("m\xC2\x85.obj", kTriangle);
+  models.files.files.add("shade.obj", kTriangle);
+  const LinkedModel model = models.load("r.urdf");
+  CHECK(model.meshes[0].similar.empty());
+  CHECK(model.meshes[1].similar == "shade.obj");
+}
+
 TEST_CASE("resources: a mesh above the limit is not read") {
   Models models;
   models.files.files.add("r.urdf", robot({"m.obj"}));

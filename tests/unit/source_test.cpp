@@ -88,6 +88,35 @@ TEST_CASE("source: what could not be read has a path and no text") {
   CHECK(sources.position(id, 0) == Position{1, 1});
 }
 
+TEST_CASE("source: copies share the texts") {
+  SourceMap sources;
+  const SourceId id = sources.add("config", std::string(1000, 'x'));
+  const SourceMap copy = sources;
+  CHECK(copy.text(id).data() == sources.text(id).data());
+  CHECK(copy.path(id) == "config");
+}
+
+TEST_CASE("source: what is taken twice is kept once, unless it has changed meanwhile") {
+  SourceMap all;
+  const SourceId config = all.add("config", "c");
+  const auto taken = [&](const std::string& text) {
+    SourceMap other;
+    other.add("config", "c");
+    const SourceId id = other.add("r.urdf", text);
+    return all.take(std::move(other), 1)(Span{id, 0, 1}).source;
+  };
+  const SourceId first = taken("one");
+  const SourceId second = taken("one");
+  const SourceId changed = taken("two");
+  CHECK(all.size() == 4);
+  CHECK(first != second);
+  CHECK(all.text(first).data() == all.text(second).data());
+  CHECK(all.text(second) == "one");
+  CHECK(all.text(changed) == "two");
+  CHECK(all.path(changed) == "r.urdf");
+  CHECK(all.text(config) == "c");
+}
+
 TEST_CASE("source: spans are half open") {
   const Span span{SourceId{0}, 2, 4};
   CHECK(!span.contains(1));

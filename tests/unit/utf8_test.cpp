@@ -63,6 +63,23 @@ TEST_CASE("utf8: every code point is read as it was written") {
   CHECK(different == 0);
 }
 
+TEST_CASE("utf8: what may be suggested as it is") {
+  for (const char* name : {"", "a b.urdf",
+                           "m\xC3\xB6"
+                           "del.urdf",
+                           "\xE6\x97\xA5.yml", "\xEF\xBF\xBD"}) {
+    CAPTURE(name);
+    CHECK(utf8::is_printable(name));
+  }
+  for (const char* name : {"mod\xE9l.urdf", "a\nb", "a\x1B[2J", "\x7F", "\xC2\x85",
+                           "a\xE2\x80\xAE"
+                           "b",
+                           "a\xE2\x80\xA8", "\xEF\xBB\xBFx", "\xEF\xBF\xBE"}) {
+    CAPTURE(name);
+    CHECK_FALSE(utf8::is_printable(name));
+  }
+}
+
 TEST_CASE("utf8: columns of a terminal") {
   CHECK(utf8::display_width(U'a') == 1);
   CHECK(utf8::display_width(U'\u00E4') == 1);

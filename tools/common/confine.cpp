@@ -82,6 +82,9 @@ std::optional<fs::path> folder_of(const std::string& input) {
 constexpr std::array<std::string_view, 3> kRuleFiles = {".gitignore", ".smurf-lintignore",
                                                         kConfigName};
 
+/// The one file in .git that says what is checked.
+constexpr const char* kGitExclude = "info/exclude";
+
 /// The project around a folder and, above it, the files that say what is checked and how.
 void allow_project(ConfinedFiles& files, const fs::path& folder) {
   const auto project = project_of(folder);
@@ -112,6 +115,9 @@ Option allow_outside_option(bool& allow_outside) {
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside) {
   if (allow_outside) return files.allow("/");
+  for (const std::string_view name : kHistories) {
+    files.deny_named(std::string(name), name == ".git" ? kGitExclude : "");
+  }
   if (!is_shared_folder(".")) files.allow(".");
   std::set<fs::path> folders;
   for (const std::string& input : inputs) {

@@ -25,6 +25,8 @@ Option allow_outside_option(bool& allow_outside);
 /// itself lies in a shared folder, only the files beside it that are not hidden are read. Where a
 /// shared folder is to be searched, only configurations and ignore files in it are read: what is
 /// found is to be confined as inputs of their own.
+/// What a repository keeps of itself (.git, .hg, .svn) is not part of the project, but for
+/// .git/info/exclude.
 /// Everything is let be read when `allow_outside`.
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside);

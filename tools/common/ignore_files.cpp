@@ -49,11 +49,21 @@ bool IgnoreFiles::may_check(std::size_t patterns) {
 
 PathVerdict IgnoreFiles::judge(const PathPatterns& patterns, std::string_view path,
                                bool is_folder) {
-  constexpr std::uint64_t kStepsOfACheck = 64;  // of an ordinary pattern; classes may be long
   std::uint64_t steps = 0;
   const PathVerdict verdict = patterns.judge(path, is_folder, &steps);
-  checks_left_ -= std::min(checks_left_, steps / kStepsOfACheck);
+  count(steps);
   return verdict;
+}
+
+bool IgnoreFiles::excludes(const PathPatterns& patterns, std::string_view file) {
+  std::uint64_t steps = 0;
+  const bool is_excluded = patterns.excludes(file, &steps);
+  count(steps);
+  return is_excluded;
+}
+
+void IgnoreFiles::count(std::uint64_t steps) {
+  checks_left_ -= std::min(checks_left_, steps / PathPatterns::kStepsOfCheck);
 }
 
 bool IgnoreFiles::leaves_out(const std::string& path, bool is_folder) {

@@ -28,6 +28,8 @@ class IgnoreFiles {
   bool may_check(std::size_t patterns);
   /// What patterns say of a path; one that takes long is as many checks.
   PathVerdict judge(const PathPatterns& patterns, std::string_view path, bool is_folder);
+  /// Do they exclude a file, itself or with a folder that it lies in?
+  bool excludes(const PathPatterns& patterns, std::string_view file);
 
   /// Of the path alone, without what is said of the folders above it. `path` is absolute, unless
   /// the current folder has no path that can be told.
@@ -43,6 +45,7 @@ class IgnoreFiles {
     bool is_in_repository = false;
     bool is_repository = false;  ///< its top: ignore files above are another repository's
   };
+  void count(std::uint64_t steps);
   const Level& level_of(const std::string& folder);
 
   const FileReader& files_;

@@ -11,9 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a repository keeps its history.
-constexpr const char* kHistories[] = {".git", ".hg", ".svn"};
-
 std::optional<fs::path> root_above(const fs::path& folder) {
   for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
     if (is_repository(at)) return at;
@@ -31,7 +28,9 @@ bool leads_out(const fs::path& link, const fs::path& folder) {
   if (!root) return false;
   std::error_code failed;
   const fs::path target = fs::canonical(link, failed);  // fails where the link leads nowhere
-  const auto has_target = [&](const char* history) { return is_inside(target, *root / history); };
+  const auto has_target = [&](std::string_view history) {
+    return is_inside(target, *root / history);
+  };
   return failed || !is_inside(target, *root) || std::ranges::any_of(kHistories, has_target);
 }
 
@@ -40,7 +39,7 @@ bool leads_out(const fs::path& link, const fs::path& folder) {
 bool is_repository(const fs::path& folder) {
   std::error_code ignored;
   return std::ranges::any_of(
-      kHistories, [&](const char* history) { return fs::exists(folder / history, ignored); });
+      kHistories, [&](std::string_view history) { return fs::exists(folder / history, ignored); });
 }
 
 RepositoryPath in_repository() {

@@ -2,12 +2,17 @@
 // Where files stand in their repository.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "smurf/render.hpp"
 
 namespace smurf::tools {
+
+/// Where a repository keeps its history, and with it tokens and the addresses of servers.
+inline constexpr std::array<std::string_view, 3> kHistories = {".git", ".hg", ".svn"};
 
 /// True for the top folder of a repository of git, Mercurial or Subversion.
 bool is_repository(const std::filesystem::path& folder);

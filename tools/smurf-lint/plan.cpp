@@ -187,8 +187,8 @@ class Planner {
     if (!exclusions.is_forced) return false;
     if (!ignore_files_.may_check(exclusions.size())) return true;
     const bool is_excluded =
-        exclusions.any(path, [](const PathPatterns& patterns, const std::string& inside) {
-          return patterns.excludes(inside);
+        exclusions.any(path, [&](const PathPatterns& patterns, const std::string& inside) {
+          return ignore_files_.excludes(patterns, inside);
         });
     if (is_excluded || options_.no_ignore_files) return is_excluded;
     return ignore_files_.leaves_out_with_folders(absolute(path));

@@ -19,6 +19,7 @@ Span to_span(const Json& json) {
 }
 
 // What lists are made of, declared here for to_list().
+Json to_json(const Rule* rule);
 Json to_json(const Label& label);
 Json to_json(const Edit& edit);
 Json to_json(const Fix& fix);

@@ -82,7 +82,8 @@ struct ReportWishes {
 struct Report {
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
-  std::vector<TargetVerdict> targets;  ///< of the settings and all configurations
+  /// On the targets of the settings and all configurations; what is let pass is judged as well.
+  std::vector<TargetVerdict> targets;
   std::vector<std::string> problems;   ///< of the plan
   ReportWishes wishes;
 };

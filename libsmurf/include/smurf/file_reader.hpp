@@ -65,6 +65,9 @@ class ConfinedFiles final : public FileReader {
   void allow_files_in(const std::string& folder);
   /// The files of this name in a folder and in all folders in it.
   void allow_named(const std::string& name, const std::string& folder);
+  /// Denies what has this name, in whatever case, and all that is in it, wherever it lies in an
+  /// allowed folder. `but` is a path in it that stays allowed; "": none.
+  void deny_named(const std::string& name, const std::string& but = {});
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
   bool is_file(const std::string& path) const override;
@@ -74,10 +77,12 @@ class ConfinedFiles final : public FileReader {
 
  private:
   struct Allowed;
-  std::optional<std::string> place_of(const std::string& path) const;
+  std::optional<std::string> place_of(const std::string& path, const CanonicalPaths& paths) const;
+  void judge_ways_anew();
 
   DiskFiles disk_;
   std::unique_ptr<CanonicalPaths> canonical_;
+  std::unique_ptr<CanonicalPaths> ways_;  ///< no further than links may go
   std::unique_ptr<Allowed> allowed_;
   mutable std::mutex mutex_;
   mutable std::unordered_map<std::string, std::vector<std::string>> lists_;

@@ -25,6 +25,8 @@ struct Limits {
   std::uint64_t xml_attributes = 100;
   std::uint64_t annotation_entries = 500'000;
   std::uint64_t urdf_parts = 500'000;
+  std::uint64_t repeated_bytes = 16'000'000;
+  std::uint64_t rechecked_bytes = 50'000'000;
   std::uint64_t include_depth = 64;
   std::uint64_t instances = 150'000;
   std::uint64_t scene_bytes = 100'000'000;
@@ -32,6 +34,7 @@ struct Limits {
   std::uint64_t findings = 10'000;
   std::uint64_t folder_entries = 1'000'000;
   std::uint64_t ignore_checks = 20'000'000;
+  std::uint64_t path_checks = 4'000'000;
   std::uint64_t suggestions = 200'000'000;
 };
 
@@ -87,6 +90,14 @@ inline constexpr std::array kLimits{
         "urdf-parts", &Limits::urdf_parts, 100'000'000,
         "links, joints, extensions, visuals and collisions of a robot", "SML0002",
         "a robot of 100,000 links has four fifths of it; each takes 300 to 700 bytes of memory"},
+    LimitInfo{"repeated-bytes", &Limits::repeated_bytes, 1'000'000'000,
+              "bytes that the models of a scene read again of a file that another one has read",
+              "SML0002",
+              "a hundred models with a URDF of 160 kB; each byte takes 14 bytes of memory"},
+    LimitInfo{"rechecked-bytes", &Limits::rechecked_bytes, 100'000'000'000,
+              "bytes of files that `smurf-lint` checks again, for each further model or scene that "
+              "reads them; a finding in one counts as 600",
+              "SML0002", "a hundred scenes with a robot of 500 kB have as many; two seconds"},
     LimitInfo{"include-depth", &Limits::include_depth, 1'000, "scenes in each other", "SML5021",
               "scenes that people write have three"},
     LimitInfo{"instances", &Limits::instances, 100'000'000,
@@ -108,6 +119,10 @@ inline constexpr std::array kLimits{
     LimitInfo{"ignore-checks", &Limits::ignore_checks, 1'000'000'000'000,
               "comparisons of a file or folder with a pattern of an ignore file", "",
               "a second; 20,000 models with a thousand patterns each have as many"},
+    LimitInfo{
+        "path-checks", &Limits::path_checks, 1'000'000'000'000,
+        "comparisons of a file that has findings with a pattern of `paths` in a configuration",
+        "SML0002", "a second; 20,000 files with two hundred patterns have as many"},
     LimitInfo{"suggestions", &Limits::suggestions, 100'000'000'000,
               "characters compared to find the names that misspelt ones are near to", "SML0002",
               "every misspelt name is compared with all known ones, which takes a second for a "

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -85,7 +87,8 @@ struct SourceShift {
   }
 };
 
-/// Owns every text that was read. References and views stay valid while the map lives.
+/// Owns every text that was read. References and views stay valid while the map lives. A copy
+/// shares the texts: each of thousands of checked files has those of its configuration.
 class SourceMap {
  public:
   /// `path` is the name shown to the user, with '/' separators.
@@ -93,7 +96,8 @@ class SourceMap {
   /// A file that could not be read but is named in messages; it has a path and no text.
   SourceId add_unreadable(std::string path);
   /// Takes over the sources of a map that began as a copy of the first `common` sources of this
-  /// one. Views into the texts of the other map are lost.
+  /// one. A text that was taken before under the same path is kept once, so that views into the
+  /// texts of the other map may be lost.
   SourceShift take(SourceMap&& other, std::size_t common);
 
   const std::string& path(SourceId id) const { return at(id).path; }
@@ -123,13 +127,15 @@ class SourceMap {
     bool is_ascii = true;  ///< a column is then a byte
     bool readable = true;
   };
-  const Source& at(SourceId id) const { return sources_[static_cast<std::size_t>(id)]; }
+  SourceId keep(Source source);
+  const Source& at(SourceId id) const { return *sources_[static_cast<std::size_t>(id)]; }
   /// Offset of the first byte of a 1-based line.
   static std::uint32_t line_start(const Source& source, std::uint32_t line);
   /// Characters before a byte.
   static std::uint32_t characters_before(const Source& source, std::uint32_t offset);
 
-  std::deque<Source> sources_;
+  std::vector<std::shared_ptr<const Source>> sources_;
+  std::map<std::string, std::shared_ptr<const Source>, std::less<>> taken_;  ///< last of each path
 };
 
 }  // namespace smurf

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
@@ -60,8 +61,28 @@ std::optional<std::string> CanonicalPaths::looked_at(const std::string& path, in
   std::string whole = path::join(*above, path::file_name(path));
   const auto target = target_of(whole);
   if (!target) return whole;
-  // Not joined as text: what ".." means is seen from where the links before it lead.
-  return of(target->starts_with('/') ? *target : *above + "/" + *target, links + 1);
+  return follow(*above, *target, links + 1);
+}
+
+/// Name by name: what ".." means is seen from where the links before it lead.
+std::optional<std::string> CanonicalPaths::follow(const std::string& folder,
+                                                  const std::string& target, int links) const {
+  const auto may_pass = [&](const std::string& place) {
+    return !may_pass_ || may_pass_(folder, place);
+  };
+  std::string at = target.starts_with('/') ? "/" : folder;
+  for (std::string_view rest = target; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('/'), rest.size());
+    const std::string_view name = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    if (name.empty() || name == ".") continue;
+    const std::string next = path::join(at, name);
+    if (!may_pass(next)) return next;
+    auto place = name == ".." ? next : of(next, links);
+    if (!place || !may_pass(*place)) return place;
+    at = *std::move(place);
+  }
+  return at;
 }
 
 }  // namespace smurf

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 namespace smurf {
 
@@ -12,6 +14,11 @@ namespace smurf {
 /// not for a program that outlives what happens to its files. May be used by several threads.
 class CanonicalPaths {
  public:
+  /// Whether a link that lies in `folder` may go through a place; both are canonical, but for the
+  /// last name of the place, which may be a link. One that may not leads there and no further.
+  using MayPass = std::function<bool(const std::string& folder, const std::string& place)>;
+  explicit CanonicalPaths(MayPass may_pass = {}) : may_pass_(std::move(may_pass)) {}
+
   /// What does not exist keeps its name, also where a link leads to it; none when it cannot be
   /// told, as in a loop of links.
   std::optional<std::string> of(const std::string& path) const { return of(path, 0); }
@@ -21,6 +28,10 @@ class CanonicalPaths {
   std::optional<std::string> of(const std::string& path, int links) const;
   std::optional<std::string> looked_at(const std::string& path, int links) const;
 
+  std::optional<std::string> follow(const std::string& folder, const std::string& target,
+                                    int links) const;
+
+  MayPass may_pass_;
   mutable std::mutex mutex_;
   mutable std::unordered_map<std::string, std::string> known_;
 };

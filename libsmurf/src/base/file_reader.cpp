@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -112,6 +113,7 @@ struct ConfinedFiles::Allowed {
   Paths whole;  ///< with all that is in them
   Paths files_in;
   std::set<std::pair<std::string, std::string>, std::less<>> named;  ///< name and folder
+  std::map<std::string, std::string, std::less<>> denied;            ///< by name, what is not
 
   bool holds(std::string_view path) const {
     if (everything || is_whole(path)) return true;
@@ -124,12 +126,34 @@ struct ConfinedFiles::Allowed {
     return !named.empty() && is_named(name, folder);
   }
 
+  /// Is it known to be there, because what is allowed is in it?
+  bool is_above(const std::string& folder) const {
+    const std::string inside = folder == "/" ? folder : folder + "/";
+    const auto has = [&](const Paths& paths) {
+      const auto first = paths.lower_bound(inside);
+      return first != paths.end() && first->starts_with(inside);
+    };
+    return whole.contains(folder) || files_in.contains(folder) || has(whole) || has(files_in) ||
+           std::any_of(named.begin(), named.end(), [&](const auto& one) {
+             return one.second == folder || one.second.starts_with(inside);
+           });
+  }
+
  private:
-  bool is_whole(std::string_view path) const {
-    for (; path.size() > 1; path = path::parent(path)) {
+  /// What is inside of a denied folder may be allowed for itself.
+  bool is_whole(std::string_view whole_path) const {
+    for (std::string_view path = whole_path; path.size() > 1; path = path::parent(path)) {
       if (whole.contains(path)) return true;
+      if (is_denied(path, whole_path)) return false;
     }
     return false;
+  }
+
+  /// `inside` is `path`, or in it.
+  bool is_denied(std::string_view path, std::string_view inside) const {
+    const auto found = denied.find(path::to_lower(path::file_name(path)));
+    if (found == denied.end()) return false;
+    return found->second.empty() || inside.substr(path.size()) != "/" + found->second;
   }
 
   bool is_named(std::string_view name, std::string_view folder) const {
@@ -142,11 +166,29 @@ struct ConfinedFiles::Allowed {
 };
 
 ConfinedFiles::ConfinedFiles()
-    : canonical_(std::make_unique<CanonicalPaths>()), allowed_(std::make_unique<Allowed>()) {}
+    : canonical_(std::make_unique<CanonicalPaths>()), allowed_(std::make_unique<Allowed>()) {
+  judge_ways_anew();
+}
 ConfinedFiles::~ConfinedFiles() = default;
 
-std::optional<std::string> ConfinedFiles::place_of(const std::string& path) const {
-  auto canonical = canonical_->of(path);
+/// Where a link of the project goes through folders outside and comes back, nobody is to learn
+/// whether there are such folders.
+void ConfinedFiles::judge_ways_anew() {
+  const auto is_known = [this](const std::string& place) {
+    return allowed_->holds(place) || allowed_->is_above(place);
+  };
+  ways_ = std::make_unique<CanonicalPaths>(
+      [this, is_known](const std::string& folder, const std::string& place) {
+        if (!allowed_->holds(folder) || is_known(place)) return true;
+        const auto canonical = canonical_->of(place);  // as /home may be a link of the system
+        return canonical && is_known(*canonical);
+      });
+  lists_.clear();
+}
+
+std::optional<std::string> ConfinedFiles::place_of(const std::string& path,
+                                                   const CanonicalPaths& paths) const {
+  auto canonical = paths.of(path);
   if (canonical || has_zero(path)) return canonical;
   // A folder above may be closed to us.
   const FoundFile found(in_folder(path));
@@ -154,27 +196,32 @@ std::optional<std::string> ConfinedFiles::place_of(const std::string& path) cons
 }
 
 void ConfinedFiles::allow(const std::string& path) {
-  const auto place = path.empty() ? std::nullopt : place_of(path);
+  const auto place = path.empty() ? std::nullopt : place_of(path, *canonical_);
   if (!place) return;
   const std::string whole = path::normalize(*place + "/");
   if (whole == "/") allowed_->everything = true;
   allowed_->whole.insert(whole);
-  lists_.clear();
+  judge_ways_anew();
 }
 
 void ConfinedFiles::allow_files_in(const std::string& folder) {
-  if (auto place = place_of(folder)) allowed_->files_in.insert(*std::move(place));
-  lists_.clear();
+  if (auto place = place_of(folder, *canonical_)) allowed_->files_in.insert(*std::move(place));
+  judge_ways_anew();
 }
 
 void ConfinedFiles::allow_named(const std::string& name, const std::string& folder) {
-  if (auto place = place_of(folder)) allowed_->named.emplace(name, *std::move(place));
-  lists_.clear();
+  if (auto place = place_of(folder, *canonical_)) allowed_->named.emplace(name, *std::move(place));
+  judge_ways_anew();
+}
+
+void ConfinedFiles::deny_named(const std::string& name, const std::string& but) {
+  allowed_->denied.emplace(path::to_lower(name), but);
+  judge_ways_anew();
 }
 
 bool ConfinedFiles::is_denied(const std::string& path) const {
   if (allowed_->everything || has_zero(path)) return false;
-  const auto place = place_of(path);
+  const auto place = place_of(path, *ways_);
   return !place || !allowed_->holds(*place);
 }
 
@@ -184,7 +231,8 @@ FileContent ConfinedFiles::read(const std::string& path, std::uint64_t max_bytes
   if (found.error() != 0) return is_denied(path) ? outside() : failure(found.error());
   const auto real = found.real_path();
   const bool is_nowhere = !real && !S_ISREG(found.status().st_mode);  // a pipe of a shell
-  return is_nowhere || (real && allowed_->holds(*real)) ? read_all(found, max_bytes) : outside();
+  const bool is_inside = real && allowed_->holds(*real) && !is_denied(path);
+  return is_nowhere || is_inside ? read_all(found, max_bytes) : outside();
 }
 
 bool ConfinedFiles::is_file(const std::string& path) const {
@@ -205,7 +253,7 @@ std::vector<std::string> ConfinedFiles::list(const std::string& folder) const {
   const FoundFile found(in_folder(folder));
   const auto real = found.error() == 0 ? found.real_path() : std::nullopt;
   std::vector<std::string> names;
-  const bool is_whole = real && allowed_->holds(*real);
+  const bool is_whole = real && allowed_->holds(*real) && !is_denied(in_folder(folder));
   if (is_whole || (real && allowed_->files_in.contains(*real))) names = names_in(found);
   if (!is_whole) std::erase_if(names, [](const std::string& name) { return name[0] == '.'; });
   const std::lock_guard lock(mutex_);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/path.hpp"
+
 namespace smurf {
 namespace {
 
@@ -116,7 +118,7 @@ std::string_view without_blanks(std::string_view line) {
 
 void PathPatterns::add(std::string_view line) {
   line = without_blanks(line);
-  if (line.empty() || line.starts_with('#')) return;
+  if (line.empty() || line.starts_with('#') || line.size() > path::kLongest) return;
   Pattern pattern;
   if (line.starts_with('!')) {
     pattern.is_exclusion = false;
@@ -159,12 +161,12 @@ PathVerdict PathPatterns::judge(std::string_view path, bool is_folder, std::uint
   return last->is_exclusion ? PathVerdict::excluded : PathVerdict::included;
 }
 
-bool PathPatterns::excludes(std::string_view file) const {
+bool PathPatterns::excludes(std::string_view file, std::uint64_t* steps) const {
   for (std::size_t slash = file.find('/'); slash != std::string_view::npos;
        slash = file.find('/', slash + 1)) {
-    if (judge(file.substr(0, slash), true) == PathVerdict::excluded) return true;
+    if (judge(file.substr(0, slash), true, steps) == PathVerdict::excluded) return true;
   }
-  return judge(file, false) == PathVerdict::excluded;
+  return judge(file, false, steps) == PathVerdict::excluded;
 }
 
 }  // namespace smurf

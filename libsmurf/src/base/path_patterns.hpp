@@ -18,7 +18,10 @@ enum class PathVerdict : std::uint8_t { unmentioned, excluded, included };
 /// the end means folders only, `!` takes an exclusion back, and the last pattern that fits counts.
 class PathPatterns {
  public:
-  /// One line of a file; blank lines and comments say nothing.
+  /// What compares an ordinary pattern with a path; a long one takes as long as many.
+  static constexpr std::uint64_t kStepsOfCheck = 64;
+
+  /// One line of a file; blank lines, comments and what is longer than any path say nothing.
   void add(std::string_view line);
   void add_lines(std::string_view text);
   bool empty() const { return patterns_.empty(); }
@@ -28,7 +31,7 @@ class PathPatterns {
   /// characters that were compared.
   PathVerdict judge(std::string_view path, bool is_folder, std::uint64_t* steps = nullptr) const;
   /// Is a file excluded, itself or with a folder that it lies in?
-  bool excludes(std::string_view file) const;
+  bool excludes(std::string_view file, std::uint64_t* steps = nullptr) const;
 
  private:
   struct Pattern {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
 
 #include "base/count.hpp"
 #include "base/utf8.hpp"
@@ -42,21 +41,33 @@ SourceId SourceMap::add(std::string path, std::string text) {
   }
   source.line_count = line_ends + 1;
   if (!source.is_ascii) count_characters(source.text, source.characters_before);
-  sources_.push_back(std::move(source));
-  return SourceId{static_cast<std::uint32_t>(sources_.size() - 1)};
+  return keep(std::move(source));
 }
 
 SourceId SourceMap::add_unreadable(std::string path) {
-  const SourceId id = add(std::move(path), {});
-  sources_.back().readable = false;
-  return id;
+  Source source;
+  source.path = std::move(path);
+  source.line_ends_before.push_back(0);
+  source.readable = false;
+  return keep(std::move(source));
+}
+
+SourceId SourceMap::keep(Source source) {
+  sources_.push_back(std::make_shared<const Source>(std::move(source)));
+  return SourceId{static_cast<std::uint32_t>(sources_.size() - 1)};
 }
 
 SourceShift SourceMap::take(SourceMap&& other, std::size_t common) {
   const SourceShift shift{static_cast<std::uint32_t>(common),
                           static_cast<std::uint32_t>(sources_.size() - common)};
-  const auto first = other.sources_.begin() + static_cast<std::ptrdiff_t>(common);
-  std::move(first, other.sources_.end(), std::back_inserter(sources_));
+  for (std::size_t i = common; i < other.sources_.size(); ++i) {
+    std::shared_ptr<const Source>& source = other.sources_[i];
+    std::shared_ptr<const Source>& known = taken_[source->path];
+    const bool is_known =
+        known && known->text == source->text && known->readable == source->readable;
+    if (!is_known) known = std::move(source);
+    sources_.push_back(known);
+  }
   return shift;
 }
 

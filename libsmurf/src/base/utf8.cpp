@@ -123,6 +123,17 @@ void append_escape(std::string& text, char32_t code_point) {
   }
 }
 
+bool is_printable(std::string_view text) {
+  if (find_invalid(text)) return false;
+  while (!text.empty()) {
+    const CodePoint point = decode(text);
+    const char32_t c = point.value;
+    if (is_control(c) || is_layout(c) || c == 0xFEFF || c == 0xFFFE || c == 0xFFFF) return false;
+    text.remove_prefix(point.size);
+  }
+  return true;
+}
+
 std::string replace_controls(std::string_view text) {
   std::string out;
   out.reserve(text.size());

@@ -40,6 +40,17 @@ inline bool is_control(char32_t code_point) {
   return code_point < 0x20 || (code_point >= 0x7F && code_point < 0xA0);
 }
 
+/// Line and paragraph separators, and marks that reorder what follows them on the screen.
+inline bool is_layout(char32_t code_point) {
+  return code_point == 0x061C || code_point == 0x200E || code_point == 0x200F ||
+         (code_point >= 0x2028 && code_point <= 0x202E) ||
+         (code_point >= 0x2066 && code_point <= 0x2069);
+}
+
+/// Whether a name may be suggested, and written into a file, as it is: valid UTF-8 without control
+/// characters, layout and what is no character.
+bool is_printable(std::string_view text);
+
 /// Appends "\\u001b", as JSON, YAML and messages have it. Precondition: below U+10000.
 void append_escape(std::string& text, char32_t code_point);
 

@@ -20,13 +20,20 @@ std::map<std::string, Severity> values_of(const std::map<std::string, Spanned<Se
   return values;
 }
 
-PathRules rules_of(const ConfigPath& path, const CanonicalPaths& paths) {
+PathRules rules_of(const ConfigPath& path, const CanonicalPaths& paths,
+                   const std::shared_ptr<PathChecks>& checks) {
   PathPatterns patterns;
   patterns.add(path.pattern.text.value);
+  std::string folder = identity(path.pattern.folder, paths);
+  if (!folder.ends_with('/')) folder += '/';
   PathRules rules;
-  rules.covers = [patterns, &paths, folder = path.pattern.folder](const std::string& file) {
-    const std::string inside = path_inside(file, folder, paths);
-    return !inside.empty() && patterns.excludes(inside);
+  rules.covers = [patterns, &paths, checks, folder](const std::string& file) {
+    if (!checks->take(1)) return false;
+    const std::string whole = identity(file, paths);
+    if (!whole.starts_with(folder) || whole.size() == folder.size()) return false;
+    std::uint64_t steps = 0;
+    const bool is_covered = patterns.excludes(whole.substr(folder.size()), &steps);
+    return checks->take(steps / PathPatterns::kStepsOfCheck) && is_covered;
   };
   append(path.ignore, rules.ignore);
   rules.severities = values_of(path.severities);
@@ -50,7 +57,9 @@ void merge(const CheckSettings& settings, const CanonicalPaths& paths, CheckGrou
   for (const auto& [rule, tolerance] : config.tolerances) {
     selection.tolerances[rule] = tolerance.value;
   }
-  for (const ConfigPath& path : config.paths) selection.paths.push_back(rules_of(path, paths));
+  for (const ConfigPath& path : config.paths) {
+    selection.paths.push_back(rules_of(path, paths, group.path_checks));
+  }
   group.packages = settings.packages;
   for (const auto& [name, folder] : config.packages) {
     group.packages.try_emplace(name, folder.value);
@@ -59,14 +68,6 @@ void merge(const CheckSettings& settings, const CanonicalPaths& paths, CheckGrou
 }
 
 }  // namespace
-
-std::string path_inside(const std::string& path, const std::string& folder,
-                        const CanonicalPaths& paths) {
-  const std::string whole = identity(path, paths);
-  std::string above = identity(folder, paths);
-  if (!above.ends_with('/')) above += '/';
-  return whole.starts_with(above) ? whole.substr(above.size()) : std::string();
-}
 
 CheckGroups read_configurations(const std::vector<std::string>& paths,
                                 const CheckSettings& settings, const FileReader& files,
@@ -84,7 +85,11 @@ CheckGroups read_configurations(const std::vector<std::string>& paths,
 }
 
 void merge(const CheckSettings& settings, const CanonicalPaths& paths, CheckGroups& groups) {
-  for (CheckGroup& group : groups) merge(settings, paths, group);
+  const auto checks = std::make_shared<PathChecks>();
+  for (CheckGroup& group : groups) {
+    group.path_checks = checks;
+    merge(settings, paths, group);
+  }
 }
 
 ReportWishes wishes_of(const CheckGroup& group) {

@@ -2,8 +2,10 @@
 // The settings over the configurations: what holds in the end.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,20 @@ namespace smurf {
 
 class CanonicalPaths;
 
+/// How many comparisons of files with the patterns of `paths` are left, for all configurations of
+/// a check.
+struct PathChecks {
+  std::uint64_t left = Limits{}.path_checks;
+  bool is_exhausted = false;  ///< patterns cover nothing then
+
+  /// False when there are not as many.
+  bool take(std::uint64_t count) {
+    is_exhausted = is_exhausted || count > left;
+    if (!is_exhausted) left -= count;
+    return !is_exhausted;
+  }
+};
+
 /// What holds for the files of one configuration.
 struct CheckGroup {
   Config config;
@@ -21,6 +37,7 @@ struct CheckGroup {
   std::map<std::string, std::string> packages;
   std::vector<Diagnostic> found;  ///< what is wrong with the configuration
   CheckSettings settings;
+  std::shared_ptr<PathChecks> path_checks;  ///< of the selection
 };
 
 /// The configurations of a check, as Plan::configs.

@@ -50,4 +50,42 @@ inline void for_each_parallel(std::size_t count, std::size_t jobs,
   run(0);
 }
 
+/// Calls `work(worker, index)` as for_each_parallel() does and then, in the order of the indices
+/// and by one thread at a time, `take(index)`. After `take` has returned false, nothing is taken
+/// any more, so that what is taken does not depend on the number of threads.
+inline void for_each_in_order(std::size_t count, std::size_t jobs,
+                              const std::function<void(std::size_t, std::size_t)>& work,
+                              const std::function<bool(std::size_t)>& take) {
+  constexpr std::size_t kMostAhead = 64;  // each of them keeps memory until it is taken
+  std::mutex mutex;
+  std::condition_variable has_room;
+  std::vector<bool> is_done(count);
+  std::size_t next = 0;
+  bool is_over = false;
+  const auto start = [&](std::size_t index) {
+    std::unique_lock lock(mutex);
+    has_room.wait(lock, [&] { return is_over || index < next + kMostAhead; });
+    return !is_over;
+  };
+  const auto end = [&](std::size_t index) {
+    const std::lock_guard lock(mutex);
+    is_done[index] = true;
+    while (!is_over && next < count && is_done[next]) is_over = !take(next++);
+    has_room.notify_all();
+  };
+  for_each_parallel(count, jobs, [&](std::size_t worker, std::size_t index) {
+    if (!start(index)) return;
+    try {
+      work(worker, index);
+      end(index);
+    } catch (...) {
+      // Nobody is to wait for a file that is never done.
+      const std::lock_guard lock(mutex);
+      is_over = true;
+      has_room.notify_all();
+      throw;
+    }
+  });
+}
+
 }  // namespace smurf

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/pipeline.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <set>
 #include <system_error>
 #include <utility>
 
+#include "base/limits.hpp"
 #include "base/rules.hpp"
 #include "check/identity.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -98,6 +100,21 @@ void note_passed(const std::vector<Diagnostic>& left, std::size_t TargetVerdict:
   }
 }
 
+/// Tells it when not every file was compared with every pattern of `paths`.
+void report_path_checks(const CheckGroups& groups, const Desk& desk, const SourceMap& sources,
+                        std::vector<Diagnostic>& found) {
+  const auto group = std::find_if(groups.begin(), groups.end(),
+                                  [](const CheckGroup& one) { return !one.config.paths.empty(); });
+  if (group == groups.end() || !group->path_checks->is_exhausted) return;
+  DiagnosticSink sink;
+  sink.report(rules::sml0002_file_too_large, group->config.paths.front().pattern.text.span,
+              "there are more than " + std::to_string(desk.limits.path_checks) +
+                  " comparisons of files with patterns of `paths`, and for what comes after them "
+                  "these settings do not count")
+      .help = raise_limit("path-checks");
+  append(finish(sink.take(), sources, group->selection), found);
+}
+
 /// A file that two models share is one file.
 std::size_t count_files(const SourceMap& sources, const Desk& desk) {
   std::set<std::string> files;
@@ -142,12 +159,14 @@ Report make_report(std::vector<Judged>&& found, const CheckGroups& groups, const
   std::vector<Diagnostic>& all = report.diagnostics;
   std::size_t suppressed = 0;
   for (const Reader* target : targets_of(groups)) report.targets.push_back({.reader = target});
+  *first.path_checks = {desk.limits.path_checks, false};
   for (std::size_t i = 0; i < found.size(); ++i) {
     const CheckGroup& group = groups[i];
     Judged& judged = found[i];
     judged.diagnostics.insert(judged.diagnostics.begin(), group.found.begin(), group.found.end());
     append(settle(std::move(judged), group, sources, suppressed, report.targets), all);
   }
+  report_path_checks(groups, desk, sources, all);
   sort_findings(all, sources);
   if (suppressed > 0) note_passed(all, &TargetVerdict::ignored, report.targets);
   report.wishes = wishes_of(first);

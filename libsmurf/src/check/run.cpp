@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <iterator>
+#include <unordered_set>
 #include <utility>
 
+#include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/rules.hpp"
 #include "check/identity.hpp"
 #include "check/input_kind.hpp"
 #include "check/parallel.hpp"
@@ -66,26 +70,20 @@ class Run {
         left.push_back(&file);
       }
     }
+    if (is_over_) return;
     std::vector<Outcome> outcomes(left.size());
-    for_each_parallel(left.size(), jobs_, [&](std::size_t worker, std::size_t i) {
-      outcomes[i] = check(*left[i], shared_meshes_[worker]);
-      advance();
-    });
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      if (!is_remembering()) {
-        take(std::move(outcomes[i]), left[i]->config);
-        continue;
-      }
-      Outcome& kept = memory_.outcomes[left[i]->path] = std::move(outcomes[i]);
-      used_.insert(left[i]->path);
-      Outcome copy;
-      copy.sources = kept.sources;
-      copy.judged = kept.judged;
-      copy.models = kept.models;
-      copy.scenes = kept.scenes;
-      copy.read = kept.read;
-      take(std::move(copy), left[i]->config);
-    }
+    for_each_in_order(
+        left.size(), jobs_,
+        [&](std::size_t worker, std::size_t i) {
+          outcomes[i] = check(*left[i], shared_meshes_[worker]);
+          advance();
+        },
+        [&](std::size_t i) {
+          Outcome outcome = is_remembering() ? copy_of(outcomes[i]) : std::move(outcomes[i]);
+          take(std::move(outcome), *left[i]);
+          return !is_over_;
+        });
+    if (is_remembering()) remember(left, std::move(outcomes));
   }
 
   Report finish(const Plan& plan) {
@@ -109,6 +107,25 @@ class Run {
   void advance() {
     const std::size_t done = ++done_;
     if (settings_.on_progress) settings_.on_progress(done, expected_);
+  }
+
+  /// What the report needs of an outcome that is kept for the next check.
+  static Outcome copy_of(const Outcome& kept) {
+    Outcome copy;
+    copy.sources = kept.sources;
+    copy.judged = kept.judged;
+    copy.models = kept.models;
+    copy.scenes = kept.scenes;
+    copy.read = kept.read;
+    return copy;
+  }
+
+  void remember(const std::vector<const PlannedFile*>& planned, std::vector<Outcome>&& outcomes) {
+    for (std::size_t i = 0; i < planned.size(); ++i) {
+      if (outcomes[i].answers.empty()) continue;  // not checked: there was no room
+      memory_.outcomes[planned[i]->path] = std::move(outcomes[i]);
+      used_.insert(planned[i]->path);
+    }
   }
 
   bool can_keep_configurations(const std::vector<std::string>& configs) const {
@@ -201,12 +218,44 @@ class Run {
     }
   }
 
-  void take(Outcome&& outcome, std::size_t config) {
+  /// Notes what was read for an outcome. Thousands of models may share one large URDF, and each
+  /// checks it again: false when that is too much.
+  bool has_room(const Outcome& outcome) {
+    constexpr std::uint64_t kBytesOfFinding = 600;  // which take as long
+    std::set<SourceId> again;
+    for (std::size_t i = memory_.sources.size(); i < outcome.sources.size(); ++i) {
+      const SourceId source{static_cast<std::uint32_t>(i)};
+      const std::string& path = outcome.sources.path(source);
+      if (sources_read_.insert(identity(path, workshop_.desk.paths)).second) continue;
+      again.insert(source);
+      rechecked_ += outcome.sources.text(source).size();
+    }
+    for (const Diagnostic& diagnostic : outcome.judged.diagnostics) {
+      if (again.contains(diagnostic.span.source)) rechecked_ += kBytesOfFinding;
+    }
+    return rechecked_ <= workshop_.desk.limits.rechecked_bytes;
+  }
+
+  void end_with(const PlannedFile& planned) {
+    is_over_ = true;
+    DiagnosticSink sink;
+    const Span place{sources_.add_unreadable(path::normalize(planned.path)), 0, 0};
+    const std::string most = std::to_string(workshop_.desk.limits.rechecked_bytes);
+    sink.report(rules::sml0002_file_too_large, place,
+                "with this file, more than " + most +
+                    " bytes are checked again of files that others have read before; neither it "
+                    "nor what comes after it was checked")
+        .help = raise_limit("rechecked-bytes");
+    append(sink.take(), found_[planned.config].diagnostics);
+  }
+
+  void take(Outcome&& outcome, const PlannedFile& planned) {
+    if (!has_room(outcome)) return end_with(planned);
     const std::size_t common = memory_.sources.size();
     const SourceShift by = sources_.take(std::move(outcome.sources), common);
     for (Diagnostic& diagnostic : outcome.judged.diagnostics) shift(diagnostic, by);
-    append(std::move(outcome.judged.diagnostics), found_[config].diagnostics);
-    found_[config].comments.take(std::move(outcome.judged.comments), by);
+    append(std::move(outcome.judged.diagnostics), found_[planned.config].diagnostics);
+    found_[planned.config].comments.take(std::move(outcome.judged.comments), by);
     models_.merge(outcome.models);
     scenes_.merge(outcome.scenes);
     read_.merge(outcome.read);
@@ -220,6 +269,9 @@ class Run {
   std::vector<MeshLibrary> shared_meshes_;        ///< of each thread, when nothing is kept
   std::vector<Judged> found_;                     ///< by configuration
   std::set<std::string> models_, scenes_, read_;  ///< by identity
+  std::unordered_set<std::string> sources_read_;  ///< by identity
+  std::uint64_t rechecked_ = 0;                   ///< bytes of those that were read before
+  bool is_over_ = false;                          ///< what is left is not checked
   std::set<std::string> used_;                    ///< of the outcomes in the memory
   std::atomic<std::size_t> done_ = 0;
   std::size_t expected_ = 0;

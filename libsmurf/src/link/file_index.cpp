@@ -2,6 +2,7 @@
 #include "link/file_index.hpp"
 
 #include "base/path.hpp"
+#include "base/utf8.hpp"
 
 namespace smurf {
 
@@ -40,7 +41,7 @@ std::optional<std::string> FileIndex::in_other_case(const std::string& path, int
   const auto [names, is_new] = lower_.try_emplace(folder);
   if (is_new) {
     for (const std::string& name : list(folder)) {
-      names->second.try_emplace(path::to_lower(name), name);
+      if (utf8::is_printable(name)) names->second.try_emplace(path::to_lower(name), name);
     }
   }
   const auto found = names->second.find(path::to_lower(path::file_name(path)));

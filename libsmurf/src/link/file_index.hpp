@@ -36,7 +36,7 @@ class FileIndex {
   bool exists(const std::string& path);
   /// Names in a folder, sorted.
   const std::vector<std::string>& list(const std::string& folder);
-  /// A file or folder whose path differs from `path` only in case.
+  /// A file or folder whose path differs from `path` only in case, and can be written as it is.
   std::optional<std::string> in_other_case(const std::string& path, int most_folders = 32);
   const FileReader& files() const { return files_; }
 

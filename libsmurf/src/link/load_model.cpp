@@ -14,6 +14,7 @@
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
+#include "base/utf8.hpp"
 #include "link/file_index.hpp"
 #include "link/kinematics.hpp"
 #include "link/read_file.hpp"
@@ -210,6 +211,7 @@ class ModelLoader {
     const std::string prefix = std::string(path::stem(main_path)) + "_";
     for (const std::string& name : context_.files.list(folder)) {
       if (!name.starts_with(prefix) || path::extension(name) != ".yml") continue;
+      if (!utf8::is_printable(name)) continue;  // no text can list it
       const std::string_view section = path::stem(name).substr(prefix.size());
       if (find_section(section) == nullptr) continue;
       const bool is_listed =

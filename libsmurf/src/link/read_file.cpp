@@ -5,18 +5,16 @@
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
+#include "base/utf8.hpp"
 
 namespace smurf {
 namespace {
-
-/// A hundred models with a URDF of 160 kB; each byte takes 14 bytes of memory.
-constexpr std::uint64_t kMostRepeated = 16'000'000;
 
 bool has_room(const std::string& path, std::size_t bytes, LoadContext& context) {
   ReadFiles& read = *context.read;
   if (read.known.insert(context.files.identity(path)).second) return true;
   read.repeated += bytes;
-  return read.repeated <= kMostRepeated;
+  return read.repeated <= context.limits.repeated_bytes;
 }
 
 }  // namespace
@@ -27,9 +25,11 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
   if (content.status == ReadStatus::ok && !has_room(path, content.text.size(), context)) {
     if (reference.empty())
       reference = {context.sources.add_unreadable(path::normalize(path)), 0, 0};
-    context.sink.report(rules::sml0002_file_too_large, reference,
-                        "with this file, more than " + std::to_string(kMostRepeated) +
-                            " bytes are read again of files that other models read before");
+    context.sink
+        .report(rules::sml0002_file_too_large, reference,
+                "with this file, more than " + std::to_string(context.limits.repeated_bytes) +
+                    " bytes are read again of files that other models read before")
+        .help = raise_limit("repeated-bytes");
     return std::nullopt;
   }
   if (content.status == ReadStatus::ok) {
@@ -72,7 +72,8 @@ std::optional<std::string> similar_file(const std::string& path, const Rule& rul
   std::vector<std::string_view> same_kind;
   const std::string extension = path::to_lower(path::extension(path));
   for (const std::string& name : names) {
-    if (path::to_lower(path::extension(name)) == extension) same_kind.push_back(name);
+    const bool is_kind = path::to_lower(path::extension(name)) == extension;
+    if (is_kind && utf8::is_printable(name)) same_kind.push_back(name);
   }
   if (const auto near = nearest(path::file_name(path), same_kind)) return std::string(*near);
   return std::nullopt;

@@ -312,6 +312,7 @@ std::size_t Suppressions::apply(std::vector<Diagnostic>& diagnostics, const Sour
 
   DiagnosticSink sink;
   for (const auto& [path, file] : files_) {
+    if (file.comments.empty()) continue;
     std::unordered_map<std::string_view, bool> have_run;  // of which many items may ask
     FileSelection selected(selection, path);
     const auto is_unused = [&, &file = file](const Item& item) {

@@ -11,13 +11,7 @@ namespace {
 using utf8::kReplacement;
 constexpr char32_t kByteOrderMark = 0xFEFF;
 
-/// Line and paragraph separators, and marks that reorder what follows them on the screen.
-bool is_layout(char32_t c) {
-  return c == 0x061C || c == 0x200E || c == 0x200F || (c >= 0x2028 && c <= 0x202E) ||
-         (c >= 0x2066 && c <= 0x2069);
-}
-
-bool is_unsafe(char32_t c) { return utf8::is_control(c) || is_layout(c); }
+bool is_unsafe(char32_t c) { return utf8::is_control(c) || utf8::is_layout(c); }
 
 void append_escape(std::string& out, char32_t c) {
   switch (c) {

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Folders of a megabyte whose files would be read again and again: a verdict in bounded time and memory.
+
+folder_cost_test.py FOLDER_OF_TOOLS [NAME...]
+
+Links, and files that share others, make much of little: the cost of such a folder was once not that of its bytes, but
+the number of its files times their size.
+"""
+import pathlib
+import sys
+import tempfile
+
+from hostile_cli_test import MEGABYTES, SECONDS, Run
+
+MEGABYTE = 1_000_000
+MODEL = "modelname: r\nfiles: [r.urdf]\n"
+SMALL = "modelname: r\nfiles: []\n"
+FOLDERS = []
+# Of one file, a megabyte, the bound is two seconds. A folder of many has that of its parts, and room for the limit on
+# what is read again.
+FOLDER_SECONDS = 2 * SECONDS
+
+
+def folder(*commands):
+    """A function that writes the files, and the commands to try in their folder."""
+
+    def add(make):
+        FOLDERS.append((make, commands))
+        return make
+
+    return add
+
+
+def repeat(text, size):
+    """`{}` is the number."""
+    parts = []
+    while size > 0:
+        parts.append(text.replace("{}", str(len(parts))))
+        size -= len(parts[-1])
+    return "".join(parts)
+
+
+LINT = ("smurf-lint", "-q", ".")
+
+
+@folder(LINT, ("smurf-lint", "--show-config", "a.smurf"))
+def configurations_that_extend_themselves_through_links(write):
+    for i in range(8):
+        write.link(f"l{i}", ".")
+    write(".smurf-lint.yaml", "extends: [" + ", ".join(f"l{i}/.smurf-lint.yaml" for i in range(8)) + "]\n")
+    write("a.smurf", SMALL)
+
+
+@folder(LINT)
+def a_schema_of_a_thousand_sections(write):
+    write("s.json", '{"properties": {' + repeat('"k{}": {"type": "string"}, ', 900_000) + '"z": {}}}')
+    write(".smurf-lint.yaml", "schemas:\n  sections:\n" + "".join(f"    a{i}: s.json\n" for i in range(1000)))
+    write("a.smurf", SMALL + "a0: {k0: x}\n")
+
+
+@folder(LINT)
+def a_base_of_many_configurations(write):
+    write("base.yaml", repeat("# a long remark\n", 40_000) + "paths:\n" + repeat('  "x{}*": {ignore: SML3}\n', 50_000))
+    for i in range(300):
+        write(f"f{i}/.smurf-lint.yaml", "extends: ../base.yaml\n")
+        write(f"f{i}/a.smurf", SMALL)
+
+
+@folder(LINT)
+def a_configuration_of_many_models(write):
+    write(".smurf-lint.yaml", repeat("# a long remark\n", 90_000) + "schemas: {sections: {foo: s.json}}\n")
+    write("s.json", '{"properties": {' + repeat('"k{}": {}, ', 900_000) + '"z": {}}}')
+    for i in range(2000):
+        write(f"m{i}.smurf", SMALL)
+
+
+@folder(LINT)
+def patterns_of_many_models(write):
+    for i in range(9):
+        write(f"b{i}.yaml", "paths:\n" + "".join(f'  "{"a*" * 37}{j}": {{ignore: SML3}}\n' for j in range(1000)))
+    write(".smurf-lint.yaml", "extends: [" + ", ".join(f"b{i}.yaml" for i in range(9)) + "]\n")
+    for i in range(500):
+        write("a" * 200 + f"{i}.smurf", "modelname: r\nfiles: [gone.yml]\n")
+
+
+@folder(LINT)
+def a_pattern_of_a_megabyte(write):
+    write(".smurf-lintignore", "*[" + "b" * 900_000 + "]z\n")
+    write(".smurf-lint.yaml", 'exclude: ["*[' + "b" * 90_000 + ']z"]\n')
+    for i in range(20):
+        write("a" * 230 + f"{i}.smurf", SMALL)
+
+
+def share_a_urdf(write, urdf):
+    write("r.urdf", urdf)
+    for i in range(1000):
+        write(f"m{i}.smurf", MODEL)
+
+
+@folder(LINT, ("smurf-lint", "-q", "-j", "1", "."), ("smurf-lint", "-q", "--only-listed", "t.png"),
+        ("smurf-lint", "-q", "--only-listed", "r.urdf"))
+def models_of_one_large_robot(write):
+    part = '<link name="l{}"/><joint name="j{}" type="fixed"><parent link="b"/><child link="l{}"/></joint>'
+    share_a_urdf(write, '<robot name="r"><link name="b"/>' + repeat(part, MEGABYTE) + "</robot>")
+    write("t.png", "x")
+
+
+@folder(LINT)
+def models_of_one_robot_with_many_findings(write):
+    share_a_urdf(write, '<robot name="r"><link name="b"/>' + repeat('<link name="l{}"/>', MEGABYTE) + "</robot>")
+
+
+@folder(("smurf-lint", "-q", "s.smurfs"), ("smurfs-flatten", "-q", "--force", "-o", "out", "s.smurfs"))
+def a_scene_of_models_of_one_large_robot(write):
+    models_of_one_large_robot(write)
+    write("s.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: smurf, file: m{i}.smurf}}\n" for i in range(1000)))
+
+
+@folder(LINT)
+def many_scenes_of_one_large_robot(write):
+    models_of_one_large_robot(write)
+    for i in range(300):
+        write(f"s{i}.smurfs", f"smurfs:\n- {{name: e, type: smurf, file: m{i}.smurf}}\n")
+
+
+def faults(tools, make, command):
+    with tempfile.TemporaryDirectory(prefix="smurf-folder-cost-") as name:
+        place = pathlib.Path(name)
+
+        def write(path, text):
+            target = place / path
+            target.parent.mkdir(exist_ok=True)
+            target.write_text(text)
+
+        write.link = lambda path, target: (place / path).symlink_to(target)
+        make(write)
+        run = Run([str(tools / command[0]), *command[1:]], place)
+    if run.code not in (0, 1, 2):
+        yield f"ended with {run.code}"
+    if run.seconds > FOLDER_SECONDS:
+        yield f"took {run.seconds:.1f} s"
+    if run.megabytes > MEGABYTES:
+        yield f"took {run.megabytes:.0f} MB"
+
+
+def main():
+    tools = pathlib.Path(sys.argv[1]).resolve()
+    wanted = sys.argv[2:]
+    runs = [(make, command) for make, commands in FOLDERS for command in commands
+            if not wanted or make.__name__ in wanted]
+    failures = [f"{make.__name__}: {' '.join(command)}: {fault}"
+                for make, command in runs for fault in faults(tools, make, command)]
+    print("\n".join(failures))
+    print(f"{len(runs)} runs, {len(failures)} failures")
+    return 1 if failures or not runs else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
