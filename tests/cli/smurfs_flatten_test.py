@@ -5,6 +5,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import sys
 import xml.etree.ElementTree
 import zipfile
@@ -475,6 +476,64 @@ class Assets(FlattenTest):
         done = self.run_tool("broken.smurfs", "--format", "sdf", "--copy-assets", "files")
         self.assertEqual(done.returncode, 1)
         self.assertFalse((self.folder / "files").exists())
+
+    def files(self):
+        return {str(path.relative_to(self.folder)): path.is_dir() or path.read_text()
+                for path in self.folder.rglob("*")}
+
+    def assert_untouched(self, *arguments):
+        before = self.files()
+        done = self.run_tool("models/r.urdf", "--format", "sdf", "--copy-assets", "out/files", "--quiet", *arguments)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(self.files(), before)
+
+    def test_all_is_written_or_nothing(self):
+        """What fails is the second copy, then the scene itself."""
+        self.write("out/files/r/2/m.stl/in the way", "")
+        self.assert_untouched("--overwrite", "-o", "out/world.sdf")
+        shutil.rmtree(self.folder / "out")
+        self.assert_untouched("-o", "none/world.sdf")
+        for place in ("m.stl", "2/m.stl"):
+            self.write("out/files/r/" + place, "old")
+        self.assert_untouched("--overwrite", "-o", "none/world.sdf")
+
+    def test_a_file_of_many_names_is_one_file(self):
+        for name in "ab":
+            (self.folder / "models" / name).symlink_to(".")
+        places = ["/".join("ab"[i >> bit & 1] for bit in range(4)) for i in range(16)]
+        self.write("models/r.urdf", '<robot name="r"><link name="l">' + "".join(
+            f'<visual><geometry><mesh filename="{place}/m.stl"/></geometry></visual>' for place in places)
+            + "</link></robot>")
+        for name, part in (("usda", "point3f[] points"), ("gltf", '"componentType": 5126')):
+            text = self.run_tool("models/r.urdf", "--format", name, "--quiet").stdout
+            self.assertEqual(text.count(part), 1, text)
+        done = self.run_tool("models/r.urdf", "--format", "sdf", "-o", "out/world.sdf", "--copy-assets", "out/files",
+                             "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.meshes("out/world.sdf"), ["files/r/m.stl"] * 16)
+        self.assertEqual([path.name for path in (self.folder / "out/files").rglob("*.stl")], ["m.stl"])
+
+    def test_what_is_repeated_has_a_limit(self):
+        self.write("models/m.stl", "solid s\n" + self.MESH.split("\n", 1)[1].rsplit("endsolid", 1)[0] * 1000
+                   + "endsolid s\n")
+        for name in "ab":
+            self.write(f"models/{name}.urdf", self.URDF.replace("MESH", "m"))
+        self.write("s.smurfs", "entities:\n" + "".join(
+            f"- {{name: {name}, type: urdf, file: models/{name}.urdf}}\n" for name in "ab"))
+        copy = ("s.smurfs", "--format", "sdf", "-o", "world.sdf", "--copy-assets", "files", "--quiet")
+        done = self.run_tool(*copy, "--limit", "scene-bytes=50000")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("copies of files that are copied already have more than 50000 bytes; raise the limit with "
+                      "`--limit scene-bytes=N`; nothing was written", done.stderr)
+        self.assertFalse((self.folder / "files").exists())
+        self.assertFalse((self.folder / "world.sdf").exists())
+        self.assertEqual(self.run_tool(*copy).returncode, 0)
+        for name in ("usda", "gltf"):
+            done = self.run_tool("s.smurfs", "--format", name, "--limit", "scene-bytes=5000")
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn("SML5022", done.stderr)
+            self.assertIn("with this mesh the meshes of the scene, written out, have more than 5000 bytes",
+                          done.stderr)
 
     def test_references_name_models_only(self):
         self.expect_complaint("--copy-assets copies what models name, and needs --form expand",

@@ -336,6 +336,32 @@ def entities_to_phobos(n, write):
     write("a.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: box}}\n" for i in range(n)))
 
 
+def mesh_of_many_names(n, write):
+    """The file grows as the number of its names does: written for each name, it would be quadratic."""
+    write.link("l", ".")
+    write.link("m", ".")
+    facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+    write("p.stl", "solid s\n" + facet * 40 * n + "endsolid s\n")
+    write("r.urdf", '<robot name="r"><link name="a">' + "".join(
+        f'<visual><geometry><mesh filename="{place}/p.stl"/></geometry></visual>' for place in link_spellings(n))
+        + "</link></robot>")
+
+
+@grows(30, "smurfs-flatten", "-q", "--format", "usda", "-o", "out", "r.urdf")
+def mesh_of_many_names_to_usda(n, write):
+    mesh_of_many_names(n, write)
+
+
+@grows(30, "smurfs-flatten", "-q", "--format", "gltf", "-o", "out", "r.urdf")
+def mesh_of_many_names_to_gltf(n, write):
+    mesh_of_many_names(n, write)
+
+
+@grows(30, "smurfs-flatten", "-q", "--format", "sdf", "--copy-assets", "copies", "-o", "out", "r.urdf")
+def mesh_of_many_names_copied(n, write):
+    mesh_of_many_names(n, write)
+
+
 @grows(50, "smurf-lint", "-q", "a.smurf")
 def keys_beside_a_missing_one(n, write):
     keys = "".join(f", k{i}: 1" for i in range(n * 8))

@@ -125,9 +125,7 @@ int NewFile::adopt_owner() const {
   return ::fchmod(file, replaced_->st_mode & 0777U) == 0 ? 0 : errno;
 }
 
-int NewFile::flush() const {
-  return ::fsync(file_.number()) == 0 || errno == EINVAL ? 0 : errno;
-}
+int NewFile::flush() const { return ::fsync(file_.number()) == 0 || errno == EINVAL ? 0 : errno; }
 
 int NewFile::link_to(const std::string& name) const {
   const std::string file = way_to(file_.number());

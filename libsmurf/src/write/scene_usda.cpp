@@ -10,6 +10,7 @@
 #include "base/unique_names.hpp"
 #include "base/utf8.hpp"
 #include "write/placed_shapes.hpp"
+#include "write/preview_meshes.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 
@@ -50,10 +51,16 @@ std::string quoted(std::string_view text) {
   return out + "\"";
 }
 
+/// "(0, 0, 0), ", and "0, " with a third of the "3, " that counts the corners.
+constexpr PreviewMeshes::Cost kCost{11, 4};
+
 class UsdaWriter {
  public:
   explicit UsdaWriter(const SceneExport& scene)
-      : scene_(scene), losses_(scene, "USD"), names_(safe_names(scene.flat)) {}
+      : scene_(scene),
+        losses_(scene, "USD"),
+        names_(safe_names(scene.flat)),
+        files_(scene, kCost) {}
 
   std::string run() {
     line("#usda 1.0");
@@ -209,17 +216,17 @@ class UsdaWriter {
       losses_.unseen_shape(shape.span, shape.geometry, {});
       return nullptr;
     }
-    const auto [known, is_new] = mesh_of_file_.try_emplace(geometry->file, meshes_.size());
-    if (is_new) meshes_.push_back(read_mesh(geometry->file));
+    const std::string& file = files_.first_name(geometry->file);
+    const auto [known, is_new] = mesh_of_file_.try_emplace(file, meshes_.size());
+    if (is_new) meshes_.push_back(read_mesh(file, shape.span));
     const Mesh& mesh = meshes_[known->second];
     if (mesh.why_none.empty()) return &mesh;
     losses_.unseen_shape(shape.span, shape.geometry, mesh.why_none);
     return nullptr;
   }
 
-  Mesh read_mesh(const std::string& file) {
-    if (!scene_.meshes) return {{}, {}, "is not at hand"};
-    const MeshTriangles triangles = scene_.meshes(file);
+  Mesh read_mesh(const std::string& file, Span place) {
+    const MeshTriangles triangles = files_.read(file, place);
     if (!triangles.reason.empty()) return {{}, {}, triangles.reason};
     const auto append = [](std::string& list, const std::string& item) {
       list += (list.ends_with('[') ? "" : ", ") + item;
@@ -272,6 +279,7 @@ class UsdaWriter {
   LinkFrames frames_;
   std::string out_;
   std::size_t depth_ = 0;
+  PreviewMeshes files_;
   std::vector<Mesh> meshes_;
   std::map<std::string, std::size_t> mesh_of_file_;
   UniqueNames mesh_names_;
