@@ -2,16 +2,16 @@
 #include "smurf-load-check/trace.hpp"
 
 #include "base/numbers.hpp"
-#include "base/utf8.hpp"
+#include "render/printable.hpp"
 
 namespace smurf::load_check {
 namespace {
 
 /// A field of RFC 4180. An apostrophe in front keeps a spreadsheet from taking a name for a
-/// formula; control characters, which the format cannot escape, are replaced.
+/// formula. Control characters and the like, which the format cannot escape, are as in messages.
 std::string field(std::string_view name) {
   constexpr std::string_view kFormula = "=+-@";
-  std::string text = utf8::replace_controls(name);
+  std::string text = render::escape(name);
   if (!text.empty() && kFormula.find(text.front()) != std::string::npos) text.insert(0, 1, '\'');
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return text;
   std::string quoted = "\"";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/misread.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/unique_names.hpp"
@@ -36,17 +37,33 @@ std::string tuple(const std::array<float, 3>& point) {
 
 std::string tuple(const Vector3& vector) { return tuple({vector[0], vector[1], vector[2]}); }
 
-/// USD knows the escapes of JSON but those with a number.
+/// A byte as three octal digits: after an `x` USD would take any number of them.
+void append_octal(std::string& out, char byte) {
+  const auto value = static_cast<unsigned char>(byte);
+  out += '\\';
+  for (const unsigned shift : {6U, 3U, 0U}) out += static_cast<char>('0' + (value >> shift & 7U));
+}
+
+/// USD knows the escapes of C strings. Characters that are misread are written byte by byte.
 std::string quoted(std::string_view text) {
+  const std::string clean = utf8::replace_controls(text);
   std::string out = "\"";
-  for (const char c : utf8::replace_controls(text)) {
-    switch (c) {
+  for (std::size_t at = 0; at < clean.size();) {
+    const utf8::CodePoint point = utf8::decode(std::string_view(clean).substr(at));
+    const std::string_view character = std::string_view(clean).substr(at, point.size);
+    switch (point.value) {
     case '\n': out += "\\n"; break;
     case '\t': out += "\\t"; break;
     case '"':
     case '\\': out += '\\'; [[fallthrough]];
-    default: out += c;
+    default:
+      if (is_misread(clean, at, point.value)) {
+        for (const char byte : character) append_octal(out, byte);
+      } else {
+        out += character;
+      }
     }
+    at += point.size;
   }
   return out + "\"";
 }
