@@ -7,9 +7,19 @@
 namespace smurf::load_check {
 namespace {
 
+void add_numbers(std::string& line, const Pose& pose) {
+  const Vector3& p = pose.position;
+  const Quaternion& q = pose.orientation;
+  for (const double value : {p[0], p[1], p[2], q.w, q.x, q.y, q.z}) {
+    line.append(",").append(format_number(value));
+  }
+}
+
+}  // namespace
+
 /// A field of RFC 4180. An apostrophe in front keeps a spreadsheet from taking a name for a
 /// formula. Control characters and the like, which the format cannot escape, are as in messages.
-std::string field(std::string_view name) {
+std::string field_of(std::string_view name) {
   constexpr std::string_view kFormula = "=+-@";
   std::string text = render::escape(name);
   if (!text.empty() && kFormula.find(text.front()) != std::string::npos) text.insert(0, 1, '\'');
@@ -22,30 +32,17 @@ std::string field(std::string_view name) {
   return quoted + "\"";
 }
 
-void add_numbers(std::string& line, const Pose& pose) {
-  const Vector3& p = pose.position;
-  const Quaternion& q = pose.orientation;
-  for (const double value : {p[0], p[1], p[2], q.w, q.x, q.y, q.z}) {
-    line.append(",").append(format_number(value));
-  }
+void append_row(std::string& rows, std::string_view file, Stage stage, double time,
+                std::string_view link, const Pose& X_WL) {
+  rows.append(file).append(",").append(to_string(stage)).append(",").append(format_number(time));
+  rows.append(",").append(link);
+  add_numbers(rows, X_WL);
+  rows += "\n";
 }
-
-}  // namespace
 
 std::string render_trace(std::span<const Checked> checked) {
   std::string out = "file,stage,time,link,x,y,z,qw,qx,qy,qz\n";
-  for (const Checked& one : checked) {
-    const std::vector<std::string>& links = one.result.links;
-    for (const Sample& sample : one.result.samples) {
-      const std::string begin = field(one.job->path) + "," + std::string(to_string(sample.stage)) +
-                                "," + format_number(sample.time) + ",";
-      for (std::size_t i = 0; i < sample.X_WL.size(); ++i) {
-        out += begin + field(links[i]);
-        add_numbers(out, sample.X_WL[i]);
-        out += "\n";
-      }
-    }
-  }
+  for (const Checked& one : checked) out += one.result.trace;
   return out;
 }
 
