@@ -230,6 +230,11 @@ def poses_of_one_model(n, write):
     write_scene(write, (f"- {{name: e{i}, type: smurf, file: r.smurf, pose: p{i}}}\n" for i in range(n)))
 
 
+@flattens(1000)
+def uses_of_a_large_model(n, write):
+    write_scene(write, (ENTITY % (i, "") for i in range(n)), star(n))
+
+
 @flattens(1000, "--format", "svg")
 def labels_of_a_picture(n, write):
     write_scene(write, (ENTITY % (i, f", position: [{i % 60}, {i // 60}, 0]") for i in range(n)))
