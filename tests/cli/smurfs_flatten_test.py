@@ -541,6 +541,52 @@ class Assets(FlattenTest):
                               "--format", "sdf")
 
 
+class NotFinite(FlattenTest):
+    """Numbers that are finite, but from which poses, sizes or directions are computed that are not."""
+    URDF = """<?xml version="1.0"?>
+<robot name="r">
+  <link name="a">
+    <visual><origin xyz="{xyz} 0 0" rpy="{rpy} 1 0"/><geometry><box size="{size} 1 1"/></geometry></visual>
+    <visual><geometry><cylinder radius="{size}" length="{size}"/></geometry></visual>
+    <visual><geometry><mesh filename="m.stl" scale="{size} {size} 1"/></geometry></visual>
+    <inertial><mass value="{mass}"/><inertia ixx="{mass}" iyy="{mass}" izz="{mass}" ixy="0" ixz="0" iyz="0"/></inertial>
+  </link>
+  <link name="b"><inertial><mass value="{mass}"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name="j" type="revolute"><parent link="a"/><child link="b"/><origin xyz="{xyz} 1 0" rpy="0 0 {rpy}"/>
+    <axis xyz="{axis} {axis} 0"/><limit lower="-{limit}" upper="{limit}" effort="1" velocity="1"/></joint>
+</robot>
+"""
+    SCENE = """entities:
+- {{name: A, type: urdf, file: r.urdf, position: [{place}, 0, 0], rotation: [{angle}, 1, 0]}}
+- {{name: B, type: urdf, file: r.urdf, parent: "A::b", position: [{place}, 1, 1], rotation: [0, {angle}, 0]}}
+- {{name: C, type: primitive, geometry: {{type: sphere}}, extend: {{x: {extent}, y: {extent}, z: 1}}}}
+physics: {{gravity: {{x: {gravity}, y: {gravity}, z: 0}}, stepsize: {step}}}
+"""
+    IN_URDF = ("xyz", "rpy", "size", "mass", "axis", "limit")
+    IN_SCENE = ("place", "angle", "extent", "gravity", "step")
+    RUNS = [("--format", name) for name in ("json", "tsv", "svg", "dot", "smurfs", "sdf", "sdf1.6", "mjcf", "urdf", "dmd",
+                                            "gltf", "usda")]
+    RUNS += [("--links",), ("--dialect", "mars"), ("--dialect", "phobos"), ("--explain", "B"), ("--compare-dialects",)]
+
+    def test_no_result_has_one(self):
+        self.write("m.stl", Assets.MESH.replace("vertex 1", "vertex 3e38"))
+        usual = dict.fromkeys(self.IN_URDF + self.IN_SCENE, "1")
+        for key in usual:
+            for value in ("1e38", "1e308", "1.7e308", "1e-308", "5e-324", "1e400", "nan", "inf"):
+                values = {**usual, key: value}
+                self.write("r.urdf", self.URDF.format(**values))
+                self.write("s.smurfs", self.SCENE.format(**values))
+                for run in self.RUNS:
+                    done = self.run_tool("s.smurfs", "--force", "--quiet", *run)
+                    self.assertIn(done.returncode, (0, 1, 2))
+                    if value not in ("nan", "inf", "1e400"):
+                        found = re.search(r"(?<![\w.])[+-]?(nan|inf(inity)?)(?!\w)", done.stdout, re.IGNORECASE)
+                        self.assertIsNone(found, (key, value, run, done.stdout))
+                    elif done.returncode == 0 and "--explain" not in run:
+                        numbers = re.findall(r"(?<![\w.\"'])[+-]?(?:nan|inf(?:inity)?)(?![\w\"'])", done.stdout)
+                        self.assertEqual(numbers, [], (key, value, run, done.stdout))
+
+
 class Mistakes(FlattenTest):
     def test_unreadable(self):
         self.expect_complaint("cannot read 'none.smurfs': No such file or directory",
