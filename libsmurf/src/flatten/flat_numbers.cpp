@@ -49,9 +49,7 @@ bool is_usable(const Field<Vector3>& vector) {
   return !vector || are_quantities({(*vector)[0], (*vector)[1], (*vector)[2]});
 }
 
-bool is_usable(const Light& light) {
-  return is_usable(light.position) && is_usable(light.look_at);
-}
+bool is_usable(const Light& light) { return is_usable(light.position) && is_usable(light.look_at); }
 
 }  // namespace
 
