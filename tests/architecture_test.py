@@ -72,7 +72,6 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/quoted.hpp",
     "base/rules.hpp",
     "base/suggest.hpp",
-    "base/utf8.hpp",
     "convert/mass_properties.hpp",
     "flatten/shapes.hpp",
     "link/kinematics.hpp",

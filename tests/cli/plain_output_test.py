@@ -128,7 +128,10 @@ class Names(PlainOutputTest):
                 with self.subTest(name, form=form):
                     arguments = ["--format", name, "--force", "--quiet", "--form", form, "--links", "--", scene]
                     if b"has no form" not in self.run_tool("smurfs-flatten", *arguments).stderr:
-                        PARSERS.get(name, str)(self.data("smurfs-flatten", *arguments))
+                        text = self.data("smurfs-flatten", *arguments)
+                        PARSERS.get(name, str)(text)
+                        if name in ("tsv", "dot", "usda"):
+                            self.check_people(text.encode(), arguments)
         with self.subTest("comparison"):
             json.loads(self.data("smurfs-flatten", "--compare-dialects", "--format", "json", "--force", "--", scene))
         self.people("smurfs-flatten", "--compare-dialects", "--force", "--", scene)
@@ -154,7 +157,7 @@ class Names(PlainOutputTest):
                           "--", robot)
             if (self.folder / "plot").exists():
                 PARSERS["svg"]((self.folder / "plot").read_bytes().decode())
-                self.assertIsNone(FORBIDDEN.search((self.folder / "trace").read_bytes().decode()))
+                self.check_people((self.folder / "trace").read_bytes().replace(b"\r\n", b"\n"), "trace")
         self.people("urdf2smurf", "--force", "--dry-run", "-o", "out", "--", robot)
         for options in ([], ["--canonical"], ["--prefix", "p_"], ["--apply", "all", "--sensors", "gazebo"]):
             with self.subTest(options=options):
@@ -210,6 +213,18 @@ class Meanings(PlainOutputTest):
         self.assertIn("\n\\" + FORMULA + "\t", text)
         for row in text.strip("\n").split("\n"):
             self.assertEqual(row.count("\t"), 12, row)
+
+    def test_what_is_escaped_in_a_table_can_be_read_back(self):
+        self.scene()
+        text = self.data("smurfs-flatten", "--format", "tsv", "--force", "--quiet", "r.smurfs")
+        names = [row.split("\t")[0] for row in text.strip("\n").split("\n")[1:]]
+        self.assertIn("\\u0023#[error]c", names)
+        self.assertIn("\\u003a:error file=a::b", names)
+        read = [re.sub(r"\\(u[0-9a-f]{4}|.)", lambda found: {"t": "\t", "n": "\n", "r": "\r"}.get(
+            found[1], chr(int(found[1][1:], 16)) if len(found[1]) > 1 else found[1]), name) for name in names]
+        for name in COMMANDS:
+            self.assertIn(name, read)
+        self.assertIn(NASTY, read)
 
     def test_a_link_is_a_name_in_sarif(self):
         self.scene()

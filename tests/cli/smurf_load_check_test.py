@@ -5,6 +5,7 @@ import io
 import json
 import math
 import pathlib
+import resource
 import sys
 import xml.etree.ElementTree
 import zipfile
@@ -332,6 +333,22 @@ class Options(LoadCheckTest):
         self.assertEqual(len(rows), 101)
         self.assertEqual((rows[0]["stage"], rows[0]["link"], rows[0]["z"]), ("DROP", "ball", "0"))
         self.assertLess(abs(float(rows[-1]["z"]) + 0.001), 0.01)
+
+    def test_a_trace_has_a_limit(self):
+        """A URDF of 60 kB had a trace of some 100 MB, and took four times as much memory."""
+        links = "".join(f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="ball"/><child link="l{i}"/>'
+                        "</joint>" for i in range(500))
+        self.write("many.urdf", self.read("ball.urdf").replace("</robot>", links + "</robot>"))
+        done = self.run_tool("many.urdf", "--stages", "drop", "--trace", "trace.csv", "--time", "2")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("the trace of 'many.urdf' ends after 64000000 bytes; ask for less with --stages or --time",
+                      done.stderr)
+        self.assertIn("DROP", done.stdout)
+        rows = self.read("trace.csv").splitlines()
+        self.assertLess(sum(map(len, rows)), 64_000_100)
+        self.assertEqual((len(rows) - 1) % 501, 0)
+        self.assertEqual(rows[-1].count(","), 10)
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 300 * 1024)
 
     def test_plot(self):
         self.expect(0, "good.urdf", "--plot", "plot.svg")

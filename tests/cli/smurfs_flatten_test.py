@@ -5,6 +5,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import sys
 import xml.etree.ElementTree
 import zipfile
@@ -476,10 +477,114 @@ class Assets(FlattenTest):
         self.assertEqual(done.returncode, 1)
         self.assertFalse((self.folder / "files").exists())
 
+    def files(self):
+        return {str(path.relative_to(self.folder)): path.is_dir() or path.read_text()
+                for path in self.folder.rglob("*")}
+
+    def assert_untouched(self, *arguments):
+        before = self.files()
+        done = self.run_tool("models/r.urdf", "--format", "sdf", "--copy-assets", "out/files", "--quiet", *arguments)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(self.files(), before)
+
+    def test_all_is_written_or_nothing(self):
+        """What fails is the second copy, then the scene itself."""
+        self.write("out/files/r/2/m.stl/in the way", "")
+        self.assert_untouched("--overwrite", "-o", "out/world.sdf")
+        shutil.rmtree(self.folder / "out")
+        self.assert_untouched("-o", "none/world.sdf")
+        for place in ("m.stl", "2/m.stl"):
+            self.write("out/files/r/" + place, "old")
+        self.assert_untouched("--overwrite", "-o", "none/world.sdf")
+
+    def test_a_file_of_many_names_is_one_file(self):
+        for name in "ab":
+            (self.folder / "models" / name).symlink_to(".")
+        places = ["/".join("ab"[i >> bit & 1] for bit in range(4)) for i in range(16)]
+        self.write("models/r.urdf", '<robot name="r"><link name="l">' + "".join(
+            f'<visual><geometry><mesh filename="{place}/m.stl"/></geometry></visual>' for place in places)
+            + "</link></robot>")
+        for name, part in (("usda", "point3f[] points"), ("gltf", '"componentType": 5126')):
+            text = self.run_tool("models/r.urdf", "--format", name, "--quiet").stdout
+            self.assertEqual(text.count(part), 1, text)
+        done = self.run_tool("models/r.urdf", "--format", "sdf", "-o", "out/world.sdf", "--copy-assets", "out/files",
+                             "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.meshes("out/world.sdf"), ["files/r/m.stl"] * 16)
+        self.assertEqual([path.name for path in (self.folder / "out/files").rglob("*.stl")], ["m.stl"])
+
+    def test_what_is_repeated_has_a_limit(self):
+        self.write("models/m.stl", "solid s\n" + self.MESH.split("\n", 1)[1].rsplit("endsolid", 1)[0] * 1000
+                   + "endsolid s\n")
+        for name in "ab":
+            self.write(f"models/{name}.urdf", self.URDF.replace("MESH", "m"))
+        self.write("s.smurfs", "entities:\n" + "".join(
+            f"- {{name: {name}, type: urdf, file: models/{name}.urdf}}\n" for name in "ab"))
+        copy = ("s.smurfs", "--format", "sdf", "-o", "world.sdf", "--copy-assets", "files", "--quiet")
+        done = self.run_tool(*copy, "--limit", "scene-bytes=50000")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("copies of files that are copied already have more than 50000 bytes; raise the limit with "
+                      "`--limit scene-bytes=N`; nothing was written", done.stderr)
+        self.assertFalse((self.folder / "files").exists())
+        self.assertFalse((self.folder / "world.sdf").exists())
+        self.assertEqual(self.run_tool(*copy).returncode, 0)
+        for name in ("usda", "gltf"):
+            done = self.run_tool("s.smurfs", "--format", name, "--limit", "scene-bytes=5000")
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn("SML5022", done.stderr)
+            self.assertIn("with this mesh the meshes of the scene, written out, have more than 5000 bytes",
+                          done.stderr)
+
     def test_references_name_models_only(self):
         self.expect_complaint("--copy-assets copies what models name, and needs --form expand",
                               "scene.smurfs", "--form", "reference", "--copy-assets", "d",
                               "--format", "sdf")
+
+
+class NotFinite(FlattenTest):
+    """Numbers that are finite, but from which poses, sizes or directions are computed that are not."""
+    URDF = """<?xml version="1.0"?>
+<robot name="r">
+  <link name="a">
+    <visual><origin xyz="{xyz} 0 0" rpy="{rpy} 1 0"/><geometry><box size="{size} 1 1"/></geometry></visual>
+    <visual><geometry><cylinder radius="{size}" length="{size}"/></geometry></visual>
+    <visual><geometry><mesh filename="m.stl" scale="{size} {size} 1"/></geometry></visual>
+    <inertial><mass value="{mass}"/><inertia ixx="{mass}" iyy="{mass}" izz="{mass}" ixy="0" ixz="0" iyz="0"/></inertial>
+  </link>
+  <link name="b"><inertial><mass value="{mass}"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name="j" type="revolute"><parent link="a"/><child link="b"/><origin xyz="{xyz} 1 0" rpy="0 0 {rpy}"/>
+    <axis xyz="{axis} {axis} 0"/><limit lower="-{limit}" upper="{limit}" effort="1" velocity="1"/></joint>
+</robot>
+"""
+    SCENE = """entities:
+- {{name: A, type: urdf, file: r.urdf, position: [{place}, 0, 0], rotation: [{angle}, 1, 0]}}
+- {{name: B, type: urdf, file: r.urdf, parent: "A::b", position: [{place}, 1, 1], rotation: [0, {angle}, 0]}}
+- {{name: C, type: primitive, geometry: {{type: sphere}}, extend: {{x: {extent}, y: {extent}, z: 1}}}}
+physics: {{gravity: {{x: {gravity}, y: {gravity}, z: 0}}, stepsize: {step}}}
+"""
+    IN_URDF = ("xyz", "rpy", "size", "mass", "axis", "limit")
+    IN_SCENE = ("place", "angle", "extent", "gravity", "step")
+    RUNS = [("--format", name) for name in ("json", "tsv", "svg", "dot", "smurfs", "sdf", "sdf1.6", "mjcf", "urdf", "dmd",
+                                            "gltf", "usda")]
+    RUNS += [("--links",), ("--dialect", "mars"), ("--dialect", "phobos"), ("--explain", "B"), ("--compare-dialects",)]
+
+    def test_no_result_has_one(self):
+        self.write("m.stl", Assets.MESH.replace("vertex 1", "vertex 3e38"))
+        usual = dict.fromkeys(self.IN_URDF + self.IN_SCENE, "1")
+        for key in usual:
+            for value in ("1e38", "1e308", "1.7e308", "1e-308", "5e-324", "1e400", "nan", "inf"):
+                values = {**usual, key: value}
+                self.write("r.urdf", self.URDF.format(**values))
+                self.write("s.smurfs", self.SCENE.format(**values))
+                for run in self.RUNS:
+                    done = self.run_tool("s.smurfs", "--force", "--quiet", *run)
+                    self.assertIn(done.returncode, (0, 1, 2))
+                    if value not in ("nan", "inf", "1e400"):
+                        found = re.search(r"(?<![\w.])[+-]?(nan|inf(inity)?)(?!\w)", done.stdout, re.IGNORECASE)
+                        self.assertIsNone(found, (key, value, run, done.stdout))
+                    elif done.returncode == 0 and "--explain" not in run:
+                        numbers = re.findall(r"(?<![\w.\"'])[+-]?(?:nan|inf(?:inity)?)(?![\w\"'])", done.stdout)
+                        self.assertEqual(numbers, [], (key, value, run, done.stdout))
 
 
 class Mistakes(FlattenTest):

@@ -230,6 +230,11 @@ def poses_of_one_model(n, write):
     write_scene(write, (f"- {{name: e{i}, type: smurf, file: r.smurf, pose: p{i}}}\n" for i in range(n)))
 
 
+@flattens(1000)
+def uses_of_a_large_model(n, write):
+    write_scene(write, (ENTITY % (i, "") for i in range(n)), star(n))
+
+
 @flattens(1000, "--format", "svg")
 def labels_of_a_picture(n, write):
     write_scene(write, (ENTITY % (i, f", position: [{i % 60}, {i // 60}, 0]") for i in range(n)))
@@ -334,6 +339,32 @@ def nodes_of_a_sensor(n, write):
 @grows(1000, "smurfs-flatten", "--dialect", "phobos", "-o", "a.json", "a.smurfs")
 def entities_to_phobos(n, write):
     write("a.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: box}}\n" for i in range(n)))
+
+
+def mesh_of_many_names(n, write):
+    """The file grows as the number of its names does: written for each name, it would be quadratic."""
+    write.link("l", ".")
+    write.link("m", ".")
+    facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+    write("p.stl", "solid s\n" + facet * 40 * n + "endsolid s\n")
+    write("r.urdf", '<robot name="r"><link name="a">' + "".join(
+        f'<visual><geometry><mesh filename="{place}/p.stl"/></geometry></visual>' for place in link_spellings(n))
+        + "</link></robot>")
+
+
+@grows(30, "smurfs-flatten", "-q", "--format", "usda", "-o", "out", "r.urdf")
+def mesh_of_many_names_to_usda(n, write):
+    mesh_of_many_names(n, write)
+
+
+@grows(30, "smurfs-flatten", "-q", "--format", "gltf", "-o", "out", "r.urdf")
+def mesh_of_many_names_to_gltf(n, write):
+    mesh_of_many_names(n, write)
+
+
+@grows(30, "smurfs-flatten", "-q", "--format", "sdf", "--copy-assets", "copies", "-o", "out", "r.urdf")
+def mesh_of_many_names_copied(n, write):
+    mesh_of_many_names(n, write)
 
 
 @grows(50, "smurf-lint", "-q", "a.smurf")

@@ -25,8 +25,7 @@ CheckResult some_result() {
   diagnostic.labels.push_back({{SourceId{0}, 8, 9}, "z"});
   diagnostic.notes.push_back("n");
   result.diagnostics = sink.take();
-  result.links = {"a", "b"};
-  result.samples.push_back({Stage::hang, 0.5, 1e-3, 2e-6, {Pose{{1, 2, 3}, {}}, Pose{}}});
+  result.samples.push_back({Stage::hang, 0.5, 1e-3, 2e-6});
   return result;
 }
 
@@ -47,9 +46,27 @@ TEST_CASE("a result arrives as it was sent") {
   CHECK(result.diagnostics[0].caret == "y");
   CHECK(result.diagnostics[0].labels[0].message == "z");
   CHECK(result.diagnostics[0].notes[0] == "n");
-  CHECK(result.links == std::vector<std::string>{"a", "b"});
   CHECK(result.samples[0].energy == 1e-3);
-  CHECK(result.samples[0].X_WL[0].position[2] == 3);
+  CHECK(result.trace.empty());
+}
+
+TEST_CASE("a trace arrives as it was sent, whatever names are in it") {
+  CheckResult sent = some_result();
+  sent.is_trace_cut = true;
+  const std::string rows = "{\"a\": 1}\ntrace 3\nb\n";
+  const Message message =
+      decode(encode_begin(Stage::hang) + encode_trace_begin(rows.size()) + rows + encode(sent));
+  REQUIRE(message.result);
+  CHECK(message.result->trace == rows);
+  CHECK(message.result->is_trace_cut);
+}
+
+TEST_CASE("a trace that the child could not finish is no result") {
+  const std::string whole =
+      encode_begin(Stage::hang) + encode_trace_begin(4) + "a,b\n" + encode({});
+  for (std::size_t size = 0; size < whole.size() - 1; ++size) {
+    CHECK(!decode(whole.substr(0, size)).result);
+  }
 }
 
 TEST_CASE("all that a finding says arrives") {

@@ -2,8 +2,10 @@
 #include "common/file_set.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -25,6 +27,15 @@ FileSet::Problem problem(const std::string& path, int error) {
   // Of names that others chose: a link would choose the place.
   if (error == ELOOP) return {path, "it is a symbolic link, which is not followed here"};
   return {path, std::generic_category().message(error), error == EEXIST};
+}
+
+/// A program may have 1,024 files open at once unless it asks for more, which the system allows.
+void allow_open_files(std::size_t count) {
+  constexpr rlim_t kOthers = 64;
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= count + kOthers) return;
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, count + kOthers);
+  ::setrlimit(RLIMIT_NOFILE, &limit);  // what is not allowed shows when a file is opened
 }
 
 }  // namespace
@@ -55,13 +66,27 @@ FileSet::~FileSet() {
 }
 
 std::optional<FileSet::Problem> FileSet::write(bool overwrite) {
-  for (const OutputFile& file : files_) {
-    if (auto found = prepare(file, overwrite)) return found;
-  }
+  if (auto found = prepare_all(overwrite)) return found;
   for (Written& written : written_) {
     if (auto found = place(written, &written == &written_.back())) return found;
   }
-  is_done_ = true;
+  keep();
+  return std::nullopt;
+}
+
+std::optional<FileSet::Problem> FileSet::write_for_now(bool overwrite) {
+  if (auto found = prepare_all(overwrite)) return found;
+  for (Written& written : written_) {
+    if (auto found = place(written, false)) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<FileSet::Problem> FileSet::prepare_all(bool overwrite) {
+  allow_open_files(2 * files_.size());  // each and its folder
+  for (const OutputFile& file : files_) {
+    if (auto found = prepare(file, overwrite)) return found;
+  }
   return std::nullopt;
 }
 
@@ -84,8 +109,13 @@ std::optional<FileSet::Problem> FileSet::prepare(const OutputFile& file, bool ov
     }
     if (!overwrite) return problem(shown, EEXIST);
   }
-  const int error =
-      written.file.write(file.text, written.replaces ? std::optional(status) : std::nullopt);
+  FileContent content;
+  if (file.read) {
+    content = file.read();
+    if (content.status != ReadStatus::ok) return Problem{shown, content.reason};
+  }
+  const int error = written.file.write(file.read ? std::string_view(content.text) : file.text,
+                                       written.replaces ? std::optional(status) : std::nullopt);
   return error == 0 ? std::nullopt : std::optional(problem(shown, error));
 }
 
@@ -154,10 +184,15 @@ int FileSet::make_all(const std::string& folder) {
   return 0;
 }
 
-bool write_files(std::string_view tool, const std::vector<OutputFile>& files, bool overwrite) {
+bool write_files(std::string_view tool, const std::vector<OutputFile>& files, bool overwrite,
+                 const std::function<bool()>& last_step) {
   FileSet set(files, FileSet::MissingFolders::make);
-  const std::optional<FileSet::Problem> found = set.write(overwrite);
-  if (!found) return true;
+  const auto found = last_step ? set.write_for_now(overwrite) : set.write(overwrite);
+  if (!found) {
+    if (last_step && !last_step()) return false;
+    set.keep();
+    return true;
+  }
   const std::string_view remedy = found->exists ? "; see --overwrite" : "";
   complain(tool, "cannot write '" + found->path + "': " + found->reason + std::string(remedy) +
                      "; nothing was written");

@@ -36,7 +36,11 @@ class FileSet {
   /// Takes everything back that was not finished.
   ~FileSet();
 
+  /// Puts all files in their places, or none.
   std::optional<Problem> write(bool overwrite);
+  /// The same, but takes it back at the end unless keep() was called.
+  std::optional<Problem> write_for_now(bool overwrite);
+  void keep() { is_done_ = true; }
 
  private:
   struct Written {
@@ -49,6 +53,7 @@ class FileSet {
   };
 
   std::optional<Problem> prepare(const OutputFile& file, bool overwrite);
+  std::optional<Problem> prepare_all(bool overwrite);
   std::optional<Problem> place(Written& written, bool is_last);
   std::optional<Problem> open_folder(const OutputFile& file, int& folder);
   int open_below(int above, const std::string& name, int& folder);

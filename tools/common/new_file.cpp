@@ -5,6 +5,8 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 
 namespace smurf::tools {
@@ -12,6 +14,19 @@ namespace {
 
 /// By way of /proc, since only root may link a descriptor itself.
 std::string way_to(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
+
+/// All of an open file to another; 0 or an errno.
+int copy_all(int from, int to) {
+  std::array<char, 65536> buffer;
+  for (off_t at = 0;;) {
+    const ssize_t count = ::pread(from, buffer.data(), buffer.size(), at);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return count == 0 ? 0 : errno;
+    const int error = write_all(to, {buffer.data(), static_cast<std::size_t>(count)});
+    if (error != 0) return error;
+    at += count;
+  }
+}
 
 }  // namespace
 
@@ -37,18 +52,20 @@ int write_all(int descriptor, std::string_view text) {
 
 int with_free_name(std::string& name, const std::function<int(const std::string& name)>& make) {
   int error = EEXIST;
+  static std::atomic<unsigned> next = 0;  // thousands of files may be replaced in one folder
   for (int attempt = 0; attempt < 1000 && error == EEXIST; ++attempt) {
-    name = ".smurf-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+    name = ".smurf-" + std::to_string(::getpid()) + "-" + std::to_string(next++) + ".tmp";
     error = make(name);
   }
   return error;
 }
 
 int NewFile::write(std::string_view text, const std::optional<struct stat>& replaced) {
-  text_ = text;
   replaced_ = replaced;
-  const int error = open_nameless() == 0 ? 0 : open_named();
-  return error != 0 ? error : write_open();
+  int error = open_nameless() == 0 ? 0 : open_named();
+  if (error == 0) error = adopt_owner();
+  if (error == 0) error = write_all(file_.number(), text);
+  return error != 0 ? error : flush();
 }
 
 int NewFile::take_place() {
@@ -60,8 +77,11 @@ int NewFile::take_place() {
     }
     if (error != 0) {  // this file system names no file that had no name
       temporary_.clear();
+      const Descriptor nameless = std::move(file_);
       error = open_named();
-      if (error == 0) error = write_open();
+      if (error == 0) error = adopt_owner();
+      if (error == 0) error = copy_all(nameless.number(), file_.number());
+      if (error == 0) error = flush();
     }
     if (error != 0) return error;
   }
@@ -76,7 +96,7 @@ int NewFile::take_place() {
 
 int NewFile::open_nameless() {
 #ifdef O_TMPFILE
-  file_.reset(::openat(folder_, ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
+  file_.reset(::openat(folder_, ".", O_TMPFILE | O_RDWR | O_CLOEXEC, 0666));
   if (!file_.is_open()) return errno;
   if (::faccessat(AT_FDCWD, way_to(file_.number()).c_str(), F_OK, 0) == 0) return 0;
   file_.reset();
@@ -95,19 +115,17 @@ int NewFile::open_named() {
   });
 }
 
-int NewFile::write_open() const {
+int NewFile::adopt_owner() const {
+  if (!replaced_) return 0;
   const int file = file_.number();
-  if (replaced_) {
-    // First the owner: the mode is for this one. An ordinary user gives no file away.
-    const bool is_given = ::fchown(file, replaced_->st_uid, replaced_->st_gid) == 0;
-    [[maybe_unused]] const bool is_kept =
-        is_given || ::fchown(file, static_cast<uid_t>(-1), replaced_->st_gid) == 0;
-    if (::fchmod(file, replaced_->st_mode & 0777U) != 0) return errno;
-  }
-  const int error = write_all(file, text_);
-  if (error != 0) return error;
-  return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
+  // First the owner: the mode is for this one. An ordinary user gives no file away.
+  const bool is_given = ::fchown(file, replaced_->st_uid, replaced_->st_gid) == 0;
+  [[maybe_unused]] const bool is_kept =
+      is_given || ::fchown(file, static_cast<uid_t>(-1), replaced_->st_gid) == 0;
+  return ::fchmod(file, replaced_->st_mode & 0777U) == 0 ? 0 : errno;
 }
+
+int NewFile::flush() const { return ::fsync(file_.number()) == 0 || errno == EINVAL ? 0 : errno; }
 
 int NewFile::link_to(const std::string& name) const {
   const std::string file = way_to(file_.number());

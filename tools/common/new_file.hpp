@@ -50,7 +50,7 @@ class NewFile {
 
   /// 0 or an errno; a full disk shows here. The file that is to be replaced, if any, hands down its
   /// permissions and, as far as that is allowed, its owner and group; but not the setuid, setgid
-  /// and sticky bits, which were given to other bytes. `text` must outlive take_place().
+  /// and sticky bits, which were given to other bytes.
   int write(std::string_view text, const std::optional<struct stat>& replaced);
 
   /// 0 or an errno; EEXIST when nothing was to be replaced and there is a file by now. Other names
@@ -63,7 +63,8 @@ class NewFile {
  private:
   int open_nameless();
   int open_named();
-  int write_open() const;
+  int adopt_owner() const;
+  int flush() const;
   int link_to(const std::string& name) const;
   void drop();
 
@@ -71,7 +72,6 @@ class NewFile {
   std::string name_;
   std::string temporary_;  ///< the name it has until it takes its place; "": none
   Descriptor file_;
-  std::string_view text_;
   std::optional<struct stat> replaced_;
 };
 

@@ -2,10 +2,12 @@
 // Standard output, standard error and files, so written that nothing is lost unnoticed.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "smurf/file_reader.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf::tools {
@@ -28,8 +30,10 @@ bool write_output(std::string_view tool, const std::string& path, std::string_vi
 struct OutputFile {
   std::string folder;  ///< the user's choice: links in it are followed, as for write_output()
   std::string path;    ///< from there: made of names that others chose, so no link is followed
-  std::string_view text;
+  std::string_view text = {};
   std::string written_as = {};  ///< what the user wrote for both, when it is one name
+  /// Gives the text when it is written, so that many large files are not in memory at once.
+  std::function<FileContent()> read = {};
 };
 
 /// A name for a file or folder, made of one that others chose: neither hidden nor an option, "." or
@@ -40,8 +44,10 @@ std::string safe_name(std::string_view name);
 OutputFile named_by_user(const std::string& path, std::string_view text);
 
 /// Writes all files or none, and complains if it cannot. Folders that are missing are made.
-/// Existing files are an error unless `overwrite`.
-bool write_files(std::string_view tool, const std::vector<OutputFile>& files, bool overwrite);
+/// Existing files are an error unless `overwrite`. `last_step`, when given, is what goes with the
+/// files: when it is false, which it says itself, they are taken back.
+bool write_files(std::string_view tool, const std::vector<OutputFile>& files, bool overwrite,
+                 const std::function<bool()>& last_step = {});
 
 enum class ColorChoice { automatic, always, never };
 

@@ -20,8 +20,9 @@ struct CheckOptions {
   std::optional<double> time;                                         ///< s, of every timed stage
   std::optional<double> step;                                         ///< s
   Bounds bounds;
-  bool samples = false;  ///< fill CheckResult::samples
-  bool poses = false;    ///< and the poses in them
+  bool samples = false;   ///< fill CheckResult::samples
+  bool trace = false;     ///< fill CheckResult::trace
+  std::string traced_as;  ///< what rows of the trace call the file
 };
 
 /// Called before a stage begins, with the result of those before it but their samples.

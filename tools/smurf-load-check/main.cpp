@@ -49,10 +49,24 @@ bool have_pose(const Inputs& inputs, const std::string& name) {
   return has_all;
 }
 
+/// False when there are any.
+bool tell_cut_traces(std::span<const Checked> checked) {
+  bool is_whole = true;
+  for (const Checked& one : checked) {
+    if (!one.result.is_trace_cut) continue;
+    complain(kTool, "the trace of '" + one.job->path + "' ends after " +
+                        std::to_string(kMostTraceBytes) +
+                        " bytes; ask for less with --stages or --time");
+    is_whole = false;
+  }
+  return is_whole;
+}
+
 bool write_curves(const Options& options, std::span<const Checked> checked) {
   bool is_written = true;
   if (!options.trace.empty()) {
     is_written = write_output(kTool, options.trace, render_trace(checked));
+    is_written = tell_cut_traces(checked) && is_written;
   }
   if (!options.plot.empty()) {
     const std::string svg = render_plot(checked.front(), options.check.bounds);
@@ -111,8 +125,8 @@ int main(int argc, char** argv) {
   }
   if (!options.check.pose.empty() && !have_pose(inputs, options.check.pose)) return kFailed;
   if (!keeps_inputs(kTool, inputs.read, outputs_of(options))) return kFailed;
-  options.check.poses = !options.trace.empty();
-  options.check.samples = options.check.poses || !options.plot.empty();
+  options.check.trace = !options.trace.empty();
+  options.check.samples = !options.plot.empty();
   const RunOptions run{options.check, options.limits, options.jobs.value_or(1)};
   const std::vector<Checked> checked = [&] {
     Progress progress("checked", inputs.jobs.size(), options.quiet);

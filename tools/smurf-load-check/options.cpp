@@ -138,7 +138,8 @@ std::vector<Option> output_options(Options& options) {
       {.group = "Output",
        .name = "trace",
        .metavar = "FILE",
-       .help = "Write the pose of every link after every step, as CSV.",
+       .help =
+           "Write the pose of every link after every step, as CSV; at most 64 MB for a model or scene.",
        .set = tools::set_text(options.trace)},
       {.group = "Output",
        .name = "plot",

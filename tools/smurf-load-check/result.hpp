@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "smurf/diagnostic.hpp"
-#include "smurf/pose.hpp"
 
 namespace smurf::load_check {
 
@@ -49,17 +48,17 @@ struct StageResult {
 /// State after one step.
 struct Sample {
   Stage stage = Stage::hang;
-  double time = 0;         ///< s, from the start of the stage
-  double energy = 0;       ///< m, more than at the start
-  double gap = 0;          ///< m, of the worst joint
-  std::vector<Pose> X_WL;  ///< by CheckResult::links; only when poses are asked for
+  double time = 0;    ///< s, from the start of the stage
+  double energy = 0;  ///< m, more than at the start
+  double gap = 0;     ///< m, of the worst joint
 };
 
 struct CheckResult {
   std::vector<StageResult> stages;
   std::vector<Diagnostic> diagnostics;
-  std::vector<std::string> links;  ///< of the sampled poses: "link", in scenes "entity/link"
-  std::vector<Sample> samples;     ///< only when asked for
+  std::vector<Sample> samples;  ///< only when asked for
+  std::string trace;            ///< rows, only when asked for
+  bool is_trace_cut = false;    ///< there were more than kMostTraceBytes of them
 };
 
 }  // namespace smurf::load_check

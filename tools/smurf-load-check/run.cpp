@@ -5,6 +5,7 @@
 
 #include "base/rules.hpp"
 #include "smurf-load-check/bodies.hpp"
+#include "smurf-load-check/trace.hpp"
 #include "smurf-load-check/wire.hpp"
 #include "smurf-load-check/world.hpp"
 #include "smurf/lint.hpp"
@@ -22,17 +23,22 @@ void on_fault(const std::string& message) {
   end_child();
 }
 
-void run_job(const Job& job, const Inputs& inputs, const CheckOptions& options,
-             const Write& write) {
+void run_job(const Job& job, const Inputs& inputs, CheckOptions options, const Write& write) {
+  options.traced_as = field_of(job.path);
   fault_output = &write;
   start_engine(on_fault);
   const auto on_stage = [&](Stage stage, const CheckResult& so_far) {
     write(encode(so_far) + encode_begin(stage));
   };
   const ShapeFiles files{inputs.files, inputs.limits};
-  write(encode(job.model != nullptr
-                   ? check_model(*job.model, files, options, on_stage)
-                   : check_scene(*job.scene, inputs.sources, files, options, on_stage)));
+  const CheckResult result =
+      job.model != nullptr ? check_model(*job.model, files, options, on_stage)
+                           : check_scene(*job.scene, inputs.sources, files, options, on_stage);
+  if (options.trace) {
+    write(encode_trace_begin(result.trace.size()));
+    write(result.trace);
+  }
+  write(encode(result));
 }
 
 Span place_of(const Job& job) {
@@ -121,7 +127,7 @@ std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,
     checked.push_back({&job, {}});
     checked.back().result.diagnostics = job.obstacles;
   }
-  const std::vector<ChildOutcome> outcomes = run_in_children(
+  std::vector<ChildOutcome> outcomes = run_in_children(
       to_run.size(), options.jobs, options.limits,
       [&](std::size_t task, const Write& write) {
         run_job(*checked[to_run[task]].job, inputs, options.check, write);
@@ -130,6 +136,7 @@ std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,
   for (std::size_t i = 0; i < to_run.size(); ++i) {
     Checked& one = checked[to_run[i]];
     one.result = result_of(*one.job, outcomes[i], options.limits, inputs.session);
+    outcomes[i] = {};  // the text of a trace need not be there twice
   }
   return checked;
 }

@@ -6,6 +6,7 @@
 
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
+#include "smurf-load-check/trace.hpp"
 
 namespace smurf::load_check {
 namespace {
@@ -52,6 +53,8 @@ void StageRun::stage(Stage stage, const StageBody& body) {
 std::vector<EngineMessage> StageRun::attempt(const StageBody& body, double stop_margin,
                                              StageResult& result) {
   const std::size_t samples = result_.samples.size();
+  const std::size_t traced = result_.trace.size();
+  const bool was_cut = result_.is_trace_cut;
   sink_.take();
   withdrawn_ = nullptr;
   stop_margin_ = stop_margin;
@@ -60,7 +63,11 @@ std::vector<EngineMessage> StageRun::attempt(const StageBody& body, double stop_
   attempted.stage = result.stage;
   body(attempted);
   std::vector<EngineMessage> messages = take_engine_messages();
-  if (!messages.empty() && stop_margin == 0) result_.samples.resize(samples);
+  if (!messages.empty() && stop_margin == 0) {
+    result_.samples.resize(samples);
+    result_.trace.resize(traced);
+    result_.is_trace_cut = was_cut;
+  }
   result = std::move(attempted);
   return messages;
 }
@@ -115,7 +122,7 @@ bool StageRun::step(World& world, const Plan& plan, double seconds,
                     const std::function<void()>& measure) {
   const double time = options_.time.value_or(seconds);
   const double start_energy = world.energy();
-  if (options_.samples) sample(world, plan, start_energy);
+  record(world, plan, start_energy);
   // Counted, so that rounding of the time adds no step.
   const auto steps = static_cast<std::size_t>(std::llround(time / world.step_size()));
   for (std::size_t i = 0; i < steps; ++i) {
@@ -127,9 +134,14 @@ bool StageRun::step(World& world, const Plan& plan, double seconds,
       return false;
     }
     measure();
-    if (options_.samples) sample(world, plan, start_energy);
+    record(world, plan, start_energy);
   }
   return true;
+}
+
+void StageRun::record(const World& world, const Plan& plan, double start_energy) {
+  if (options_.samples) sample(world, plan, start_energy);
+  if (options_.trace && !result_.is_trace_cut) trace(world, plan);
 }
 
 void StageRun::sample(const World& world, const Plan& plan, double start_energy) {
@@ -140,17 +152,29 @@ void StageRun::sample(const World& world, const Plan& plan, double start_energy)
   for (std::size_t i = 0; i < plan.joints.size(); ++i) {
     sample.gap = std::fmax(sample.gap, world.joint_error(i).gap);
   }
-  if (options_.poses) {
-    for (const LinkPlan& link : plan.links) sample.X_WL.push_back(world.link_pose(link));
-    if (result_.links.empty()) {
-      for (const LinkPlan& link : plan.links) {
-        const std::string& entity = plan.models[link.instance].name;
-        result_.links.push_back((entity.empty() ? "" : entity + "/") +
-                                plan.link(link).name.value_or(""));
-      }
+  result_.samples.push_back(std::move(sample));
+}
+
+/// A step is in the trace as a whole or not at all.
+void StageRun::trace(const World& world, const Plan& plan) {
+  if (traced_links_.empty()) {
+    result_.trace.reserve(kMostTraceBytes);  // to grow, it would be in memory thrice
+    for (const LinkPlan& link : plan.links) {
+      const std::string& entity = plan.models[link.instance].name;
+      traced_links_.push_back(
+          field_of((entity.empty() ? "" : entity + "/") + plan.link(link).name.value_or("")));
     }
   }
-  result_.samples.push_back(std::move(sample));
+  const std::size_t before = result_.trace.size();
+  constexpr std::size_t kStageAndNumbers = 256;
+  for (std::size_t i = 0; i < plan.links.size() && !result_.is_trace_cut; ++i) {
+    const std::size_t row = options_.traced_as.size() + traced_links_[i].size() + kStageAndNumbers;
+    result_.is_trace_cut = result_.trace.size() + row > kMostTraceBytes;
+    if (result_.is_trace_cut) break;
+    append_row(result_.trace, options_.traced_as, current_, world.time(), traced_links_[i],
+               world.link_pose(plan.links[i]));
+  }
+  if (result_.is_trace_cut) result_.trace.resize(before);
 }
 
 Named fastest(const World& world, const Plan& plan) {

@@ -53,7 +53,10 @@ class StageRun {
                                      StageResult& result);
   void give_no_verdict(const std::vector<EngineMessage>& messages, StageResult& result);
   void keep_findings(StageResult& result);
+  /// What was asked for of the state after a step.
+  void record(const World& world, const Plan& plan, double start_energy);
   void sample(const World& world, const Plan& plan, double start_energy);
+  void trace(const World& world, const Plan& plan);
 
   const CheckOptions& options_;
   const OnStage& on_stage_;
@@ -62,6 +65,7 @@ class StageRun {
   const Rule* withdrawn_ = nullptr;
   DiagnosticSink sink_;
   CheckResult result_;
+  std::vector<std::string> traced_links_;  ///< "link", in scenes "entity/link"
   Stage current_ = Stage::build;
   bool has_failed_ = false;
 };

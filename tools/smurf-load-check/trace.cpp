@@ -2,25 +2,10 @@
 #include "smurf-load-check/trace.hpp"
 
 #include "base/numbers.hpp"
-#include "base/utf8.hpp"
+#include "render/printable.hpp"
 
 namespace smurf::load_check {
 namespace {
-
-/// A field of RFC 4180. An apostrophe in front keeps a spreadsheet from taking a name for a
-/// formula; control characters, which the format cannot escape, are replaced.
-std::string field(std::string_view name) {
-  constexpr std::string_view kFormula = "=+-@";
-  std::string text = utf8::replace_controls(name);
-  if (!text.empty() && kFormula.find(text.front()) != std::string::npos) text.insert(0, 1, '\'');
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
 
 void add_numbers(std::string& line, const Pose& pose) {
   const Vector3& p = pose.position;
@@ -32,20 +17,32 @@ void add_numbers(std::string& line, const Pose& pose) {
 
 }  // namespace
 
+/// A field of RFC 4180. An apostrophe in front keeps a spreadsheet from taking a name for a
+/// formula. Control characters and the like, which the format cannot escape, are as in messages.
+std::string field_of(std::string_view name) {
+  constexpr std::string_view kFormula = "=+-@";
+  std::string text = render::escape(name);
+  if (!text.empty() && kFormula.find(text.front()) != std::string::npos) text.insert(0, 1, '\'');
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+void append_row(std::string& rows, std::string_view file, Stage stage, double time,
+                std::string_view link, const Pose& X_WL) {
+  rows.append(file).append(",").append(to_string(stage)).append(",").append(format_number(time));
+  rows.append(",").append(link);
+  add_numbers(rows, X_WL);
+  rows += "\n";
+}
+
 std::string render_trace(std::span<const Checked> checked) {
   std::string out = "file,stage,time,link,x,y,z,qw,qx,qy,qz\n";
-  for (const Checked& one : checked) {
-    const std::vector<std::string>& links = one.result.links;
-    for (const Sample& sample : one.result.samples) {
-      const std::string begin = field(one.job->path) + "," + std::string(to_string(sample.stage)) +
-                                "," + format_number(sample.time) + ",";
-      for (std::size_t i = 0; i < sample.X_WL.size(); ++i) {
-        out += begin + field(links[i]);
-        add_numbers(out, sample.X_WL[i]);
-        out += "\n";
-      }
-    }
-  }
+  for (const Checked& one : checked) out += one.result.trace;
   return out;
 }
 

@@ -5,10 +5,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
+
 namespace smurf::load_check {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr std::string_view kTrace = "trace ";
 
 Json to_json(const Span& span) {
   return {static_cast<std::uint32_t>(span.source), span.begin, span.end};
@@ -43,15 +47,6 @@ std::vector<T> from_list(const Json& json, T (*to_value)(const Json&)) {
 /// JSON has neither NaN nor infinity; both come back as NaN.
 Json to_json(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 double to_double(const Json& json) { return json.is_null() ? NAN : json.get<double>(); }
-
-Json to_json(const Pose& pose) {
-  const Vector3& p = pose.position;
-  const Quaternion& q = pose.orientation;
-  return {p[0], p[1], p[2], q.w, q.x, q.y, q.z};
-}
-Pose to_pose(const Json& json) {
-  return {{json[0], json[1], json[2]}, {json[3], json[4], json[5], json[6]}};
-}
 
 Json to_json(const Rule* rule) { return rule != nullptr ? Json(rule->id) : Json(); }
 const Rule* to_rule(const Json& json) {
@@ -142,16 +137,10 @@ StageResult to_stage(const Json& json) {
 }
 
 Json to_json(const Sample& sample) {
-  Json poses = Json::array();
-  for (const Pose& pose : sample.X_WL) poses.push_back(to_json(pose));
-  return {static_cast<int>(sample.stage), sample.time, to_json(sample.energy), to_json(sample.gap),
-          poses};
+  return {static_cast<int>(sample.stage), sample.time, to_json(sample.energy), to_json(sample.gap)};
 }
 Sample to_sample(const Json& json) {
-  Sample sample{
-      static_cast<Stage>(json[0].get<int>()), json[1], to_double(json[2]), to_double(json[3]), {}};
-  for (const Json& pose : json[4]) sample.X_WL.push_back(to_pose(pose));
-  return sample;
+  return {static_cast<Stage>(json[0].get<int>()), json[1], to_double(json[2]), to_double(json[3])};
 }
 
 /// Names may hold bytes that are not UTF-8.
@@ -164,7 +153,7 @@ CheckResult to_result(const Json& json) {
   result.stages = from_list(json["stages"], to_stage);
   result.diagnostics = from_list(json["diagnostics"], to_diagnostic);
   result.samples = from_list(json["samples"], to_sample);
-  result.links = json["links"];
+  result.is_trace_cut = json["is_trace_cut"];
   return result;
 }
 
@@ -178,13 +167,26 @@ std::string encode(const CheckResult& result) {
   return line({{"stages", to_list(result.stages)},
                {"diagnostics", to_list(result.diagnostics)},
                {"samples", to_list(result.samples)},
-               {"links", result.links}});
+               {"is_trace_cut", result.is_trace_cut}});
+}
+
+std::string encode_trace_begin(std::size_t size) {
+  return std::string(kTrace) + std::to_string(size) + "\n";
 }
 
 Message decode(const std::string& output) {
   Message message;
+  std::string trace;
   for (std::size_t begin = 0; begin < output.size();) {
     const std::size_t end = std::min(output.find('\n', begin), output.size());
+    if (output.compare(begin, kTrace.size(), kTrace) == 0) {
+      const std::string_view line(output.data() + begin, end - begin);
+      const auto size = parse_integer(line.substr(kTrace.size()));
+      if (!size || end == output.size()) break;
+      trace = output.substr(end + 1, static_cast<std::size_t>(*size));
+      begin = end + 1 + trace.size();
+      continue;
+    }
     const Json json =
         Json::parse(output.begin() + static_cast<std::ptrdiff_t>(begin),
                     output.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
@@ -199,6 +201,7 @@ Message decode(const std::string& output) {
       message.fault = json["fault"];
     } else {
       message.result = to_result(json);
+      message.result->trace = std::move(trace);
     }
   }
   return message;

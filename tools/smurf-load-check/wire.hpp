@@ -12,7 +12,10 @@ namespace smurf::load_check {
 /// One line each.
 std::string encode_begin(Stage stage);
 std::string encode_fault(const std::string& message);
+/// But for the trace, which is sent before.
 std::string encode(const CheckResult& result);
+/// What goes before the rows of a trace, which are sent as they are.
+std::string encode_trace_begin(std::size_t size);
 
 /// What a child wrote before its end.
 struct Message {

@@ -6,6 +6,7 @@
 #include <set>
 #include <system_error>
 
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/output.hpp"
 
@@ -35,7 +36,7 @@ class Redirection {
 
   /// What the file is called from now on; `file` is relative to the output's folder.
   std::string redirect(const std::string& file, const std::string& group) {
-    const std::string from = known_name(absolute(file), current_, files_);
+    const std::string from = in_first_folder(known_name(absolute(file), current_, files_));
     const auto [known, is_new] = copies_.try_emplace({group, from});
     if (is_new) {
       const bool is_known = files_.is_file(from) || files_.is_denied(from);
@@ -51,16 +52,26 @@ class Redirection {
     return path::normalize(path::join(output_, file));
   }
 
+  /// Links may give a folder thousands of names, and each would be a place for another copy.
+  std::string in_first_folder(const std::string& file) {
+    const std::string folder(path::parent(file));
+    const auto [known, is_new] = folders_.try_emplace(folder);
+    if (is_new) {
+      known->second = first_folders_.try_emplace(files_.identity(folder), folder).first->second;
+    }
+    return path::join(known->second, path::file_name(file));
+  }
+
   std::string add(const std::string& from, const std::string& group) {
-    const std::string inside = unique(safe_name(group), from);
-    const AssetCopy& copy = list_.emplace_back(AssetCopy{from, folder_, inside});
-    const std::string to = path::join(current_, copy.to());
     // An OBJ names its materials in a file of the same name.
     const std::string materials = with_extension(from, ".mtl");
-    if (path::to_lower(path::extension(from)) == ".obj" && files_.is_file(materials)) {
-      list_.push_back({materials, folder_, with_extension(inside, ".mtl")});
-    }
-    return to;
+    const bool has_materials =
+        path::to_lower(path::extension(from)) == ".obj" && files_.is_file(materials);
+    const std::string inside = unique(safe_name(group), from, has_materials);
+    const AssetCopy copy{from, folder_, inside};
+    list_.push_back(copy);
+    if (has_materials) list_.push_back({materials, folder_, with_extension(inside, ".mtl")});
+    return path::join(current_, copy.to());
   }
 
   static std::string with_extension(const std::string& file, std::string_view extension) {
@@ -69,12 +80,18 @@ class Redirection {
 
   /// Files of one name from several folders get folders of their own, so that the name stays, and
   /// no copy takes the place of another source.
-  std::string unique(const std::string& group, const std::string& from) {
+  std::string unique(const std::string& group, const std::string& from, bool has_materials) {
     const std::string name = safe_name(path::file_name(from));
     std::string inside = path::join(group, name);
-    for (int number = 2; is_source(inside, from) || !taken_.insert(inside).second; ++number) {
-      inside = path::join(path::join(group, std::to_string(number)), name);
+    const auto is_taken = [&](const std::string& place) {
+      return is_source(place, from) || taken_.contains(place);
+    };
+    int& number = numbers_.try_emplace(inside, 1).first->second;
+    while (is_taken(inside) || (has_materials && is_taken(with_extension(inside, ".mtl")))) {
+      inside = path::join(path::join(group, std::to_string(++number)), name);
     }
+    taken_.insert(inside);
+    if (has_materials) taken_.insert(with_extension(inside, ".mtl"));
     return inside;
   }
 
@@ -88,7 +105,39 @@ class Redirection {
   std::set<std::string> sources_;
   std::map<std::pair<std::string, std::string>, std::string> copies_;
   std::set<std::string> taken_;
+  std::map<std::string, int> numbers_;
+  std::map<std::string, std::string> folders_;        ///< the first name, by any
+  std::map<std::string, std::string> first_folders_;  ///< by identity
   AssetCopies list_;
+};
+
+/// Reads files to copy. A model may name a file any number of times: each time after the first
+/// counts.
+class RepeatedBytes {
+ public:
+  RepeatedBytes(const FileReader& files, const Limits& limits) : files_(files), limits_(limits) {}
+
+  FileContent read(const std::string& file) {
+    FileContent content = files_.read(file, limits_.mesh_bytes);
+    if (content.status != ReadStatus::ok) {
+      content.reason = "cannot read '" + file + "': " + content.reason;
+    } else if (!seen_.insert(files_.identity(file)).second) {
+      bytes_ += content.text.size();
+      if (bytes_ > limits_.scene_bytes) {
+        return {ReadStatus::too_large,
+                {},
+                "copies of files that are copied already have more than " +
+                    std::to_string(limits_.scene_bytes) + " bytes; " + raise_limit("scene-bytes")};
+      }
+    }
+    return content;
+  }
+
+ private:
+  const FileReader& files_;
+  const Limits& limits_;
+  std::set<std::string> seen_;  ///< by identity
+  std::uint64_t bytes_ = 0;
 };
 
 bool is_in_place(const AssetCopy& copy) {
@@ -134,17 +183,25 @@ MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
     origins.emplace(path::join(options.current_folder, copy.to()), copy.from);
   }
   const std::string output = path::join(options.current_folder, options.output_folder);
-  return [=, &files, &limits](const std::string& file) {
+  const auto origin = [=, current = options.current_folder, &files](const std::string& file) {
     const std::string absolute = path::normalize(path::join(output, file));
     const auto copy = origins.find(absolute);
-    return read_triangles_of(
-        copy != origins.end() ? copy->second : known_name(absolute, options.current_folder, files),
-        files, limits);
+    return copy != origins.end() ? copy->second : known_name(absolute, current, files);
   };
+  return {.triangles =
+              [=, &files, &limits](const std::string& file) {
+                return read_triangles_of(origin(file), files, limits);
+              },
+          .identity =
+              [=, &files](const std::string& file) {  // the name tells how it is read
+                const std::string from = origin(file);
+                return path::to_lower(path::extension(from)) + files.identity(from);
+              },
+          .most_bytes = limits.scene_bytes};
 }
 
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
-                const Limits& limits, bool overwrite) {
+                const Limits& limits, bool overwrite, const std::function<bool()>& write_result) {
   const DiskFiles disk;
   AssetCopies missing;
   for (const AssetCopy& copy : copies) {
@@ -163,15 +220,14 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
       return false;
     }
   }
+  RepeatedBytes repeated(files, limits);
+  std::vector<OutputFile> outputs;
   for (const AssetCopy& copy : missing) {
-    const FileContent content = files.read(copy.from, limits.mesh_bytes);
-    if (content.status != ReadStatus::ok) {
-      complain(tool, "cannot read '" + copy.from + "': " + content.reason);
-      return false;
-    }
-    if (!write_files(tool, {{copy.folder, copy.inside, content.text, {}}}, overwrite)) return false;
+    outputs.push_back({.folder = copy.folder, .path = copy.inside, .read = [&repeated, &copy] {
+                         return repeated.read(copy.from);
+                       }});
   }
-  return true;
+  return write_files(tool, outputs, overwrite, write_result);
 }
 
 }  // namespace smurf::tools

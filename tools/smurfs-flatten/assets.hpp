@@ -2,6 +2,7 @@
 // The files that a result names: copied by --copy-assets, shown by previews.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,10 +38,10 @@ MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
 /// Where copies are made: not where the file itself is already.
 std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& inputs);
 
-/// False when a file cannot be copied; that has been said. Names come from the model: only files
-/// with the name of a mesh or an image are copied, and no other file is replaced unless
-/// `overwrite`.
+/// Copies the files and then calls `write_result`: all or nothing. False when something cannot be
+/// written; that has been said. Names come from the model: only files with the name of a mesh or an
+/// image are copied, and no other file is replaced unless `overwrite`.
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
-                const Limits& limits, bool overwrite);
+                const Limits& limits, bool overwrite, const std::function<bool()>& write_result);
 
 }  // namespace smurf::tools

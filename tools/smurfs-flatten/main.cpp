@@ -287,9 +287,8 @@ int main(int argc, char** argv) {
     return explain_instance(loaded->scene, sources, options);
   }
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");
-  if (!copy_files(kTool, result.copies, conversion.files(), options.common.limits,
-                  options.overwrite)) {
-    return kFailed;
-  }
-  return write_output(kTool, options.common.output, result.text) ? kDone : kFailed;
+  const bool is_written =
+      copy_files(kTool, result.copies, conversion.files(), options.common.limits, options.overwrite,
+                 [&] { return write_output(kTool, options.common.output, result.text); });
+  return is_written ? kDone : kFailed;
 }

@@ -105,7 +105,8 @@ inline constexpr std::array kLimits{
               "scenes that name the next one twice reach it in 18 levels"},
     LimitInfo{"scene-bytes", &Limits::scene_bytes, 100'000'000'000,
               "bytes of a scene when it is written out: names and keys of each entity and, in a "
-              "format that repeats models, its URDF",
+              "format that repeats models, its URDF; also of the meshes in a preview, and of what "
+              "`--copy-assets` copies more than once",
               "SML5022", "1,000 humanoids of 60 links have 70 MB"},
     LimitInfo{"srdf-bytes", &Limits::srdf_bytes, 10'000'000'000,
               "bytes of an SRDF, which has a line for each pair of links that do not collide", "",

@@ -2,6 +2,7 @@
 // Flat scenes as text in the formats of other programs.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/flatten.hpp"
+#include "smurf/limits.hpp"
 #include "smurf/mesh_triangles.hpp"
 
 namespace smurf {
@@ -16,9 +18,14 @@ namespace smurf {
 /// How a format that can do both refers to models: by their files, or written out.
 enum class SceneForm : std::uint8_t { reference, expand };
 
-/// The triangles of a mesh by its file, which is relative to the output's folder. Asked for once a
-/// file, since nothing is kept.
-using MeshSource = std::function<MeshTriangles(const std::string& file)>;
+/// Where the meshes of a preview come from. Files are relative to the output's folder.
+struct MeshSource {
+  /// Null when no mesh is at hand. Asked for once a file, since nothing is kept.
+  std::function<MeshTriangles(const std::string& file)> triangles;
+  /// Equal for names of one file that have the same triangles.
+  std::function<std::string(const std::string& file)> identity;
+  std::uint64_t most_bytes = Limits{}.scene_bytes;  ///< of all meshes, written out
+};
 
 /// What a writer is given. Everything must outlive the call.
 struct SceneExport {

@@ -45,12 +45,11 @@ bool is_usable(const FlatInstance& instance) {
   });
 }
 
-bool is_usable(const Light& light) {
-  const auto is_near = [](const Field<Vector3>& place) {
-    return !place || are_quantities({(*place)[0], (*place)[1], (*place)[2]});
-  };
-  return is_near(light.position) && is_near(light.look_at);
+bool is_usable(const Field<Vector3>& vector) {
+  return !vector || are_quantities({(*vector)[0], (*vector)[1], (*vector)[2]});
 }
+
+bool is_usable(const Light& light) { return is_usable(light.position) && is_usable(light.look_at); }
 
 }  // namespace
 
@@ -71,6 +70,12 @@ bool check_flat_numbers(const FlatScene& flat, const LinkedScene& scene, Diagnos
     if (!is_lit) report(old.instance);
   }
   for (const SceneFile& file : scene.scenes) {
+    const std::optional<Physics>& physics = file.scene.physics;
+    if (physics && !is_usable(physics->gravity)) {
+      is_sound = false;
+      sink.report(rules::sml4003_out_of_range, physics->gravity.span,
+                  "gravity is too strong to be computed with");
+    }
     for (const Light& light : file.scene.lights) {
       if (is_usable(light)) continue;
       is_sound = false;

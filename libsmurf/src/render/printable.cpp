@@ -3,13 +3,13 @@
 // or hide text; so nothing of a file reaches the terminal undecoded.
 #include "render/printable.hpp"
 
+#include "base/misread.hpp"
 #include "base/utf8.hpp"
 
 namespace smurf::render {
 namespace {
 
 using utf8::kReplacement;
-constexpr char32_t kByteOrderMark = 0xFEFF;
 
 bool is_unsafe(char32_t c) { return utf8::is_control(c) || utf8::is_layout(c); }
 
@@ -21,18 +21,6 @@ void append_escape(std::string& out, char32_t c) {
   default: break;
   }
   utf8::append_escape(out, c);
-}
-
-/// GitHub and Azure take a line that holds one of these for a command.
-bool starts_mark(std::string_view rest) {
-  return rest.starts_with("##[") || rest.starts_with("##vso[");
-}
-
-/// GitHub does the same with a line that begins with "::". A name may be at the start of a line, or
-/// come there where text is wrapped.
-bool starts_command(std::string_view text, std::size_t at) {
-  const std::string_view rest = text.substr(at);
-  return starts_mark(rest) || (rest.starts_with("::") && (at == 0 || text[at - 1] == ' '));
 }
 
 }  // namespace
@@ -49,7 +37,7 @@ std::vector<Glyph> to_glyphs(std::string_view line, std::uint32_t offset) {
     glyph.text = line.substr(at, point.size);
     if (point.value == '\t') {
       glyph.is_tab = true;
-    } else if (point.value == kByteOrderMark) {
+    } else if (is_byte_order_mark(point.value)) {
       glyph.text = {};
       glyph.width = 0;
     } else if (is_unsafe(point.value) || point.value == 0xFFFD || starts_mark(line.substr(at))) {
@@ -69,7 +57,7 @@ std::string escape(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size()) {
     const utf8::CodePoint point = utf8::decode(text.substr(at));
-    if (is_unsafe(point.value) || point.value == kByteOrderMark || starts_command(text, at)) {
+    if (utf8::is_control(point.value) || is_misread(text, at, point.value)) {
       append_escape(out, point.value);
     } else if (point.value == 0xFFFD) {
       out += kReplacement;

@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is fixed to what, as a graph for Graphviz. Nested scenes are boxes around their entities.
+#include "base/misread.hpp"
 #include "base/utf8.hpp"
 #include "smurf/write_scene.hpp"
 
 namespace smurf {
 namespace {
 
-/// A quoted string of the language; a backslash would start an escape of labels.
+/// A quoted string of the language; a backslash would start an escape of labels. Characters that
+/// are misread are entities, which Graphviz knows in labels, so `&` is one as well.
 std::string quoted(std::string_view text) {
+  const std::string clean = utf8::replace_controls(text);
   std::string escaped = "\"";
-  for (const char c : utf8::replace_controls(text)) {
-    if (c == '"' || c == '\\') escaped += '\\';
-    if (c == '\n' || c == '\t') {
-      escaped += ' ';
-    } else {
-      escaped += c;
+  for (std::size_t at = 0; at < clean.size();) {
+    const std::string_view rest = std::string_view(clean).substr(at);
+    const utf8::CodePoint point = utf8::decode(rest);
+    switch (point.value) {
+    case '\n':
+    case '\t': escaped += ' '; break;
+    case '&': escaped += "&amp;"; break;
+    case '"':
+    case '\\': escaped += '\\'; [[fallthrough]];
+    default:
+      escaped += is_misread(clean, at, point.value) ? "&#" + std::to_string(point.value) + ";"
+                                                    : std::string(rest.substr(0, point.size));
     }
+    at += point.size;
   }
   return escaped + '"';
 }

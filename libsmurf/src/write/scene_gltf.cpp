@@ -9,6 +9,7 @@
 #include "base/numbers.hpp"
 #include "write/json_text.hpp"
 #include "write/placed_shapes.hpp"
+#include "write/preview_meshes.hpp"
 #include "write/scene_losses.hpp"
 #include "write/unit_meshes.hpp"
 
@@ -41,9 +42,13 @@ void append_bytes(std::string& bytes, Unsigned value) {
   }
 }
 
+/// Three numbers of four bytes, and an index of two, in base64.
+constexpr PreviewMeshes::Cost kCost{16, 2};
+
 class GltfWriter {
  public:
-  explicit GltfWriter(const SceneExport& scene) : scene_(scene), losses_(scene, "glTF") {}
+  explicit GltfWriter(const SceneExport& scene)
+      : scene_(scene), losses_(scene, "glTF"), files_(scene, kCost) {}
 
   std::string run() {
     std::vector<std::size_t> roots;
@@ -163,9 +168,10 @@ class GltfWriter {
     } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
       add(Solid::square, shape.X_LS, {plane->length, plane->width, 1});
     } else if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) {
-      const std::string& reason = accessors_of(mesh->file).why_none;
+      const std::string& file = files_.first_name(mesh->file);
+      const std::string& reason = accessors_of(file, shape.span).why_none;
       if (reason.empty()) {
-        add(mesh->file, shape.X_LS, mesh->scale);
+        add(file, shape.X_LS, mesh->scale);
       } else {
         losses_.unseen_shape(shape.span, shape.geometry, reason);
       }
@@ -202,13 +208,14 @@ class GltfWriter {
     return known->second;
   }
 
-  const Accessors& accessors_of(const Points& points) {
+  /// `place` of a shape that asks for a file.
+  const Accessors& accessors_of(const Points& points, Span place = {}) {
     const auto [known, is_new] = points_.try_emplace(points);
     if (!is_new) return known->second;
     if (const auto* solid = std::get_if<Solid>(&points)) {
       known->second = add_solid(*solid);
     } else {
-      known->second = add_file(std::get<std::string>(points));
+      known->second = add_file(std::get<std::string>(points), place);
     }
     return known->second;
   }
@@ -225,13 +232,9 @@ class GltfWriter {
     return accessors;
   }
 
-  Accessors add_file(const std::string& file) {
+  Accessors add_file(const std::string& file, Span place) {
     Accessors accessors;
-    if (!scene_.meshes) {
-      accessors.why_none = "is not at hand";
-      return accessors;
-    }
-    const MeshTriangles mesh = scene_.meshes(file);
+    const MeshTriangles mesh = files_.read(file, place);
     accessors.why_none = mesh.reason;
     if (!mesh.reason.empty()) return accessors;
     accessors.points = add_vectors(mesh.points, true);
@@ -319,6 +322,7 @@ class GltfWriter {
 
   const SceneExport& scene_;
   SceneLosses losses_;
+  PreviewMeshes files_;
   LinkFrames frames_;
   std::vector<std::string> nodes_, mesh_texts_, material_texts_, accessors_, views_;
   std::string buffer_;

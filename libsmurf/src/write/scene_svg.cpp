@@ -17,8 +17,30 @@ constexpr std::string_view kAxisColors[] = {"#d62828", "#2a9134", "#1d5fd1"};
 constexpr std::string_view kModelColors[] = {"#4878a8", "#e08a3c", "#6aa84f", "#a05195",
                                              "#c0504d", "#17a2b8", "#8d6e63", "#7f8c2b"};
 
-/// Points whose hull is the shape's outline; round things as polygons.
-std::vector<Vector3> outline(const FlatGeometry& geometry) {
+constexpr int kSegments = 24;  // of a circle
+
+/// Where the polygons of balls begin, as seen from above: along the shape's axis, or, when that
+/// stands upright, along its x axis.
+double start_angle(const Quaternion& orientation) {
+  constexpr double kUpright = 1e-6;
+  const Vector3 z = rotate(orientation, {0, 0, 1});
+  const Vector3 along = std::hypot(z[0], z[1]) > kUpright ? z : rotate(orientation, {1, 0, 0});
+  return std::atan2(along[1], along[0]);
+}
+
+/// A ball is a circle from above. Its points are as high as its top.
+void add_ball(const Pose& X_WS, double radius, double z, std::vector<Vector3>& points) {
+  const Vector3 center = (X_WS * Pose{{0, 0, z}, {}}).position;
+  const double start = start_angle(X_WS.orientation);
+  for (int i = 0; i < kSegments; ++i) {
+    const double angle = start + 2 * std::numbers::pi * i / kSegments;
+    points.push_back({center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle),
+                      center[2] + radius});
+  }
+}
+
+/// Points in the frame of a shape whose hull is its outline; round things as polygons.
+std::vector<Vector3> corners(const FlatGeometry& geometry) {
   std::vector<Vector3> points;
   const auto add_corners = [&](const Vector3& size) {
     for (const double x : {-0.5, 0.5}) {
@@ -29,18 +51,10 @@ std::vector<Vector3> outline(const FlatGeometry& geometry) {
       }
     }
   };
-  constexpr int kSegments = 24;
   const auto add_circle = [&](double radius, double z) {
     for (int i = 0; i < kSegments; ++i) {
       const double angle = 2 * std::numbers::pi * i / kSegments;
       points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
-    }
-  };
-  const auto add_ball = [&](double radius, double z) {
-    constexpr int kRings = 12;
-    for (int i = 0; i <= kRings; ++i) {
-      const double angle = std::numbers::pi * i / kRings;
-      add_circle(radius * std::sin(angle), z + radius * std::cos(angle));
     }
   };
   if (const auto* plane = std::get_if<FlatPlane>(&geometry)) {
@@ -49,16 +63,27 @@ std::vector<Vector3> outline(const FlatGeometry& geometry) {
     add_corners(box->size);
   } else if (const auto* map = std::get_if<FlatHeightmap>(&geometry)) {
     add_corners({map->length, map->width, 0});
-  } else if (const auto* sphere = std::get_if<FlatSphere>(&geometry)) {
-    add_ball(sphere->radius, 0);
   } else if (const auto* cylinder = std::get_if<FlatCylinder>(&geometry)) {
     add_circle(cylinder->radius, cylinder->length / 2);
     add_circle(cylinder->radius, -cylinder->length / 2);
-  } else if (const auto* capsule = std::get_if<FlatCapsule>(&geometry)) {
-    add_ball(capsule->radius, capsule->length / 2);
-    add_ball(capsule->radius, -capsule->length / 2);
   }
   return points;  // nothing is known of a mesh: files are not read here
+}
+
+/// Points in the world whose hull, from above, is the shape's outline.
+std::vector<Vector3> outline(const PlacedShape& shape) {
+  std::vector<Vector3> points;
+  if (const auto* sphere = std::get_if<FlatSphere>(&shape.geometry)) {
+    add_ball(shape.X_WS, sphere->radius, 0, points);
+  } else if (const auto* capsule = std::get_if<FlatCapsule>(&shape.geometry)) {
+    for (const double end : {0.5, -0.5}) {
+      add_ball(shape.X_WS, capsule->radius, end * capsule->length, points);
+    }
+  } else {
+    points = corners(shape.geometry);
+    for (Vector3& point : points) point = (shape.X_WS * Pose{point, {}}).position;
+  }
+  return points;
 }
 
 Point2 from_above(const Vector3& point) { return {point[0], point[1]}; }
@@ -128,8 +153,7 @@ class TopView {
                             .top = -1e300,
                             .instance = i,
                             .is_ground = std::holds_alternative<FlatPlane>(shape.geometry)};
-        for (const Vector3& point : outline(shape.geometry)) {
-          const Vector3 p_W = (shape.X_WS * Pose{point, {}}).position;
+        for (const Vector3& p_W : outline(shape)) {
           footprint.hull.push_back(from_above(p_W));
           footprint.top = std::max(footprint.top, p_W[2]);
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A table of poses, for shells, spreadsheets and spawn scripts.
+#include "base/misread.hpp"
 #include "base/numbers.hpp"
 #include "base/utf8.hpp"
 #include "smurf/write_scene.hpp"
@@ -8,13 +9,14 @@ namespace smurf {
 namespace {
 
 /// Tabs and line ends would break the table, other control characters a terminal. A backslash in
-/// front keeps a spreadsheet from taking a name for a formula.
+/// front keeps a spreadsheet from taking a name for a formula. The first character of what a build
+/// server would take for a command is escaped, so that names stay exact.
 std::string cell(std::string_view text) {
   constexpr std::string_view kFormula = "=+-@";
   std::string escaped;
   if (!text.empty() && kFormula.find(text.front()) != std::string_view::npos) escaped = "\\";
-  while (!text.empty()) {
-    const utf8::CodePoint point = utf8::decode(text);
+  for (std::size_t at = 0; at < text.size();) {
+    const utf8::CodePoint point = utf8::decode(text.substr(at));
     switch (point.value) {
     case '\\': escaped += "\\\\"; break;
     case '\t': escaped += "\\t"; break;
@@ -22,13 +24,13 @@ std::string cell(std::string_view text) {
     case '\r': escaped += "\\r"; break;
     case 0xFFFD: escaped += utf8::kReplacement; break;  // an invalid byte
     default:
-      if (utf8::is_control(point.value)) {
+      if (utf8::is_control(point.value) || is_misread(text, at, point.value)) {
         utf8::append_escape(escaped, point.value);
       } else {
-        escaped += text.substr(0, point.size);
+        escaped += text.substr(at, point.size);
       }
     }
-    text.remove_prefix(point.size);
+    at += point.size;
   }
   return escaped;
 }

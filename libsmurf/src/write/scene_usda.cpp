@@ -5,11 +5,13 @@
 #include <cmath>
 #include <map>
 
+#include "base/misread.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/unique_names.hpp"
 #include "base/utf8.hpp"
 #include "write/placed_shapes.hpp"
+#include "write/preview_meshes.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 
@@ -35,25 +37,47 @@ std::string tuple(const std::array<float, 3>& point) {
 
 std::string tuple(const Vector3& vector) { return tuple({vector[0], vector[1], vector[2]}); }
 
-/// USD knows the escapes of JSON but those with a number.
+/// A byte as three octal digits: after an `x` USD would take any number of them.
+void append_octal(std::string& out, char byte) {
+  const auto value = static_cast<unsigned char>(byte);
+  out += '\\';
+  for (const unsigned shift : {6U, 3U, 0U}) out += static_cast<char>('0' + (value >> shift & 7U));
+}
+
+/// USD knows the escapes of C strings. Characters that are misread are written byte by byte.
 std::string quoted(std::string_view text) {
+  const std::string clean = utf8::replace_controls(text);
   std::string out = "\"";
-  for (const char c : utf8::replace_controls(text)) {
-    switch (c) {
+  for (std::size_t at = 0; at < clean.size();) {
+    const utf8::CodePoint point = utf8::decode(std::string_view(clean).substr(at));
+    const std::string_view character = std::string_view(clean).substr(at, point.size);
+    switch (point.value) {
     case '\n': out += "\\n"; break;
     case '\t': out += "\\t"; break;
     case '"':
     case '\\': out += '\\'; [[fallthrough]];
-    default: out += c;
+    default:
+      if (is_misread(clean, at, point.value)) {
+        for (const char byte : character) append_octal(out, byte);
+      } else {
+        out += character;
+      }
     }
+    at += point.size;
   }
   return out + "\"";
 }
 
+/// "(0, 0, 0), ", and "0, " with a third of the "3, " that counts the corners.
+constexpr PreviewMeshes::Cost kCost{11, 4};
+
 class UsdaWriter {
  public:
   explicit UsdaWriter(const SceneExport& scene)
-      : scene_(scene), losses_(scene, "USD"), names_(safe_names(scene.flat)) {}
+      : scene_(scene),
+        losses_(scene, "USD"),
+        names_(safe_names(scene.flat)),
+        files_(scene, kCost) {}
 
   std::string run() {
     line("#usda 1.0");
@@ -209,17 +233,17 @@ class UsdaWriter {
       losses_.unseen_shape(shape.span, shape.geometry, {});
       return nullptr;
     }
-    const auto [known, is_new] = mesh_of_file_.try_emplace(geometry->file, meshes_.size());
-    if (is_new) meshes_.push_back(read_mesh(geometry->file));
+    const std::string& file = files_.first_name(geometry->file);
+    const auto [known, is_new] = mesh_of_file_.try_emplace(file, meshes_.size());
+    if (is_new) meshes_.push_back(read_mesh(file, shape.span));
     const Mesh& mesh = meshes_[known->second];
     if (mesh.why_none.empty()) return &mesh;
     losses_.unseen_shape(shape.span, shape.geometry, mesh.why_none);
     return nullptr;
   }
 
-  Mesh read_mesh(const std::string& file) {
-    if (!scene_.meshes) return {{}, {}, "is not at hand"};
-    const MeshTriangles triangles = scene_.meshes(file);
+  Mesh read_mesh(const std::string& file, Span place) {
+    const MeshTriangles triangles = files_.read(file, place);
     if (!triangles.reason.empty()) return {{}, {}, triangles.reason};
     const auto append = [](std::string& list, const std::string& item) {
       list += (list.ends_with('[') ? "" : ", ") + item;
@@ -272,6 +296,7 @@ class UsdaWriter {
   LinkFrames frames_;
   std::string out_;
   std::size_t depth_ = 0;
+  PreviewMeshes files_;
   std::vector<Mesh> meshes_;
   std::map<std::string, std::size_t> mesh_of_file_;
   UniqueNames mesh_names_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "lint/annotation_queries.hpp"
 
@@ -10,8 +11,8 @@ namespace {
 /// How many instances have a motor, or a link, of a name.
 using Counts = std::unordered_map<std::string_view, int>;
 
-void count(const NameTable& table, Counts& counts) {
-  for (const std::string_view name : table.names()) ++counts[name];
+void count(const NameTable& table, int uses, Counts& counts) {
+  for (const std::string_view name : table.names()) counts[name] += uses;
 }
 
 void check_name(const Counts& counts, std::string_view name, Span place, std::string_view kind,
@@ -44,12 +45,15 @@ void check_model(const LinkedModel& model, const Counts& motors, const Counts& l
 }
 
 void check(const LinkedScene& scene, Findings& findings) {
-  Counts motors, links;
+  // A scene may use a large model thousands of times.
+  std::vector<int> uses(scene.models.size());
   for (const Instance& instance : scene.instances) {
-    if (const LinkedModel* model = scene.model(instance)) {
-      count(model->motor_names, motors);
-      count(model->link_names, links);
-    }
+    if (instance.model) ++uses[to_size(*instance.model)];
+  }
+  Counts motors, links;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    count(scene.models[i].motor_names, uses[i], motors);
+    count(scene.models[i].link_names, uses[i], links);
   }
   for (const LinkedModel& model : scene.models) check_model(model, motors, links, findings);
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/preview_meshes.hpp"
+
+#include "base/limits.hpp"
+#include "base/rules.hpp"
+
+namespace smurf {
+
+const std::string& PreviewMeshes::first_name(const std::string& file) {
+  const auto [known, is_new] = by_name_.try_emplace(file);
+  if (is_new) {
+    const auto& identity = scene_.meshes.identity;
+    known->second = by_identity_.try_emplace(identity ? identity(file) : file, file).first->second;
+  }
+  return known->second;
+}
+
+MeshTriangles PreviewMeshes::read(const std::string& file, Span place) {
+  if (!scene_.meshes.triangles) return {{}, {}, "is not at hand"};
+  const std::uint64_t most = scene_.meshes.most_bytes;
+  if (bytes_ <= most) {
+    MeshTriangles mesh = scene_.meshes.triangles(file);
+    bytes_ += cost_.point_bytes * mesh.points.size() + cost_.index_bytes * mesh.indices.size();
+    if (bytes_ <= most) return mesh;
+    scene_.losses
+        .report(rules::sml5022_too_many_instances, place,
+                "with this mesh the meshes of the scene, written out, have more than " +
+                    std::to_string(most) + " bytes")
+        .help = raise_limit("scene-bytes");
+  }
+  return {{}, {}, "is too much to write"};
+}
+
+}  // namespace smurf

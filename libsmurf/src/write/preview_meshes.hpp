@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The mesh files of a preview: each is read once, and all together have a limit.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+
+#include "smurf/source.hpp"
+#include "smurf/write_scene.hpp"
+
+namespace smurf {
+
+class PreviewMeshes {
+ public:
+  /// What a format needs at least for one point and for one index of a triangle.
+  struct Cost {
+    std::uint64_t point_bytes, index_bytes;
+  };
+
+  /// `scene` must outlive this.
+  PreviewMeshes(const SceneExport& scene, Cost cost) : scene_(scene), cost_(cost) {}
+
+  /// The name under which a file was first asked for. Links may give a file thousands of names.
+  const std::string& first_name(const std::string& file);
+
+  /// No triangles, and a finding at `place`, when those of all files would be too many to write.
+  MeshTriangles read(const std::string& file, Span place);
+
+ private:
+  const SceneExport& scene_;
+  Cost cost_;
+  std::unordered_map<std::string, std::string> by_name_;
+  std::unordered_map<std::string, std::string> by_identity_;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace smurf
