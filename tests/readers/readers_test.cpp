@@ -74,11 +74,11 @@ constexpr std::string_view kRobot = R"(<robot name="r">
 </robot>
 )";
 
-/// What becomes of the robot with `text` in the place of `original`.
+/// What becomes of the robot with `text` in the place of `original`; "" is nowhere.
 Answer answer_for(std::string_view target, std::string_view original, std::string_view text) {
   std::string robot(kRobot);
-  for (std::size_t at = robot.find(original); at != std::string::npos;
-       at = robot.find(original, at + text.size())) {
+  for (std::size_t at = original.empty() ? std::string::npos : robot.find(original);
+       at != std::string::npos; at = robot.find(original, at + text.size())) {
     robot.replace(at, original.size(), text);
   }
   Loaded loaded;

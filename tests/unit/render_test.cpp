@@ -126,7 +126,7 @@ What to do
   Correct the name.
 
 Sources
-  smurf.cpp:156
+  smurf.cpp:156.
 )");
   std::string why;
   for (int i = 0; i < 100; ++i) why += "word ";

@@ -78,6 +78,8 @@ struct TargetVerdict {
 
   Answer answer() const;
   std::size_t count(Answer answer) const;
+  /// Of so many more faults of a rule, it is not known what the reader makes.
+  void add_unknown(const Rule& of, std::size_t faults);
   /// What becomes of more files.
   void add(const TargetVerdict& other);
 };

@@ -212,14 +212,17 @@ std::size_t TargetVerdict::count(Answer answer) const {
   return 0;
 }
 
+void TargetVerdict::add_unknown(const Rule& of, std::size_t faults) {
+  unknown += faults;
+  const auto known = std::find(unknown_rules.begin(), unknown_rules.end(), &of);
+  if (known == unknown_rules.end()) unknown_rules.push_back(&of);
+}
+
 void TargetVerdict::add(const TargetVerdict& other) {
   refusals += other.refusals;
   unknown += other.unknown;
   losses += other.losses;
-  for (const Rule* unknown_rule : other.unknown_rules) {
-    const auto known = std::find(unknown_rules.begin(), unknown_rules.end(), unknown_rule);
-    if (known == unknown_rules.end()) unknown_rules.push_back(unknown_rule);
-  }
+  for (const Rule* unknown_rule : other.unknown_rules) add_unknown(*unknown_rule, 0);
   if (other.fact == nullptr || (fact != nullptr && fact->effect >= other.fact->effect)) return;
   fact = other.fact;
   rule = other.rule;
@@ -235,10 +238,7 @@ TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> dia
     if (fact == nullptr) {
       const Severity severity = diagnostic.untargeted.value_or(diagnostic.severity);
       if (severity != Severity::error || diagnostic.rule->needs_target) continue;
-      ++verdict.unknown;
-      auto& rules = verdict.unknown_rules;
-      const auto known = std::find(rules.begin(), rules.end(), diagnostic.rule);
-      if (known == rules.end()) rules.push_back(diagnostic.rule);
+      verdict.add_unknown(*diagnostic.rule, 1);
       continue;
     }
     if (fact->effect <= Effect::ignores) continue;

@@ -92,6 +92,10 @@ class Run {
     report.summary.models = models_.size();
     report.summary.scenes = scenes_.size();
     report.problems = plan.problems;
+    if (plan.problems.empty()) return report;
+    for (TargetVerdict& verdict : report.targets) {
+      verdict.add_unknown(rules::sml0001_unreadable_file, plan.problems.size());
+    }
     return report;
   }
 

@@ -52,12 +52,26 @@ void for_each_name(const LinkedModel& model,
   });
 }
 
-bool are_links_named(const LinkedModel& model) {
-  return model.robot && std::all_of(model.robot->links.begin(), model.robot->links.end(),
-                                    [](const urdf::Link& link) {
-                                      return link.name && !link.name->empty() &&
-                                             !is_xacro(*link.name);
-                                    });
+const urdf::Link* link_without_name(const LinkedModel& model) {
+  const auto& links = model.robot->links;
+  const auto found = std::find_if(links.begin(), links.end(), [](const urdf::Link& link) {
+    return !link.name || link.name->empty() || is_xacro(*link.name);
+  });
+  return found == links.end() ? nullptr : &*found;
+}
+
+Diagnostic* check_link_of_joint(const LinkedModel& model, const urdf::Joint& joint,
+                                const Field<std::string>& link, Findings& findings) {
+  if (!link || link->empty()) return nullptr;
+  const urdf::Link* unnamed = link_without_name(model);
+  if (unnamed == nullptr) {
+    return check_reference(model, NameKind::link, *link, link.span, subject(joint), findings);
+  }
+  if (!model.link_names.contains(*link)) {
+    const bool has_name = unnamed->name && !unnamed->name->empty();
+    findings.add_consequence(has_name ? unnamed->name.span : tag_name(model, unnamed->element));
+  }
+  return nullptr;
 }
 
 std::string as_identifier(std::string_view name) {

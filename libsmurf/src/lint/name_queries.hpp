@@ -26,8 +26,13 @@ NameFault name_fault(std::string_view name);
 void for_each_name(const LinkedModel& model,
                    const std::function<void(std::string_view, const Field<std::string>&)>& visit);
 
-/// False when a link has no name, or one that xacro was to make: who refers to it cannot be judged.
-bool are_links_named(const LinkedModel& model);
+/// The first link without a name, or with one that xacro was to make. Null when all have one.
+const urdf::Link* link_without_name(const LinkedModel& model);
+
+/// Reports a joint that names, as its parent or child, a link that the robot does not have. Where a
+/// link has no name, that is the fault: null is returned then.
+Diagnostic* check_link_of_joint(const LinkedModel& model, const urdf::Joint& joint,
+                                const Field<std::string>& link, Findings& findings);
 
 /// What Isaac and USD make of a name: `_` for what is no letter, digit or underscore, and `a_`
 /// before a digit or underscore in front.

@@ -6,11 +6,8 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (!are_links_named(model)) return;
   for_each_joint(model, [&](const urdf::Joint& joint) {
-    if (!joint.parent || joint.parent->empty()) return;
-    Diagnostic* diagnostic = check_reference(model, NameKind::link, *joint.parent,
-                                             joint.parent.span, subject(joint), findings);
+    Diagnostic* diagnostic = check_link_of_joint(model, joint, joint.parent, findings);
     if (diagnostic != nullptr && *joint.parent == "world") {
       diagnostic->construct = "world";
       diagnostic->notes.push_back("only Drake knows a link `world` that is not declared");

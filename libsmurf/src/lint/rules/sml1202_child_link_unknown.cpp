@@ -6,11 +6,8 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (!are_links_named(model)) return;
   for_each_joint(model, [&](const urdf::Joint& joint) {
-    if (!joint.child || joint.child->empty()) return;
-    check_reference(model, NameKind::link, *joint.child, joint.child.span, subject(joint),
-                    findings);
+    check_link_of_joint(model, joint, joint.child, findings);
   });
 }
 
