@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "base/path.hpp"
-#include "common/confine.hpp"
 #include "common/input.hpp"
 #include "common/shared_options.hpp"
+#include "smurf/confine.hpp"
 
 namespace smurf::tools {
 

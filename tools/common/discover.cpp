@@ -17,12 +17,13 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/input.hpp"
+#include "smurf/check.hpp"
 
 namespace smurf::tools {
 namespace {
 
 bool is_sought(std::string_view path) {
-  const InputKind kind = kind_of(path);
+  const InputKind kind = input_kind(path);
   return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf;
 }
 

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "base/path.hpp"
-#include "common/repository.hpp"
+#include "smurf/repository.hpp"
 
 namespace smurf::tools {
 namespace {

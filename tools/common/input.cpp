@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
@@ -40,35 +39,7 @@ bool is_xml(std::string_view text) {
   return first != std::string_view::npos && text[first] == '<';
 }
 
-/// The entries of a list such as PATH, each followed by `suffix`.
-void append_entries(const char* variable, std::string_view suffix, std::vector<std::string>& to) {
-  const char* value = std::getenv(variable);
-  std::string_view rest = value == nullptr ? "" : value;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(':'), rest.size());
-    if (end > 0) to.push_back(path::join(rest.substr(0, end), suffix));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-}
-
 }  // namespace
-
-InputKind kind_of(std::string_view path) {
-  const std::string extension = path::to_lower(path::extension(path));
-  if (extension == ".smurf") return InputKind::model;
-  if (extension == ".smurfs" || extension == ".smurfa") return InputKind::scene;
-  if (extension == ".svg") return InputKind::drawing;
-  if (extension == ".urdf") return InputKind::urdf;
-  if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
-    return InputKind::annotation;
-  }
-  constexpr std::array kResources = {".stl", ".obj",  ".dae",  ".bobj", ".ply", ".gltf", ".glb",
-                                     ".3ds", ".mesh", ".mtl",  ".png",  ".jpg", ".jpeg", ".bmp",
-                                     ".tga", ".tif",  ".tiff", ".gif",  ".dds"};
-  const bool is_resource =
-      std::find(kResources.begin(), kResources.end(), extension) != kResources.end();
-  return is_resource ? InputKind::resource : InputKind::other;
-}
 
 std::optional<std::string> read_standard_input(std::string_view tool, const std::string& filename,
                                                const Limits& limits, MemoryFiles& files) {
@@ -98,13 +69,6 @@ std::optional<std::string> why_unreadable(const std::string& path, const FileRea
     return std::nullopt;
   }
   return content.reason;
-}
-
-std::vector<std::string> package_folders_of_environment() {
-  std::vector<std::string> folders;
-  append_entries("ROS_PACKAGE_PATH", ".", folders);
-  append_entries("AMENT_PREFIX_PATH", "share", folders);
-  return folders;
 }
 
 std::optional<std::string> current_folder(std::string_view tool) {

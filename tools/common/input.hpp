@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Standard input and what files are, by their names.
+// Standard input and the other inputs that a user names.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,6 @@
 
 namespace smurf::tools {
 
-/// A resource is a mesh or an image that models refer to. A drawing (.svg) is a scene when a user
-/// names it; most are none.
-enum class InputKind { model, scene, drawing, urdf, annotation, resource, other };
-
-/// By the extension.
-InputKind kind_of(std::string_view path);
-
 /// Reads standard input into `files` under the name `filename`, or under one made up when that is
 /// "" and the text is XML. Returns the name; complains and returns none when it cannot.
 std::optional<std::string> read_standard_input(std::string_view tool, const std::string& filename,
@@ -32,9 +25,6 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
 /// Why the user's path cannot be checked: "No such file or directory", "is not a regular file".
 /// None when it can be read.
 std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files);
-
-/// Where ROS keeps packages on this machine: ROS_PACKAGE_PATH, then share/ of AMENT_PREFIX_PATH.
-std::vector<std::string> package_folders_of_environment();
 
 /// Where the run was started. Complains when that folder is gone.
 std::optional<std::string> current_folder(std::string_view tool);

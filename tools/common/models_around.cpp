@@ -6,6 +6,7 @@
 
 #include "base/path.hpp"
 #include "common/input.hpp"
+#include "smurf/check.hpp"
 #include "smurf/load.hpp"
 
 namespace smurf::tools {
@@ -67,7 +68,7 @@ const ModelsAround::Users& ModelsAround::listing_in(const std::string& folder) {
   if (!is_new) return users;
   for (const std::string& name : files_.list(folder)) {
     const std::string model = path::join(folder, name);
-    if (kind_of(model) != InputKind::model || is_exhausted()) continue;
+    if (input_kind(model) != InputKind::model || is_exhausted()) continue;
     const OnlyMainFile only(files_, model);
     SourceMap sources;
     DiagnosticSink ignored(kNeighbour.findings);
@@ -87,7 +88,7 @@ const ModelsAround::Users& ModelsAround::using_in(const std::string& folder) {
   if (!is_new) return users;
   for (const std::string& name : files_.list(folder)) {
     const std::string candidate = path::join(folder, name);
-    const InputKind kind = kind_of(candidate);
+    const InputKind kind = input_kind(candidate);
     if ((kind != InputKind::model && kind != InputKind::urdf) || is_exhausted()) continue;
     SourceMap sources;
     DiagnosticSink ignored(kNeighbour.findings);

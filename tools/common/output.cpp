@@ -18,8 +18,8 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "common/file_set.hpp"
-#include "common/repository.hpp"
 #include "render/printable.hpp"
+#include "smurf/repository.hpp"
 
 namespace smurf::tools {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "common/repository.hpp"
+#include "smurf/repository.hpp"
 
 namespace smurf::tools {
 namespace {

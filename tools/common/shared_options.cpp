@@ -139,4 +139,13 @@ Option jobs_option(std::optional<int>& jobs) {
           .set = set_number(jobs, 1)};
 }
 
+Option allow_outside_option(bool& allow_outside) {
+  return {.group = "Input",
+          .name = "allow-outside",
+          .help =
+              "Read files that models name wherever they lie. Without it: in the current folder, "
+              "in the repository or package of the input, and in packages.",
+          .set = set_flag(allow_outside)};
+}
+
 }  // namespace smurf::tools

@@ -22,6 +22,7 @@ Option fail_on_option(Threshold& threshold);
 Option stdin_filename_option(std::string& path);
 /// NAME=DIR, for package:// addresses.
 Option package_option(std::map<std::string, std::string>& packages);
+Option allow_outside_option(bool& allow_outside);
 /// NAME=N, for the limits on what a file may demand.
 Option limit_option(Limits& limits);
 Option jobs_option(std::optional<int>& jobs);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/path.hpp"
-#include "common/confine.hpp"
 #include "render/printable.hpp"
+#include "smurf/confine.hpp"
 #include "smurf/fix.hpp"
 
 namespace smurf::tools {

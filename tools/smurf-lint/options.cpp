@@ -5,7 +5,6 @@
 #include <set>
 
 #include "base/numbers.hpp"
-#include "common/confine.hpp"
 #include "common/shared_options.hpp"
 
 namespace smurf::tools {

@@ -11,13 +11,13 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/path_patterns.hpp"
-#include "common/confine.hpp"
 #include "common/discover.hpp"
 #include "common/ignore_files.hpp"
 #include "common/input.hpp"
 #include "common/models_around.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf/config.hpp"
+#include "smurf/confine.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -222,7 +222,7 @@ class Planner {
       fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'" + left_out);
     }
     for (const std::string& file : found.files) {
-      switch (kind_of(file)) {
+      switch (input_kind(file)) {
       case InputKind::scene: add(plan_.scenes, file); break;
       case InputKind::urdf: add(plan_.strays, file); break;
       default: add(plan_.models, file); break;
@@ -239,7 +239,7 @@ class Planner {
   }
 
   void add_file(const std::string& path) {
-    switch (kind_of(path)) {
+    switch (input_kind(path)) {
     case InputKind::scene:
     case InputKind::drawing: add(plan_.scenes, path); return;
     case InputKind::model: add(plan_.models, path); return;
@@ -257,7 +257,7 @@ class Planner {
   void add_part(const std::string& path) {
     const std::vector<std::string> models = models_.listing(path);
     for (const std::string& model : models) add(plan_.models, model);
-    const bool is_passed_over = options_.only_listed && kind_of(path) == InputKind::annotation;
+    const bool is_passed_over = options_.only_listed && input_kind(path) == InputKind::annotation;
     if (models.empty() && !is_passed_over) add(plan_.strays, path);
   }
 

@@ -27,7 +27,7 @@ struct Plan {
 };
 
 /// Lets be read what the command line names and what belongs to it, which is what planning needs:
-/// common/confine.hpp.
+/// smurf/confine.hpp.
 void confine_to_inputs(ConfinedFiles& files, const LintOptions& options);
 /// Lets be read what belongs to the planned files and their configurations: a model may read the
 /// same whether it is named or found in a folder.

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "base/path.hpp"
-#include "common/confine.hpp"
 #include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
+#include "smurf/confine.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf::load_check {
@@ -60,7 +60,7 @@ class Loader {
     }
     // In the widest context first: scenes, models, then URDFs that no model has read.
     const auto rank = [](const std::string& file) {
-      const InputKind kind = kind_of(file);
+      const InputKind kind = input_kind(file);
       return is_scene(kind) ? 0 : kind == InputKind::model ? 1 : 2;
     };
     std::stable_sort(files.begin(), files.end(),
@@ -97,7 +97,7 @@ class Loader {
       const ArchivedMain main = main_file_of_archive(path, inputs_.files);
       if (main.path.empty()) return fail("cannot read '" + path + "': it " + main.reason);
       files.push_back(main.path);
-    } else if (kind_of(path) == InputKind::annotation || kind_of(path) == InputKind::other) {
+    } else if (input_kind(path) == InputKind::annotation || input_kind(path) == InputKind::other) {
       fail("cannot check '" + path + "': it is no .smurf, .smurfs, .smurfa, .svg or .urdf file");
     } else {
       files.push_back(path);
@@ -125,7 +125,7 @@ class Loader {
   /// An obstacle goes to the first job that it stands in the way of.
   void add_jobs(const std::string& file, const LoadedScene& loaded, std::vector<Diagnostic> found) {
     const LinkedScene& scene = loaded.scene;
-    const bool has_scene = is_scene(kind_of(file));
+    const bool has_scene = is_scene(input_kind(file));
     const bool is_sound = found.empty();
     for (const LinkedModel& model : scene.models) {
       Job job{.path = model.path,

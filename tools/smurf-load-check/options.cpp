@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
-#include "common/confine.hpp"
 #include "common/shared_options.hpp"
 
 namespace smurf::load_check {

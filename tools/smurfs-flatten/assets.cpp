@@ -9,6 +9,7 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/output.hpp"
+#include "smurf/check.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -206,7 +207,7 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
   AssetCopies missing;
   for (const AssetCopy& copy : copies) {
     if (is_in_place(copy)) continue;
-    if (kind_of(copy.to()) != InputKind::resource) {
+    if (input_kind(copy.to()) != InputKind::resource) {
       complain(tool, "cannot copy '" + copy.from +
                          "': its name is that of no mesh or image; nothing was written");
       return false;

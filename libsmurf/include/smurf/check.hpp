@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -33,6 +34,13 @@ namespace smurf {
 /// Where ROS keeps packages on this machine: ROS_PACKAGE_PATH, then share/ of AMENT_PREFIX_PATH.
 std::vector<std::string> ros_package_folders();
 
+/// What a file is. A resource is a mesh or an image that models refer to. A drawing (.svg) is a
+/// scene when a user names it; most are none.
+enum class InputKind : std::uint8_t { model, scene, drawing, urdf, annotation, resource, other };
+
+/// By the extension.
+InputKind input_kind(std::string_view path);
+
 /// How to check. What is given here comes before what a configuration says.
 struct CheckSettings {
   std::string config;        ///< a file; "": the nearest one above what is checked
@@ -44,6 +52,9 @@ struct CheckSettings {
   std::map<std::string, std::string> packages;  ///< package:// names to folders
   std::vector<std::string> package_folders = ros_package_folders();
   bool opens_meshes = true;
+  /// Read what models name wherever it lies; for a session that reads the disk by itself. Without
+  /// it: what confine() of confine.hpp allows.
+  bool allows_outside = false;
 
   bool heeds_comments = true;  ///< comments let findings pass
   bool heeds_baseline = true;  ///< so does the baseline
@@ -84,7 +95,7 @@ struct Report {
   Summary summary;
   /// On the targets of the settings and all configurations; what is let pass is judged as well.
   std::vector<TargetVerdict> targets;
-  std::vector<std::string> problems;   ///< of the plan
+  std::vector<std::string> problems;  ///< of the plan
   ReportWishes wishes;
 };
 
@@ -121,7 +132,7 @@ FileStamp stamp_on_disk(const std::string& path);
 /// the next. For one thread; a check uses several.
 class Session {
  public:
-  /// Reads from the disk.
+  /// Reads from the disk, within the projects of what it is asked for.
   explicit Session(const Limits& limits = {});
   /// Reads from `files`, which must outlive it. Without stamps, a second check reads all files
   /// again and compares them.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check/input_kind.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string>
 
 #include "base/path.hpp"
+#include "smurf/check.hpp"
 
 namespace smurf {
 
@@ -18,8 +17,9 @@ InputKind input_kind(std::string_view path) {
   if (extension == ".yml" || extension == ".yaml" || extension == ".json") {
     return InputKind::annotation;
   }
-  constexpr std::array kResources = {".stl", ".obj", ".dae", ".bobj", ".ply", ".gltf",
-                                     ".glb", ".mtl", ".png", ".jpg",  ".jpeg"};
+  constexpr std::array kResources = {".stl", ".obj",  ".dae",  ".bobj", ".ply", ".gltf", ".glb",
+                                     ".3ds", ".mesh", ".mtl",  ".png",  ".jpg", ".jpeg", ".bmp",
+                                     ".tga", ".tif",  ".tiff", ".gif",  ".dds"};
   const bool is_resource =
       std::find(kResources.begin(), kResources.end(), extension) != kResources.end();
   return is_resource ? InputKind::resource : InputKind::other;

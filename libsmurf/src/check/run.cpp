@@ -12,7 +12,6 @@
 #include "base/path.hpp"
 #include "base/rules.hpp"
 #include "check/identity.hpp"
-#include "check/input_kind.hpp"
 #include "check/parallel.hpp"
 
 namespace smurf {

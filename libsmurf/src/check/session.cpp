@@ -12,12 +12,12 @@
 #include "base/path.hpp"
 #include "check/find_config.hpp"
 #include "check/group.hpp"
-#include "check/input_kind.hpp"
 #include "check/pipeline.hpp"
 #include "check/run.hpp"
 #include "check/snapshot.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
+#include "smurf/confine.hpp"
 
 namespace smurf {
 namespace {
@@ -86,17 +86,33 @@ struct LoadedWith {
 };
 
 struct Session::State {
-  State(const FileReader* given, const Limits& of_user, StampOf stamps)
-      : limits(of_user), base(given == nullptr ? disk : *given), stamp_of_file(std::move(stamps)) {
+  State(const FileReader* reader, const Limits& of_user, StampOf stamps)
+      : limits(of_user), given(reader), stamp_of_file(std::move(stamps)) {
     open();
   }
 
   /// Archives are unpacked and links followed anew.
   void open() {
-    archives.emplace(base, limits);
+    if (given == nullptr) {
+      disk.emplace();
+      confine(*disk, asked_for, asked_packages, allows_outside);
+    }
+    archives.emplace(given == nullptr ? *disk : *given, limits);
     files.emplace(&*archives);
     for (const auto& [path, text] : texts) files->add(path, text.first);
     paths.emplace();
+  }
+
+  /// The same, after these may be read as well. What was loaded before may still be asked for.
+  void open(std::span<const std::string> inputs, const CheckSettings& settings) {
+    asked_for.insert(asked_for.end(), inputs.begin(), inputs.end());
+    if (!settings.config.empty()) asked_for.push_back(settings.config);
+    if (!settings.baseline.empty()) asked_for.push_back(settings.baseline);
+    std::sort(asked_for.begin(), asked_for.end());
+    asked_for.erase(std::unique(asked_for.begin(), asked_for.end()), asked_for.end());
+    for (const auto& [name, folder] : settings.packages) asked_packages[name] = folder;
+    allows_outside = settings.allows_outside;
+    open();
   }
 
   FileStamp stamp_of(const std::string& path) const {
@@ -109,7 +125,7 @@ struct Session::State {
 
   /// Where a model or scene is loaded.
   Loaded prepare(const std::string& path, const CheckSettings& settings) {
-    open();
+    open(std::span(&path, 1), settings);
     LoadedWith& with = loaded_with.emplace_back();
     with.first_source = loaded_sources.size();
     with.groups =
@@ -126,8 +142,11 @@ struct Session::State {
   }
 
   Limits limits;
-  DiskFiles disk;
-  const FileReader& base;
+  const FileReader* given;  ///< null: the disk
+  std::optional<ConfinedFiles> disk;
+  std::vector<std::string> asked_for;
+  std::map<std::string, std::string> asked_packages;
+  bool allows_outside = false;
   StampOf stamp_of_file;
   std::optional<ArchiveFiles> archives;
   std::optional<MemoryFiles> files;
@@ -161,7 +180,11 @@ void Session::clear_text(const std::string& path) {
 
 Report Session::check(const Plan& plan, const CheckSettings& settings) {
   State& state = *state_;
-  state.open();
+  std::vector<std::string> inputs = plan.configs;
+  for (const auto* files : {&plan.scenes, &plan.models, &plan.strays}) {
+    for (const PlannedFile& file : *files) inputs.push_back(file.path);
+  }
+  state.open(inputs, settings);
   if (!settings.remembers) {
     state.snapshot.reset();
     state.memory = {};
@@ -176,7 +199,7 @@ Report Session::check(const Plan& plan, const CheckSettings& settings) {
 }
 
 Report Session::check(const std::string& path, const CheckSettings& settings) {
-  state_->open();
+  state_->open(std::span(&path, 1), settings);
   Plan plan;
   if (!is_readable(path, *state_->files)) {
     const std::string reason = state_->files->read(path, 0).reason;

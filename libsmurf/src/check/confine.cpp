@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/confine.hpp"
+#include "smurf/confine.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 #include <optional>
 #include <set>
 
-#include "common/input.hpp"
-#include "common/repository.hpp"
+#include "smurf/check.hpp"
 #include "smurf/config.hpp"
+#include "smurf/repository.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,15 +103,6 @@ void allow_project(ConfinedFiles& files, const fs::path& folder) {
 
 }  // namespace
 
-Option allow_outside_option(bool& allow_outside) {
-  return {.group = "Input",
-          .name = "allow-outside",
-          .help =
-              "Read files that models name wherever they lie. Without it: in the current folder, "
-              "in the repository or package of the input, and in packages.",
-          .set = set_flag(allow_outside)};
-}
-
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside) {
   if (allow_outside) return files.allow("/");
@@ -130,7 +121,7 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
   }
   for (const fs::path& folder : folders) allow_project(files, folder);
   for (const auto& [name, folder] : packages) files.allow(folder);
-  for (const std::string& folder : package_folders_of_environment()) files.allow(folder);
+  for (const std::string& folder : ros_package_folders()) files.allow(folder);
 }
 
 bool is_shared_folder(const std::string& path) {
@@ -139,4 +130,4 @@ bool is_shared_folder(const std::string& path) {
   return !error && fs::is_directory(folder, error) && is_shared(folder);
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

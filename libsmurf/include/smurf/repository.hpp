@@ -9,7 +9,7 @@
 
 #include "smurf/render.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 
 /// Where a repository keeps its history, and with it tokens and the addresses of servers.
 inline constexpr std::array<std::string_view, 3> kHistories = {".git", ".hg", ".svn"};
@@ -25,4 +25,4 @@ RepositoryPath in_repository();
 /// to what git keeps of it: it may have come with a pull request. "" when there is none.
 std::string link_out_of_repository(const std::string& path);
 
-}  // namespace smurf::tools
+}  // namespace smurf

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/repository.hpp"
+#include "smurf/repository.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
 namespace fs = std::filesystem;
@@ -66,4 +66,4 @@ std::string link_out_of_repository(const std::string& path) {
   return {};
 }
 
-}  // namespace smurf::tools
+}  // namespace smurf

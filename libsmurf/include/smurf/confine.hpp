@@ -6,12 +6,9 @@
 #include <span>
 #include <string>
 
-#include "common/command.hpp"
 #include "smurf/file_reader.hpp"
 
-namespace smurf::tools {
-
-Option allow_outside_option(bool& allow_outside);
+namespace smurf {
 
 /// Lets these files be read, with symbolic links followed before it is judged:
 /// - Those in the project of each input. The project is the nearest folder around the input with
@@ -34,4 +31,4 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
 /// Is this a shared folder, or a link to one?
 bool is_shared_folder(const std::string& path);
 
-}  // namespace smurf::tools
+}  // namespace smurf
