@@ -1,13 +1,10 @@
 #!/usr/bin/env python3
-"""The table of performance targets, measured now: targets.py BIN [--quick] [--yaml-cpp]
+"""The table of performance targets, measured now: targets.py BIN [--quick]
 
 Processor time of whole processes, the best of several interleaved runs, so that what else the machine
 does matters little; what counts is the ratio to a peer in the same run. Peers that no package offers
 are taken from the environment and skipped without it: SMURF_BENCH_PHOBOS and SMURF_BENCH_SMURF_PARSER
 are commands that load the .smurf file given as their last argument.
-
-`--yaml-cpp` says that BIN reads all YAML by yaml-cpp (SMURF_PLAIN_YAML=OFF). The floors are made for
-that, the goals for the scanner; of T6, whose divisor is what the scanner makes faster, each has its own.
 
 Exit code 1 when a floor does not hold.
 """
@@ -76,12 +73,11 @@ def exponent(sizes: list, costs: list) -> float:
 
 
 class Bench:
-    def __init__(self, binaries: pathlib.Path, work: pathlib.Path, quick: bool, yaml_cpp: bool):
+    def __init__(self, binaries: pathlib.Path, work: pathlib.Path, quick: bool):
         self.lint = str(binaries / "smurf-lint")
         self.pieces = binaries / "pieces"
         self.work = work
         self.quick = quick
-        self.yaml_cpp = yaml_cpp
         self.rows = []
 
     def generate(self, kind: str, size: int, *shape: str) -> pathlib.Path:
@@ -145,7 +141,7 @@ class Bench:
         self.row("T5", "urdfdom / URDF load with checks, 4,200 links",
                  time_of["urdf_urdfdom"] / time_of["urdf_load"], 3.5, 4.5)
         self.row("T6", "whole lint / load alone", time_of["model_load_and_lint"] / time_of["model_load"],
-                 *((1.2, None) if self.yaml_cpp else (None, 1.5)), at_least=False)
+                 None, 1.5, at_least=False)
         self.row("T7", "yaml-cpp with tree / its bare events",
                  time_of["yaml_tree/yaml_cpp"] / time_of["yaml_yaml_cpp_events"], 1.1, None, at_least=False)
         self.row("-", "yaml-cpp with tree / scanner with tree",
@@ -214,8 +210,7 @@ class Bench:
 
 def main() -> int:
     with tempfile.TemporaryDirectory() as work:
-        bench = Bench(pathlib.Path(sys.argv[1]), pathlib.Path(work), "--quick" in sys.argv,
-                      "--yaml-cpp" in sys.argv)
+        bench = Bench(pathlib.Path(sys.argv[1]), pathlib.Path(work), "--quick" in sys.argv)
         bench.run()
     print(f"{'':4} {'target':48} {'today':>18} {'floor':>7} {'goal':>7}")
     for name, what, figure, *bounds, verdict in bench.rows:

@@ -47,16 +47,16 @@ struct Collection {
 
 const Collection kCollections[] = {{"consumers",
                                     146,
-                                    {{"ros", "urdfdom", {0, 1, 0}},
-                                     {"gazebo", "sdformat", {0, 0, 0}},
-                                     {"dart", "dart", {1, 1, 0}},
-                                     {"pybullet", "bullet", {3, 0, 0}},
-                                     {"mujoco", "mujoco", {7, 2, 0}}}},
+                                    {{"ros", "urdfdom", {0, 1, 6}},
+                                     {"gazebo", "sdformat", {0, 0, 5}},
+                                     {"dart", "dart", {0, 2, 4}},
+                                     {"pybullet", "bullet", {0, 1, 13}},
+                                     {"mujoco", "mujoco", {1, 3, 8}}}},
                                    {"peer-suites",
                                     507,
-                                    {{"ros", "urdfdom", {1, 3, 0}},
-                                     {"gazebo", "sdformat", {182, 0, 0}},
-                                     {"mujoco", "mujoco", {28, 4, 0}}}}};
+                                    {{"ros", "urdfdom", {1, 0, 2}},
+                                     {"gazebo", "sdformat", {10, 1, 2}},
+                                     {"mujoco", "mujoco", {1, 4, 36}}}}};
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -210,9 +210,9 @@ TEST_CASE("the rule table keeps its promises") {
     for (const char c : rule->name) CHECK((std::islower(c) || std::isdigit(c) || c == '-'));
     CHECK(rule->summary.size() <= 100);
     CHECK(rule->summary.ends_with('.'));
-    CHECK((!rule->why.empty() || !rule->facts.empty()));
+    CHECK((!rule->why.empty() || !facts_about(*rule).empty()));
     CHECK(!rule->remedy.empty());
-    CHECK((!rule->sources.empty() || !rule->facts.empty()));
+    CHECK((!rule->sources.empty() || !facts_about(*rule).empty()));
     CHECK(find_rule(rule->id) == rule);
     CHECK(find_rule(rule->name) == rule);
   }

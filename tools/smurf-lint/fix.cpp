@@ -110,7 +110,7 @@ Fixed fix_all(const LintOptions& options, Session& session, Report report,
   return fixed;
 }
 
-bool write_changes(const Fixed& fixed, const Plan& plan, const LintOptions& options) {
+bool write_changes(const Fixed& fixed, const LintPlan& plan, const LintOptions& options) {
   bool is_written = true;
   for (const auto& [path, change] : fixed.changes) {
     if (path == plan.standard_input || !leads_outside(path, options)) continue;

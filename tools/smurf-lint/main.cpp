@@ -83,7 +83,7 @@ ExitCode write_reports(const LintOptions& options, const std::string& place, con
   return code;
 }
 
-ExitCode report(const LintOptions& options, const tools::Plan& plan, const Checked& checked,
+ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked& checked,
                 std::size_t fixed) {
   // Standard output holds the fixed text then.
   const bool is_taken = options.fix && !plan.standard_input.empty() && options.output.empty();
@@ -99,7 +99,7 @@ ExitCode show_diff(const LintOptions& options, const Fixed& fixed) {
   return fixed.changes.empty() || options.threshold.exit_zero ? kDone : kFindings;
 }
 
-ExitCode fix(const LintOptions& options, const tools::Plan& plan, Session& session, Report found,
+ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session, Report found,
              const std::function<Report()>& check) {
   const Fixed fixed = fix_all(options, session, std::move(found), check);
   if (!fixed.is_stable) {
@@ -173,10 +173,10 @@ bool keeps_inputs(const LintOptions& options, const Report& found,
   });
 }
 
-ExitCode list_files(const LintOptions& options, const tools::Plan& plan, const InputFiles& inputs) {
+ExitCode list_files(const LintOptions& options, const LintPlan& plan, const InputFiles& inputs) {
   std::vector<std::string> paths;
   for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
-    for (const tools::PlannedFile& file : *planned) paths.push_back(file.path);
+    for (const PlannedFile& file : *planned) paths.push_back(file.path);
   }
   std::sort(paths.begin(), paths.end());
   std::string text;
@@ -186,7 +186,7 @@ ExitCode list_files(const LintOptions& options, const tools::Plan& plan, const I
   }
   if (!tools::keeps_inputs(kTool, inputs, std::span(&options.output, 1))) return kFailed;
   const ExitCode code = write_text(options, text);
-  return plan.has_failed ? kFailed : code;
+  return !plan.problems.empty() ? kFailed : code;
 }
 
 ExitCode merge_reports(const LintOptions& options) {
@@ -211,22 +211,14 @@ ExitCode merge_reports(const LintOptions& options) {
   return code == kDone ? judge(merged.summary, options.threshold) : code;
 }
 
-Report run_check(const LintOptions& options, const tools::Plan& plan, Session& session) {
+Report run_check(const LintOptions& options, const LintPlan& plan, Session& session) {
   CheckSettings settings = check_settings(options);
   std::optional<Progress> progress;
   settings.on_progress = [&](std::size_t done, std::size_t of) {
     if (done == 0) progress.emplace("checked", of, options.quiet);
     progress->set(done);
   };
-  smurf::Plan planned;
-  const auto copy = [](const std::vector<tools::PlannedFile>& from, auto& to) {
-    for (const tools::PlannedFile& file : from) to.push_back({file.path, file.config});
-  };
-  copy(plan.scenes, planned.scenes);
-  copy(plan.models, planned.models);
-  copy(plan.strays, planned.strays);
-  planned.configs = plan.configs;
-  return session.check(planned, settings);
+  return session.check(plan, settings);
 }
 
 ExitCode run(const LintOptions& options) {
@@ -241,7 +233,7 @@ ExitCode run(const LintOptions& options) {
       return kFailed;
     }
   }
-  tools::Plan plan = make_plan(options, files);
+  LintPlan plan = make_plan(options, files);
   keep_shard(plan, options.shard, files);
   if (options.list_files) return list_files(options, plan, inputs);
   ConfinedFiles confined;
@@ -255,12 +247,12 @@ ExitCode run(const LintOptions& options) {
   Report found = check();
   if (!keeps_inputs(options, found, std::array{&inputs, &read})) return kFailed;
   if (options.generate_baseline) {
-    return plan.has_failed ? kFailed : write_baseline(options, session, found);
+    return !plan.problems.empty() ? kFailed : write_baseline(options, session, found);
   }
   const ExitCode code = options.fix || options.fix_only || options.diff
                             ? fix(options, plan, session, std::move(found), check)
                             : report(options, plan, {found, session.sources()}, 0);
-  return plan.has_failed ? kFailed : code;
+  return !plan.problems.empty() ? kFailed : code;
 }
 
 }  // namespace

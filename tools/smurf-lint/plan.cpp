@@ -94,7 +94,7 @@ class Planner {
         ignore_files_(files, options.limits.ignore_checks),
         models_(files) {}
 
-  Plan run() {
+  LintPlan run() {
     const std::vector<std::string> paths = searched_or_named(options_);
     if (const auto reason = why_no_config()) {
       fail("cannot read '" + options_.config + "': " + *reason);
@@ -134,7 +134,7 @@ class Planner {
 
   void fail(const std::string& message) {
     complain(kTool, message);
-    plan_.has_failed = true;
+    plan_.problems.push_back(message);
   }
 
   std::size_t config_of_entry(const std::string& path) {
@@ -203,7 +203,7 @@ class Planner {
   void add_standard_input() {
     const auto name = read_standard_input(kTool, options_.stdin_filename, options_.limits, files_);
     if (!name) {
-      plan_.has_failed = true;
+      plan_.problems.emplace_back("cannot read standard input");
       return;
     }
     plan_.standard_input = *name;
@@ -270,7 +270,7 @@ class Planner {
   const LintOptions& options_;
   MemoryFiles& files_;
   const std::string current_folder_;
-  Plan plan_;
+  LintPlan plan_;
   std::set<std::string> planned_;
   std::map<std::string, std::size_t> by_folder_, configs_;
   std::deque<Exclusions> exclusions_;  ///< of each configuration
@@ -280,7 +280,7 @@ class Planner {
 
 }  // namespace
 
-void keep_shard(Plan& plan, const Shard& shard, const FileReader& files) {
+void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files) {
   if (shard.count <= 1) return;
   std::set<std::string> models;
   for (const PlannedFile& model : plan.models) models.insert(identity(model.path));
@@ -311,7 +311,7 @@ void confine_to_inputs(ConfinedFiles& files, const LintOptions& options) {
   files.allow(options.baseline);
 }
 
-void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Plan& plan) {
+void confine_to_found(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan) {
   std::vector<std::string> found = plan.configs;
   for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
     for (const PlannedFile& file : *planned) found.push_back(file.path);
@@ -321,7 +321,7 @@ void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Pl
   files.allow(options.baseline);
 }
 
-Plan make_plan(const LintOptions& options, MemoryFiles& files) {
+LintPlan make_plan(const LintOptions& options, MemoryFiles& files) {
   return Planner(options, files).run();
 }
 

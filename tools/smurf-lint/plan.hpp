@@ -2,28 +2,18 @@
 // Which files are loaded, as what, and by which configuration.
 #pragma once
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "smurf-lint/options.hpp"
+#include "smurf/check.hpp"
 #include "smurf/config.hpp"
 #include "smurf/file_reader.hpp"
 
 namespace smurf::tools {
 
-struct PlannedFile {
-  std::string path;
-  std::size_t config = 0;  ///< index into Plan::configs
-};
-
-struct Plan {
-  std::vector<PlannedFile> scenes;
-  std::vector<PlannedFile> models;
-  std::vector<PlannedFile> strays;   ///< .urdf and .yml files: alone, unless a model reads them
-  std::vector<std::string> configs;  ///< paths; "": none. The first is that of the first PATH.
-  std::string standard_input;        ///< its name in `files`; "": it was not read
-  bool has_failed = false;           ///< something could not be read; it was said
+/// `problems` have been said.
+struct LintPlan : Plan {
+  std::string standard_input;  ///< its name in `files`; "": it was not read
 };
 
 /// Lets be read what the command line names and what belongs to it, which is what planning needs:
@@ -31,13 +21,13 @@ struct Plan {
 void confine_to_inputs(ConfinedFiles& files, const LintOptions& options);
 /// Lets be read what belongs to the planned files and their configurations: a model may read the
 /// same whether it is named or found in a folder.
-void confine_to_found(ConfinedFiles& files, const LintOptions& options, const Plan& plan);
+void confine_to_found(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan);
 
 /// Standard input, if it is read, goes to `files`.
-Plan make_plan(const LintOptions& options, MemoryFiles& files);
+LintPlan make_plan(const LintOptions& options, MemoryFiles& files);
 
 /// Leaves one part of the files. A URDF that a planned model lists goes with the model.
-void keep_shard(Plan& plan, const Shard& shard, const FileReader& files);
+void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files);
 
 /// The configuration for a file or folder: the one that the options name, else the nearest upward.
 /// "" when there is none.

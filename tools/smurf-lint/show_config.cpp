@@ -212,7 +212,7 @@ ExitCode show_config(const LintOptions& options) {
                                                    origin_of_config(options));
   // A check of no file finds what is wrong with the configuration.
   Session session(files, options.limits);
-  smurf::Plan nothing;
+  Plan nothing;
   nothing.configs.push_back(path);
   CheckSettings settings = check_settings(options);
   settings.heeds_baseline = false;

@@ -15,7 +15,8 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
                                     LoadContext& context);
 
 /// Names in the file's folder that differ from it only in case or little else, for "did you mean",
-/// unless they are no names that could be written. None when many findings of the rule were reported before.
+/// unless they are no names that could be written. None when many findings of the rule were
+/// reported before.
 std::optional<std::string> similar_file(const std::string& path, const Rule& rule,
                                         const LoadContext& context);
 

@@ -243,11 +243,7 @@ void refuse_large(Span place, const Limits& limits, DiagnosticSink& sink) {
 
 std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink) {
-#ifdef SMURF_PLAIN_YAML
   return parse_yaml_by(YamlEngine::scanner_first, sources, id, limits, sink);
-#else
-  return parse_yaml_by(YamlEngine::yaml_cpp, sources, id, limits, sink);
-#endif
 }
 
 std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& sources,

@@ -16,7 +16,7 @@ std::optional<yaml::Document> parse_yaml(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink);
 
 /// yaml-cpp decides what YAML is. The scanner of plain_yaml.hpp reads the same of what it knows,
-/// only faster; parse_yaml() asks it first unless the build says SMURF_PLAIN_YAML=OFF.
+/// only faster; parse_yaml() asks it first.
 enum class YamlEngine : bool { scanner_first, yaml_cpp };
 std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& sources,
                                             SourceId id, const Limits& limits,
