@@ -53,6 +53,7 @@ void for_each_name(const LinkedModel& model,
 }
 
 const urdf::Link* link_without_name(const LinkedModel& model) {
+  if (!model.robot) return nullptr;
   const auto& links = model.robot->links;
   const auto found = std::find_if(links.begin(), links.end(), [](const urdf::Link& link) {
     return !link.name || link.name->empty() || is_xacro(*link.name);
@@ -61,9 +62,9 @@ const urdf::Link* link_without_name(const LinkedModel& model) {
 }
 
 Diagnostic* check_link_of_joint(const LinkedModel& model, const urdf::Joint& joint,
-                                const Field<std::string>& link, Findings& findings) {
+                                const Field<std::string>& link, const urdf::Link* unnamed,
+                                Findings& findings) {
   if (!link || link->empty()) return nullptr;
-  const urdf::Link* unnamed = link_without_name(model);
   if (unnamed == nullptr) {
     return check_reference(model, NameKind::link, *link, link.span, subject(joint), findings);
   }

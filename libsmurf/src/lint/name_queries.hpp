@@ -30,9 +30,10 @@ void for_each_name(const LinkedModel& model,
 const urdf::Link* link_without_name(const LinkedModel& model);
 
 /// Reports a joint that names, as its parent or child, a link that the robot does not have. Where a
-/// link has no name, that is the fault: null is returned then.
+/// link has no name (`unnamed`, else null), that is the fault: null is returned then.
 Diagnostic* check_link_of_joint(const LinkedModel& model, const urdf::Joint& joint,
-                                const Field<std::string>& link, Findings& findings);
+                                const Field<std::string>& link, const urdf::Link* unnamed,
+                                Findings& findings);
 
 /// What Isaac and USD make of a name: `_` for what is no letter, digit or underscore, and `a_`
 /// before a digit or underscore in front.

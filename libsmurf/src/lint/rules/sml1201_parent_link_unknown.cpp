@@ -6,8 +6,9 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
+  const urdf::Link* unnamed = link_without_name(model);
   for_each_joint(model, [&](const urdf::Joint& joint) {
-    Diagnostic* diagnostic = check_link_of_joint(model, joint, joint.parent, findings);
+    Diagnostic* diagnostic = check_link_of_joint(model, joint, joint.parent, unnamed, findings);
     if (diagnostic != nullptr && *joint.parent == "world") {
       diagnostic->construct = "world";
       diagnostic->notes.push_back("only Drake knows a link `world` that is not declared");

@@ -6,8 +6,9 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
+  const urdf::Link* unnamed = link_without_name(model);
   for_each_joint(model, [&](const urdf::Joint& joint) {
-    check_link_of_joint(model, joint, joint.child, findings);
+    check_link_of_joint(model, joint, joint.child, unnamed, findings);
   });
 }
 
