@@ -16,6 +16,7 @@
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/model.hpp"
+#include "smurf/names.hpp"
 
 namespace smurf {
 
@@ -56,6 +57,19 @@ struct KeyTable {
   std::span<const KeySpec> keys() const;
 };
 
+/// What a text is the name of.
+struct Naming {
+  NameKinds kinds = {};   ///< empty: it is no name
+  bool defines = false;   ///< the thing gets its name here
+  bool is_vague = false;  ///< the name may be known elsewhere, so that only a slip is a fault
+};
+constexpr Naming defines(NameKinds kinds) { return {kinds, true, false}; }
+constexpr Naming may_name(NameKinds kinds) { return {kinds, false, true}; }
+
+/// What is a node to MARS. It also knows the inertia of a link, as `inertial_LINK`.
+inline constexpr NameKinds kNodeKinds =
+    NameKind::link | NameKind::visual | NameKind::collision | NameKind::node;
+
 /// What a key holds. The texts go into the schema.
 struct KeySpec {
   std::string_view name;
@@ -70,6 +84,10 @@ struct KeySpec {
   bool positive = false;                           ///< a number that must be above 0
   std::span<const std::string_view> choices = {};  ///< of a text; empty: any
   KeyTable members = {};                           ///< of a mapping, or of the mappings in a list
+  /// What its text names, or each text of its list, or each key of a number_map. References are
+  /// found by this (link/references.cpp), so that a new key that names something needs no more.
+  Naming names = {};
+  Naming (*names_in)(yaml::View entry) = nullptr;  ///< where that depends on the rest of the entry
 };
 
 inline std::span<const KeySpec> KeyTable::keys() const { return {first, size}; }

@@ -67,6 +67,9 @@ void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view ent
   read_entry(keys, more, entry, item, entry_name, sink, Slips::reported);
 }
 
+/// What the names in `id` of a sensor of this type are; none when MARS takes no `id`.
+NameKinds measured_by(std::string_view type);
+
 /// The keys that describe a node of MARS: entries of `collision`, `visuals`, `link` and `nodes`
 /// replace them one by one.
 std::span<const KeySpec> node_keys();

@@ -8,12 +8,20 @@ namespace {
 
 using enum ValueType;
 
+/// Phobos 2 makes collisions that the URDF does not have from entries with a geometry.
+Naming own_name(yaml::View entry) { return {NameKind::collision, bool(entry.find("geometry"))}; }
+
 constexpr Key<CollisionAnnotation> kKeys[] = {
-    {{.name = "name", .type = text, .doc = "Name of a collision of the URDF.", .required = true},
+    {{.name = "name",
+      .type = text,
+      .doc = "Name of a collision of the URDF.",
+      .required = true,
+      .names_in = own_name},
      &CollisionAnnotation::name},
     {{.name = "link",
       .type = text,
-      .doc = "Link of the collision; MARS 2 and rock-cpp/smurf match by it as well."},
+      .doc = "Link of the collision; MARS 2 and rock-cpp/smurf match by it as well.",
+      .names = {NameKind::link}},
      &CollisionAnnotation::link},
     {{.name = "bitmask",
       .type = integer,

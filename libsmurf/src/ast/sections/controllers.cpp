@@ -20,9 +20,15 @@ constexpr Key<Controller> kKeys[] = {
       .type = text,
       .doc = "Shared library; without it the controller is a program reached over TCP."},
      &Controller::dylib_path},
-    {{.name = "sensors", .type = name_list, .doc = "Sensors that the controller reads, in order."},
+    {{.name = "sensors",
+      .type = name_list,
+      .doc = "Sensors that the controller reads, in order.",
+      .names = {NameKind::sensor}},
      &Controller::sensors},
-    {{.name = "motors", .type = name_list, .doc = "Motors that the controller drives, in order."},
+    {{.name = "motors",
+      .type = name_list,
+      .doc = "Motors that the controller drives, in order.",
+      .names = {NameKind::motor}},
      &Controller::motors},
 };
 

@@ -10,7 +10,11 @@ using enum ValueType;
 constexpr Key<Interface> kKeys[] = {
     {{.name = "name", .type = text, .doc = "Name of the interface.", .required = true},
      &Interface::name},
-    {{.name = "parent", .type = text, .doc = "Link that carries it.", .required = true},
+    {{.name = "parent",
+      .type = text,
+      .doc = "Link that carries it.",
+      .required = true,
+      .names = {NameKind::link}},
      &Interface::parent},
     {{.name = "type", .type = text, .doc = "What fits: interfaces of one type can be joined."},
      &Interface::type},

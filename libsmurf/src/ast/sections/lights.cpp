@@ -60,7 +60,8 @@ constexpr Key<Light> kKeys[] = {
      &Light::directional},
     {{.name = "nodeName",
       .type = text,
-      .doc = "Node that carries the light; looked up in the whole scene."},
+      .doc = "Node that carries the light; looked up in the whole scene.",
+      .names = may_name(kNodeKinds)},
      &Light::node_name},
 };
 

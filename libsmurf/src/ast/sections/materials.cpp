@@ -8,7 +8,11 @@ namespace {
 using enum ValueType;
 
 constexpr Key<MaterialAnnotation> kKeys[] = {
-    {{.name = "name", .type = text, .doc = "Name of a material of the URDF.", .required = true},
+    {{.name = "name",
+      .type = text,
+      .doc = "Name of a material of the URDF.",
+      .required = true,
+      .names = {NameKind::material}},
      &MaterialAnnotation::name},
     {{.name = "ambientColor",
       .type = color,

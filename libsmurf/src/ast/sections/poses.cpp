@@ -13,13 +13,15 @@ constexpr Key<JointPoseSet> kKeys[] = {
     {{.name = "name",
       .type = text,
       .doc = "Name that entities of a scene refer to by `pose`.",
-      .required = true},
+      .required = true,
+      .names = defines(NameKind::pose)},
      &JointPoseSet::name},
     {{.name = "joints",
       .type = number_map,
       .doc = "Position of each motor (MARS) or joint (Phobos): give both the same name.",
       .unit = "rad or m",
-      .required = true},
+      .required = true,
+      .names = {NameKind::motor | NameKind::joint}},
      {}},
 };
 

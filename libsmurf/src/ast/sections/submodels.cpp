@@ -10,8 +10,16 @@ using enum ValueType;
 constexpr Key<Submodel> kKeys[] = {
     {{.name = "export_dir", .type = text, .doc = "Folder of the submodel, relative to this file."},
      &Submodel::export_directory},
-    {{.name = "start", .type = text, .doc = "Root link of the submodel."}, &Submodel::start},
-    {{.name = "stop", .type = names, .doc = "Links at which the submodel ends."}, &Submodel::stop},
+    {{.name = "start",
+      .type = text,
+      .doc = "Root link of the submodel.",
+      .names = {NameKind::link}},
+     &Submodel::start},
+    {{.name = "stop",
+      .type = names,
+      .doc = "Links at which the submodel ends.",
+      .names = {NameKind::link}},
+     &Submodel::stop},
 };
 
 std::vector<const KeySpec*> keys() { return specs_of<Submodel>(kKeys, {}); }

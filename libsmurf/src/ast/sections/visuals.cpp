@@ -8,12 +8,18 @@ namespace {
 using enum ValueType;
 
 constexpr Key<VisualAnnotation> kKeys[] = {
-    {{.name = "name", .type = text, .doc = "Name of a visual of the URDF.", .required = true},
+    {{.name = "name",
+      .type = text,
+      .doc = "Name of a visual of the URDF.",
+      .required = true,
+      .names = {NameKind::visual}},
      &VisualAnnotation::name},
-    {{.name = "link", .type = text, .doc = "Link of the visual."}, &VisualAnnotation::link},
+    {{.name = "link", .type = text, .doc = "Link of the visual.", .names = {NameKind::link}},
+     &VisualAnnotation::link},
     {{.name = "materialName",
       .type = text,
-      .doc = "Name of the material that replaces the URDF's."},
+      .doc = "Name of the material that replaces the URDF's.",
+      .names = {NameKind::material}},
      &VisualAnnotation::material_name},
 };
 
