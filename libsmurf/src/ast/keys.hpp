@@ -230,14 +230,22 @@ void read_entry(std::span<const Key<T>> keys, yaml::View mapping, T& out, std::s
   read_entry<T>(keys, {}, mapping, out, what, sink);
 }
 
+/// Which rows are wanted; null: all.
+using KeyFilter = bool (*)(const KeySpec&);
+
 /// All rows of an entry, for the schema; a name that an earlier table has is not repeated.
 template <class T>
-std::vector<const KeySpec*> specs_of(std::span<const Key<T>> keys, MoreKeys more = {}) {
+std::vector<const KeySpec*> specs_of(std::span<const Key<T>> keys, MoreKeys more = {},
+                                     KeyFilter takes = nullptr) {
+  const auto is_wanted = [&](const KeySpec& spec) { return takes == nullptr || takes(spec); };
   std::vector<const KeySpec*> specs;
-  for (const Key<T>& key : keys) specs.push_back(&key.spec);
+  for (const Key<T>& key : keys) {
+    if (is_wanted(key.spec)) specs.push_back(&key.spec);
+  }
   const std::size_t own = specs.size();
   for (const std::span<const KeySpec> table : more) {
     for (const KeySpec& spec : table) {
+      if (!is_wanted(spec)) continue;
       bool is_known = find_key(more, spec.name) != &spec;
       for (std::size_t i = 0; i < own; ++i) is_known = is_known || specs[i]->name == spec.name;
       if (!is_known) specs.push_back(&spec);

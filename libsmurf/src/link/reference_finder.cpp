@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/path.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 namespace {
@@ -15,26 +16,6 @@ bool is_naming(const KeySpec& row) {
   if (!row.names.kinds.empty() || row.names_in != nullptr) return true;
   const auto members = row.members.keys();
   return std::any_of(members.begin(), members.end(), is_naming);
-}
-
-struct SectionNames {
-  const SectionSpec* section = nullptr;
-  std::vector<const KeySpec*> keys;  ///< those that name something
-};
-
-const std::vector<const KeySpec*>& naming_keys(const SectionSpec& section) {
-  static const std::vector<SectionNames> kAll = [] {
-    std::vector<SectionNames> all;
-    for (const SectionSpec* one : all_sections()) {
-      std::vector<const KeySpec*> keys = one->keys();
-      std::erase_if(keys, [](const KeySpec* key) { return !is_naming(*key); });
-      all.push_back({one, std::move(keys)});
-    }
-    return all;
-  }();
-  return std::find_if(kAll.begin(), kAll.end(),
-                      [&](const SectionNames& one) { return one.section == &section; })
-      ->keys;
 }
 
 bool is_known_key(const SectionSpec& section, std::string_view name) {
@@ -212,11 +193,11 @@ void ReferenceFinder::read_members(KeyTable members, yaml::View value) {
   }
 }
 
-void ReferenceFinder::read_entry(const SectionSpec& section, yaml::View entry) {
-  const std::vector<const KeySpec*>& rows = naming_keys(section);
+void ReferenceFinder::read_entry(const SectionSpec& section, const Rows& rows, yaml::View entry) {
   for (const yaml::View value : entry) {
+    const std::string_view key = value.key();
     const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [&](const KeySpec* one) { return one->name == value.key(); });
+                                  [&](const KeySpec* one) { return is_same(one->name, key); });
     if (row != rows.end() && !value.is_repeated()) {
       read_key(**row, value, entry);
     } else if (keeps_all() && (row != rows.end() || !is_known_key(section, value.key()))) {
@@ -226,14 +207,15 @@ void ReferenceFinder::read_entry(const SectionSpec& section, yaml::View entry) {
 }
 
 void ReferenceFinder::read_section(const SectionSpec& section, yaml::View value) {
+  const Rows rows = section.filtered_keys(is_naming);
   const bool is_list =
       section.form == SectionForm::named ? value.is_mapping() : value.is_sequence();
   if (is_list) {
     for (const yaml::View entry : value) {
-      if (entry.is_mapping()) read_entry(section, entry);
+      if (entry.is_mapping()) read_entry(section, rows, entry);
     }
   } else if (section.form == SectionForm::list_or_mapping && value.is_mapping()) {
-    read_entry(section, value);
+    read_entry(section, rows, value);
   }
 }
 

@@ -56,13 +56,16 @@ class ReferenceFinder {
   bool resolve(Reference& reference);
   bool add_known(NameKinds kinds, std::string_view name, const NamePlace& place);
 
-  void read_entry(const SectionSpec& section, yaml::View entry);
+  using Rows = std::vector<const KeySpec*>;  ///< those of a section that name something
+  void read_entry(const SectionSpec& section, const Rows& rows, yaml::View entry);
   void read_members(KeyTable members, yaml::View value);
   /// What no table knows: names are told from the words of keys.
   void read_unknown(yaml::View value, std::string_view word);
 
   void read_field(const Naming& naming, const Field<std::string>& field, xml::ElementId element);
   void read_link(const urdf::Link& link);
+  void read_end(const urdf::Joint& joint, std::string_view end, const Field<std::string>& link);
+  void read_material(xml::View material);
   /// The elements in it that URDF does not define.
   void read_inner(xml::View element);
   void read_extension(xml::View element);

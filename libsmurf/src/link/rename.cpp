@@ -127,7 +127,9 @@ class Renamer {
     std::map<Owner, const Reference*> owners;
     std::set<NameKind> kinds;
     for_each([&](Owner owner, const Reference& one) {
-      if (!one.is_definition || one.name != rename.from || !is_of(rename, one)) return;
+      // A material may be used and defined nowhere.
+      const bool is_it = one.is_definition || one.kind == NameKind::material;
+      if (!is_it || one.name != rename.from || !is_of(rename, one)) return;
       owners.emplace(owner, &one);
       kinds.insert(one.kind);
     });

@@ -59,6 +59,7 @@ const AttributeNames* find_row(xml::View element, std::string_view attribute) {
 /// What an attribute names, by its own word or that of its element: <flexJoint name="...">.
 NameKinds kinds_of(xml::View element, std::string_view attribute) {
   if (attribute == "name") {
+    if (element.parent() && element.parent().name() == "robot") return {};  // its own name
     return path::to_lower(element.name()).ends_with("joint") ? NameKinds(NameKind::joint)
                                                              : NameKinds();
   }
@@ -85,20 +86,37 @@ void ReferenceFinder::read_field(const Naming& naming, const Field<std::string>&
       {Notation::xml_attribute, static_cast<std::uint32_t>(element), field.span, field.span});
 }
 
+/// All that a visual has, though readers take one.
+void ReferenceFinder::read_material(xml::View material) {
+  const xml::Attribute* name = material.attribute("name");
+  if (name == nullptr || name->value().empty()) return;
+  const bool is_defined = material.begin() != material.end() ||
+                          !find(NameKind::material, name->value());  // readers pass it over
+  add({NameKind::material, is_defined}, name->value(), place_of_value(material, *name));
+}
+
 void ReferenceFinder::read_link(const urdf::Link& link) {
   read_field(defines(NameKind::link), link.name, link.element);
   const xml::Document& document = model_.robot->document;
   for (const urdf::Visual& visual : link.visuals) {
     read_field(defines(NameKind::visual), visual.name, visual.element);
-    if (!visual.material) continue;
-    const urdf::Material& material = *visual.material;
-    const bool is_defined = document.first_child(material.element) != xml::kNoElement;
-    read_field({NameKind::material, is_defined}, material.name, material.element);
+    for (const xml::View child : xml::View(document, visual.element)) {
+      if (child.name() == "material") read_material(child);
+    }
   }
   for (const urdf::Collision& collision : link.collisions) {
     read_field(defines(NameKind::collision), collision.name, collision.element);
   }
   read_inner(xml::View(document, link.element));
+}
+
+void ReferenceFinder::read_end(const urdf::Joint& joint, std::string_view end,
+                               const Field<std::string>& link) {
+  const std::size_t before = found_.size();
+  read_field({NameKind::link}, link, joint.element);
+  if (found_.size() == before) return;
+  const xml::View element = xml::View(model_.robot->document, joint.element).child(end);
+  if (element) found_.back().place = number_of(element);
 }
 
 void ReferenceFinder::read_urdf() {
@@ -112,19 +130,21 @@ void ReferenceFinder::read_urdf() {
     }
     for (const urdf::Link& link : robot.links) read_link(link);
   }
-  for (const urdf::Joint& joint : robot.joints) {
-    const xml::View element(robot.document, joint.element);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const urdf::Joint& joint = robot.joints[i];
     read_field(defines(NameKind::joint), joint.name, joint.element);
-    read_field({NameKind::link}, joint.parent, joint.element);
-    read_field({NameKind::link}, joint.child, joint.element);
+    // What is in the tree is known.
+    if (keeps_all() || !model_.tree.joint_parent[i]) read_end(joint, "parent", joint.parent);
+    if (keeps_all() || !model_.tree.joint_child[i]) read_end(joint, "child", joint.child);
     if (joint.mimic) read_field({NameKind::joint}, joint.mimic->joint, joint.mimic->element);
-    if (keeps_all()) read_inner(element);
+    if (keeps_all()) read_inner(xml::View(robot.document, joint.element));
   }
   for (const xml::ElementId id : robot.extensions) {
     const xml::View element(robot.document, id);
     if (keeps_all()) {
       const xml::Attribute* name = element.attribute("name");
-      if (name != nullptr && find_row(element, "name") == nullptr) {
+      const AttributeNames* row = find_row(element, "name");
+      if (name != nullptr && (row == nullptr || row->names.kinds.empty())) {
         add(defines(NameKind::extension), name->value(), place_of_value(element, *name));
       }
       read_extension(element);

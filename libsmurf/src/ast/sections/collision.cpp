@@ -37,8 +37,8 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "capsules", .type = list, .doc = "Written by Phobos 0.7, read by nobody."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<CollisionAnnotation>(kKeys, {kMoreKeys, node_keys()});
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<CollisionAnnotation>(kKeys, {kMoreKeys, node_keys()}, takes);
 }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
@@ -54,7 +54,7 @@ constinit const SectionSpec collision{.name = "collision",
                                       .aliases = kAliases,
                                       .entry = "collision",
                                       .doc = "Contact parameters of URDF collisions.",
-                                      .keys = keys,
+                                      .filtered_keys = keys,
                                       .read = read};
 
 }  // namespace smurf::sections

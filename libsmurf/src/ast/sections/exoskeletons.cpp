@@ -41,7 +41,9 @@ constexpr KeySpec kMoreKeys[] = {
      .fallback = "false"},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Exoskeleton>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Exoskeleton>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Exoskeleton>(kKeys, {kMoreKeys}, "exoskeleton", entry, section, out.exoskeletons, sink);
@@ -53,7 +55,7 @@ constinit const SectionSpec exoskeletons{
     .name = "exoskeletons",
     .entry = "exoskeleton",
     .doc = "Exoskeletons and the joints of the body they follow, for Phobos and HyRoDyn.",
-    .keys = keys,
+    .filtered_keys = keys,
     .read = read};
 
 }  // namespace smurf::sections

@@ -34,7 +34,7 @@ constexpr Key<Interface> kKeys[] = {
      &Interface::rotation},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Interface>(kKeys, {}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) { return specs_of<Interface>(kKeys, {}, takes); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Interface>(kKeys, {}, "interface", entry, section, out.interfaces, sink);
@@ -45,7 +45,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec interfaces{.name = "interfaces",
                                        .entry = "interface",
                                        .doc = "Places where models can be joined, for Phobos.",
-                                       .keys = keys,
+                                       .filtered_keys = keys,
                                        .read = read};
 
 }  // namespace smurf::sections

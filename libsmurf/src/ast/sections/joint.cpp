@@ -207,7 +207,9 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "screw_thread_pitch", .type = number, .doc = "Pitch of a screw joint."},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<JointAnnotation>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<JointAnnotation>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<JointAnnotation>(kKeys, {kMoreKeys}, "joint", entry, section, out.joints, sink);
@@ -221,7 +223,7 @@ constinit const SectionSpec joint{.name = "joint",
                                   .aliases = kAliases,
                                   .entry = "joint",
                                   .doc = "Changes to URDF joints.",
-                                  .keys = keys,
+                                  .filtered_keys = keys,
                                   .read = read};
 
 }  // namespace smurf::sections

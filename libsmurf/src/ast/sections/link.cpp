@@ -42,8 +42,8 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "origin", .type = any, .doc = "Pose of the link (Phobos 2)."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<LinkAnnotation>(kKeys, {kMoreKeys, node_keys()});
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<LinkAnnotation>(kKeys, {kMoreKeys, node_keys()}, takes);
 }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
@@ -59,7 +59,7 @@ constinit const SectionSpec link{.name = "link",
                                  .aliases = kAliases,
                                  .entry = "link",
                                  .doc = "Changes to the frame nodes of URDF links.",
-                                 .keys = keys,
+                                 .filtered_keys = keys,
                                  .read = read};
 
 }  // namespace smurf::sections

@@ -179,7 +179,9 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "maxVelI", .type = number, .doc = "MARS 2: limit of the velocity's integral part."},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Motor>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Motor>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Motor>(kKeys, {kMoreKeys}, "motor", entry, section, out.motors, sink);
@@ -193,7 +195,7 @@ constinit const SectionSpec motors{.name = "motors",
                                    .aliases = kAliases,
                                    .entry = "motor",
                                    .doc = "Motors and the joints they drive.",
-                                   .keys = keys,
+                                   .filtered_keys = keys,
                                    .read = read};
 
 }  // namespace smurf::sections

@@ -37,7 +37,9 @@ constexpr Key<NodeAnnotation> kKeys[] = {
      &NodeAnnotation::material_name},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<NodeAnnotation>(kKeys, {node_keys()}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<NodeAnnotation>(kKeys, {node_keys()}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<NodeAnnotation>(kKeys, {node_keys()}, "node", entry, section, out.nodes, sink);
@@ -48,7 +50,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec nodes{.name = "nodes",
                                   .entry = "node",
                                   .doc = "Changes to nodes of MARS, and new nodes.",
-                                  .keys = keys,
+                                  .filtered_keys = keys,
                                   .read = read};
 
 }  // namespace smurf::sections

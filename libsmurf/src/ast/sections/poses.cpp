@@ -37,7 +37,9 @@ void read_joints(yaml::View joints, JointPoseSet& pose) {
   }
 }
 
-std::vector<const KeySpec*> keys() { return specs_of<JointPoseSet>(kKeys, {}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<JointPoseSet>(kKeys, {}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<JointPoseSet>(kKeys, {}, "joint pose set", entry, section, out.poses, sink);
@@ -49,7 +51,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec poses{.name = "poses",
                                   .entry = "joint pose set",
                                   .doc = "Named joint positions.",
-                                  .keys = keys,
+                                  .filtered_keys = keys,
                                   .read = read};
 
 }  // namespace smurf::sections

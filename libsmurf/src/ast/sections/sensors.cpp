@@ -262,7 +262,9 @@ constexpr KeySpec kRayKeys[] = {
     {.name = "taskInstanceName", .type = text, .doc = "Rock task of the sensor (rock-cpp/smurf)."},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Sensor>(kKeys, {kCameraKeys, kRayKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Sensor>(kKeys, {kCameraKeys, kRayKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Sensor>(kKeys, {kCameraKeys, kRayKeys}, "sensor", entry, section, out.sensors, sink);
@@ -286,7 +288,7 @@ constinit const SectionSpec sensors{.name = "sensors",
                                     .aliases = kAliases,
                                     .entry = "sensor",
                                     .doc = "Sensors and what they measure.",
-                                    .keys = keys,
+                                    .filtered_keys = keys,
                                     .read = read};
 
 }  // namespace smurf::sections

@@ -90,7 +90,9 @@ constexpr KeySpec kMoreKeys[] = {
      .fallback = "false"},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Submechanism>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Submechanism>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Submechanism>(kKeys, {kMoreKeys}, "submechanism", entry, section, out.submechanisms,
@@ -102,7 +104,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec submechanisms{.name = "submechanisms",
                                           .entry = "submechanism",
                                           .doc = "Mechanisms of the robot, for Phobos and HyRoDyn.",
-                                          .keys = keys,
+                                          .filtered_keys = keys,
                                           .read = read};
 
 }  // namespace smurf::sections

@@ -22,7 +22,7 @@ constexpr Key<Submodel> kKeys[] = {
      &Submodel::stop},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Submodel>(kKeys, {}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) { return specs_of<Submodel>(kKeys, {}, takes); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Submodel>(kKeys, {}, "submodel", entry, section, out.submodels, sink);
@@ -36,7 +36,7 @@ constinit const SectionSpec submodels{
     .entry = "submodel",
     .doc = "Parts of the model that Phobos exported as models of their own.",
     .form = SectionForm::named,
-    .keys = keys,
+    .filtered_keys = keys,
     .read = read};
 
 }  // namespace smurf::sections

@@ -28,8 +28,8 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "lod", .type = any, .doc = "Levels of detail, written by Phobos up to 1.0."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<VisualAnnotation>(kKeys, {kMoreKeys, node_keys()});
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<VisualAnnotation>(kKeys, {kMoreKeys, node_keys()}, takes);
 }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
@@ -45,7 +45,7 @@ constinit const SectionSpec visuals{.name = "visuals",
                                     .aliases = kAliases,
                                     .entry = "visual",
                                     .doc = "Changes to how URDF visuals are shown.",
-                                    .keys = keys,
+                                    .filtered_keys = keys,
                                     .read = read};
 
 }  // namespace smurf::sections

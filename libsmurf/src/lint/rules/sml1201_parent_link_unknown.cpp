@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "lint/name_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (!are_links_named(model)) return;
-  for_each_joint(model, [&](const urdf::Joint& joint) {
-    if (!joint.parent || joint.parent->empty()) return;
-    Diagnostic* diagnostic = check_reference(model, NameKind::link, *joint.parent,
-                                             joint.parent.span, subject(joint), findings);
-    if (diagnostic != nullptr && *joint.parent == "world") {
+  for (const Reference& one : findings.doubtful_references()) {
+    const xml::View parent = element_of(model, one);
+    if (!parent || parent.name() != "parent" || !are_links_named(model)) continue;
+    Diagnostic* diagnostic = check_reference(model, NameKind::link, one.name, one.span,
+                                             subject_of(parent.parent()).c_str(), findings);
+    if (diagnostic != nullptr && one.name == "world") {
       diagnostic->construct = "world";
       diagnostic->notes.push_back("only Drake knows a link `world` that is not declared");
       diagnostic->help = "declare it: `<link name=\"world\"/>`";
     }
-  });
+  }
 }
 
 constexpr Fact kFacts[] = {

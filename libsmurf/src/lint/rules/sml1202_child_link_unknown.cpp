@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "lint/name_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (!are_links_named(model)) return;
-  for_each_joint(model, [&](const urdf::Joint& joint) {
-    if (!joint.child || joint.child->empty()) return;
-    check_reference(model, NameKind::link, *joint.child, joint.child.span, subject(joint),
+  for (const Reference& one : findings.doubtful_references()) {
+    const xml::View child = element_of(model, one);
+    if (!child || child.name() != "child" || !are_links_named(model)) continue;
+    check_reference(model, NameKind::link, one.name, one.span, subject_of(child.parent()).c_str(),
                     findings);
-  });
+  }
 }
 
 constexpr Fact kFacts[] = {
