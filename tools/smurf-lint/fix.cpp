@@ -110,19 +110,22 @@ Fixed fix_all(const LintOptions& options, Session& session, Report report,
   return fixed;
 }
 
-bool write_changes(const Fixed& fixed, const LintPlan& plan, const LintOptions& options) {
-  bool is_written = true;
-  for (const auto& [path, change] : fixed.changes) {
+bool write_changes(const std::map<std::string, Change>& changes, const LintPlan& plan,
+                   const LintOptions& options) {
+  std::vector<OutputFile> files;
+  for (const auto& [path, change] : changes) {
     if (path == plan.standard_input || !leads_outside(path, options)) continue;
     complain(kTool, "cannot fix '" + path +
                         "': it is a link that leads out of its project; name "
                         "the file itself, or add --allow-outside; nothing was fixed");
     return false;
   }
-  for (const auto& [path, change] : fixed.changes) {
-    if (path != plan.standard_input) is_written &= write_output(kTool, path, change.after);
+  for (const auto& [path, change] : changes) {
+    if (path == plan.standard_input) continue;
+    if (changes.size() == 1) return write_output(kTool, path, change.after);
+    files.push_back(named_by_user(path, change.after));
   }
-  return is_written;
+  return write_files(kTool, files, true);
 }
 
 std::string unified_diff(const std::map<std::string, Change>& changes) {

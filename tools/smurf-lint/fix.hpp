@@ -31,9 +31,10 @@ struct Fixed {
 Fixed fix_all(const LintOptions& options, Session& session, Report report,
               const std::function<Report()>& check);
 
-/// Writes every changed file but standard input. False when one could not be written, which was
-/// said; nothing is written when one is a link out of its project.
-bool write_changes(const Fixed& fixed, const LintPlan& plan, const LintOptions& options);
+/// Writes every changed file but standard input, all or none. False when one could not be written,
+/// which was said, or is a link out of its project.
+bool write_changes(const std::map<std::string, Change>& changes, const LintPlan& plan,
+                   const LintOptions& options);
 
 /// The changes as `diff -u` shows them, with `git apply`'s a/ and b/ before relative paths. Control
 /// characters, which no sound file has, are escaped: it is text for people first.

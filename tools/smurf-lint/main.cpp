@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 
@@ -12,6 +13,7 @@
 #include "render/printable.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
+#include "smurf-lint/rename.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf-lint/show_config.hpp"
 #include "smurf/archive_files.hpp"
@@ -86,7 +88,8 @@ ExitCode write_reports(const LintOptions& options, const std::string& place, con
 ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked& checked,
                 std::size_t fixed) {
   // Standard output holds the fixed text then.
-  const bool is_taken = options.fix && !plan.standard_input.empty() && options.output.empty();
+  const bool is_changing = options.fix || !options.renames.empty();
+  const bool is_taken = is_changing && !plan.standard_input.empty() && options.output.empty();
   const std::string place = is_taken ? "/dev/stderr" : options.output;
   const ExitCode written =
       write_reports(options, place, checked, fix_remarks(fixed, checked.report.diagnostics));
@@ -94,9 +97,20 @@ ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked&
   return judge(checked.report.summary, merge_run(checked.report.wishes, options).threshold);
 }
 
-ExitCode show_diff(const LintOptions& options, const Fixed& fixed) {
-  if (write_text(options, unified_diff(fixed.changes)) != kDone) return kFailed;
-  return fixed.changes.empty() || options.threshold.exit_zero ? kDone : kFindings;
+using Changes = std::map<std::string, Change>;
+
+ExitCode show_diff(const LintOptions& options, const Changes& changes) {
+  if (write_text(options, unified_diff(changes)) != kDone) return kFailed;
+  return changes.empty() || options.threshold.exit_zero ? kDone : kFindings;
+}
+
+/// Writes the files; standard input goes to standard output.
+bool write_all(const LintOptions& options, const LintPlan& plan, const Session& session,
+               const Changes& changes) {
+  if (!write_changes(changes, plan, options)) return false;
+  const std::string& input = plan.standard_input;
+  return input.empty() ||
+         write_output(kTool, "-", session.files().read(input, options.limits.file_bytes).text);
 }
 
 ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session, Report found,
@@ -106,15 +120,19 @@ ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session,
     complain(kTool, "the fixes undo each other; nothing was changed (this is a bug of smurf-lint)");
     return kFailed;
   }
-  if (options.diff) return show_diff(options, fixed);
-  if (!write_changes(fixed, plan, options)) return kFailed;
-  if (!plan.standard_input.empty()) {
-    const std::string text =
-        session.files().read(plan.standard_input, options.limits.file_bytes).text;
-    if (!write_output(kTool, "-", text)) return kFailed;
-  }
+  if (options.diff) return show_diff(options, fixed.changes);
+  if (!write_all(options, plan, session, fixed.changes)) return kFailed;
   if (options.fix_only) return kDone;
   return report(options, plan, {fixed.report, session.sources()}, fixed.count);
+}
+
+/// `found` is what the renamed files come to.
+ExitCode rename(const LintOptions& options, const LintPlan& plan, const Session& session,
+                const Changes& changes, const Report& found) {
+  if (options.diff) return show_diff(options, changes);
+  if (!write_all(options, plan, session, changes)) return kFailed;
+  if (options.fix_only) return kDone;
+  return report(options, plan, {found, session.sources()}, 0);
 }
 
 /// Where the baseline is written, which no configuration that came with the files decides.
@@ -243,12 +261,18 @@ ExitCode run(const LintOptions& options) {
   if (const std::string& name = plan.standard_input; !name.empty()) {
     session.set_text(name, files.read(name, options.limits.file_bytes).text);
   }
+  std::optional<Changes> renamed;
+  if (!options.renames.empty()) {
+    if (!plan.has_failed) renamed = rename_all(options, plan, session);
+    if (!renamed) return kFailed;
+  }
   const auto check = [&] { return run_check(options, plan, session); };
   Report found = check();
   if (!keeps_inputs(options, found, std::array{&inputs, &read})) return kFailed;
   if (options.generate_baseline) {
     return !plan.problems.empty() ? kFailed : write_baseline(options, session, found);
   }
+  if (renamed) return rename(options, plan, session, *renamed, found);
   const ExitCode code = options.fix || options.fix_only || options.diff
                             ? fix(options, plan, session, std::move(found), check)
                             : report(options, plan, {found, session.sources()}, 0);

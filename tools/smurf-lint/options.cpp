@@ -81,6 +81,24 @@ std::string_view target_help() {
   return help;
 }
 
+/// "joint:elbow=elbow_left"; without a known kind, what is before the `=` is all name.
+Setter append_renames(std::vector<Rename>& renames) {
+  return [&renames](std::string_view value) -> std::optional<std::string> {
+    const std::size_t colon = value.find(':');
+    Rename rename;
+    if (colon != std::string_view::npos) rename.kind = find_name_kind(value.substr(0, colon));
+    const std::string_view names = rename.kind ? value.substr(colon + 1) : value;
+    const std::size_t equals = names.find('=');
+    if (equals == std::string_view::npos || equals == 0) {
+      return "'" + std::string(value) + "' is not KIND:NAME=NEW";
+    }
+    rename.from = names.substr(0, equals);
+    rename.to = names.substr(equals + 1);
+    renames.push_back(std::move(rename));
+    return std::nullopt;
+  };
+}
+
 Setter set_shard(Shard& shard) {
   return [&shard](std::string_view value) -> std::optional<std::string> {
     const std::size_t slash = value.find('/');
@@ -193,8 +211,16 @@ std::vector<Option> fix_options(LintOptions& options) {
        .set = set_flag(options.fix_only)},
       {.group = "Fixes",
        .name = "diff",
-       .help = "Show what --fix would change, and change nothing; exit with 1 if that is anything.",
+       .help = "Show what --fix or --rename would change, and change nothing; exit with 1 if that "
+               "is anything.",
        .set = set_flag(options.diff)},
+      {.group = "Fixes",
+       .name = "rename",
+       .metavar = "KIND:NAME=NEW",
+       .help = "Give a link, joint, motor, material, ... a new name wherever the models and scenes "
+               "name it, and report what they come to; may be repeated. KIND: may be left out when "
+               "only one thing has the name.",
+       .set = append_renames(options.renames)},
   };
 }
 
@@ -303,6 +329,8 @@ Command lint_command(LintOptions& options) {
       {"xacro arm.urdf.xacro | smurf-lint --stdin-filename urdf/arm.urdf -",
        "What another program writes:"},
       {"smurf-lint --diff robots/", "What could be fixed without a thought; then with --fix:"},
+      {"smurf-lint --rename joint:elbow=elbow_left robots/arm/",
+       "Another name, in all files; with --diff to see it first:"},
       {"smurf-lint --baseline old.yaml --generate-baseline robots/",
        "Only new findings from now on; then without --generate-baseline:"},
       {"smurf-lint --shard 2/8 --format json=part-2.json datasets/",
@@ -331,6 +359,13 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
   }
   if (options.diff && (options.fix || options.fix_only)) {
     return "--diff changes nothing, so it does not go with --fix";
+  }
+  if (!options.renames.empty() && (options.fix || options.unsafe_fixes)) {
+    return "--rename and --fix are two steps";
+  }
+  if (!options.renames.empty() && (options.generate_baseline || options.shard.count > 1)) {
+    return "--rename needs all files and writes only them, so it goes neither with --shard nor "
+           "with --generate-baseline";
   }
   if (options.unsafe_fixes && !options.fix && !options.fix_only && !options.diff) {
     return "--unsafe-fixes goes with --fix, --fix-only or --diff";

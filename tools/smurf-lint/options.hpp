@@ -12,6 +12,7 @@
 #include "common/report.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/lint.hpp"
+#include "smurf/rename.hpp"
 
 namespace smurf::tools {
 
@@ -45,7 +46,8 @@ struct LintOptions {
   bool fix = false;           ///< write fixed files
   bool unsafe_fixes = false;  ///< fixes that may change what the model means are fixes too
   bool fix_only = false;      ///< do not report what is left
-  bool diff = false;          ///< show what `fix` would change, and do nothing else
+  bool diff = false;          ///< show what would be changed, and do nothing else
+  std::vector<Rename> renames;
 
   std::string baseline;            ///< file; "": none
   bool generate_baseline = false;  ///< write it, and report nothing

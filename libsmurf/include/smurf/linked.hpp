@@ -11,6 +11,7 @@
 
 #include "smurf/mesh.hpp"
 #include "smurf/model.hpp"
+#include "smurf/names.hpp"
 #include "smurf/pose.hpp"
 #include "smurf/scene.hpp"
 #include "smurf/source.hpp"
@@ -135,6 +136,8 @@ struct LinkedModel {
   const urdf::Joint& joint(JointIndex index) const { return robot->joints[to_size(index)]; }
   /// The YAML document a span lies in; null when it is XML or unread.
   const yaml::Document* document(SourceId source) const;
+  /// The table of a kind; null for kinds without one.
+  const NameTable* names(NameKind kind) const;
 };
 
 /// Joint positions by joint name; rad or m.

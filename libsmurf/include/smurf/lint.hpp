@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "smurf/diagnostic.hpp"
 #include "smurf/linked.hpp"
 #include "smurf/readers.hpp"
+#include "smurf/references.hpp"
 
 namespace smurf {
 
@@ -37,11 +40,26 @@ struct RuleSelection {
 /// True when `pattern` is the rule's id or name or a prefix of its id.
 bool matches(const Rule& rule, std::string_view pattern);
 
+/// doubtful_references() of a model, found when the first rule asks.
+class DoubtfulReferences {
+ public:
+  /// Without a model there are none.
+  explicit DoubtfulReferences(const LinkedModel* model) : model_(model) {}
+  std::span<const Reference> list() {
+    if (!list_ && model_ != nullptr) list_ = doubtful_references(*model_);
+    return list_ ? std::span<const Reference>(*list_) : std::span<const Reference>();
+  }
+
+ private:
+  const LinkedModel* model_;
+  std::optional<std::vector<Reference>> list_;
+};
+
 /// What a check may use: where to report, as whom.
 class Findings {
  public:
-  Findings(const Rule& rule, double tolerance, DiagnosticSink& sink)
-      : rule_(rule), tolerance_(tolerance), sink_(sink) {}
+  Findings(const Rule& rule, double tolerance, DiagnosticSink& sink, DoubtfulReferences& references)
+      : rule_(rule), tolerance_(tolerance), sink_(sink), references_(references) {}
   Diagnostic& report(Span span, std::string message) {
     return sink_.report(rule_, span, std::move(message));
   }
@@ -52,6 +70,8 @@ class Findings {
                                           std::span<const std::string_view> known) {
     return sink_.suggest(name, known);
   }
+  /// Those of the model that is checked.
+  std::span<const Reference> doubtful_references() { return references_.list(); }
   /// What Rule::tolerance says, or the user's number in its place.
   double tolerance() const { return tolerance_; }
 
@@ -59,6 +79,7 @@ class Findings {
   const Rule& rule_;
   double tolerance_;
   DiagnosticSink& sink_;
+  DoubtfulReferences& references_;
 };
 
 void lint_model(const LinkedModel& model, const RuleSelection& selection, DiagnosticSink& sink);

@@ -16,6 +16,7 @@
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/model.hpp"
+#include "smurf/names.hpp"
 
 namespace smurf {
 
@@ -56,6 +57,19 @@ struct KeyTable {
   std::span<const KeySpec> keys() const;
 };
 
+/// What a text is the name of.
+struct Naming {
+  NameKinds kinds = {};   ///< empty: it is no name
+  bool defines = false;   ///< the thing gets its name here
+  bool is_vague = false;  ///< the name may be known elsewhere, so that only a slip is a fault
+};
+constexpr Naming defines(NameKinds kinds) { return {kinds, true, false}; }
+constexpr Naming may_name(NameKinds kinds) { return {kinds, false, true}; }
+
+/// What is a node to MARS. It also knows the inertia of a link, as `inertial_LINK`.
+inline constexpr NameKinds kNodeKinds =
+    NameKind::link | NameKind::visual | NameKind::collision | NameKind::node;
+
 /// What a key holds. The texts go into the schema.
 struct KeySpec {
   std::string_view name;
@@ -70,6 +84,10 @@ struct KeySpec {
   bool positive = false;                           ///< a number that must be above 0
   std::span<const std::string_view> choices = {};  ///< of a text; empty: any
   KeyTable members = {};                           ///< of a mapping, or of the mappings in a list
+  /// What its text names, or each text of its list, or each key of a number_map. References are
+  /// found by this (link/references.cpp), so that a new key that names something needs no more.
+  Naming names = {};
+  Naming (*names_in)(yaml::View entry) = nullptr;  ///< where that depends on the rest of the entry
 };
 
 inline std::span<const KeySpec> KeyTable::keys() const { return {first, size}; }
@@ -212,14 +230,22 @@ void read_entry(std::span<const Key<T>> keys, yaml::View mapping, T& out, std::s
   read_entry<T>(keys, {}, mapping, out, what, sink);
 }
 
+/// Which rows are wanted; null: all.
+using KeyFilter = bool (*)(const KeySpec&);
+
 /// All rows of an entry, for the schema; a name that an earlier table has is not repeated.
 template <class T>
-std::vector<const KeySpec*> specs_of(std::span<const Key<T>> keys, MoreKeys more = {}) {
+std::vector<const KeySpec*> specs_of(std::span<const Key<T>> keys, MoreKeys more = {},
+                                     KeyFilter takes = nullptr) {
+  const auto is_wanted = [&](const KeySpec& spec) { return takes == nullptr || takes(spec); };
   std::vector<const KeySpec*> specs;
-  for (const Key<T>& key : keys) specs.push_back(&key.spec);
+  for (const Key<T>& key : keys) {
+    if (is_wanted(key.spec)) specs.push_back(&key.spec);
+  }
   const std::size_t own = specs.size();
   for (const std::span<const KeySpec> table : more) {
     for (const KeySpec& spec : table) {
+      if (!is_wanted(spec)) continue;
       bool is_known = find_key(more, spec.name) != &spec;
       for (std::size_t i = 0; i < own; ++i) is_known = is_known || specs[i]->name == spec.name;
       if (!is_known) specs.push_back(&spec);

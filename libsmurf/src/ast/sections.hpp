@@ -26,9 +26,12 @@ struct SectionSpec {
   std::string_view entry;                          ///< what one entry is: "motor"
   std::string_view doc;                            ///< one sentence, for the schema
   SectionForm form = SectionForm::list;
-  std::vector<const KeySpec*> (*keys)() = nullptr;
+  /// All rows of an entry, or those that `takes` is true for.
+  std::vector<const KeySpec*> (*filtered_keys)(KeyFilter takes) = nullptr;
   /// Reads one entry (a mapping) and appends it.
   void (*read)(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) = nullptr;
+
+  std::vector<const KeySpec*> keys() const { return filtered_keys(nullptr); }
 };
 
 std::span<const SectionSpec* const> all_sections();
@@ -66,6 +69,9 @@ void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view ent
   item.section = section;
   read_entry(keys, more, entry, item, entry_name, sink, Slips::reported);
 }
+
+/// What the names in `id` of a sensor of this type are; none when MARS takes no `id`.
+NameKinds measured_by(std::string_view type);
 
 /// The keys that describe a node of MARS: entries of `collision`, `visuals`, `link` and `nodes`
 /// replace them one by one.

@@ -7,6 +7,7 @@
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "smurf/references.hpp"
 
 namespace smurf::passes {
 namespace {
@@ -26,70 +27,6 @@ bool is_relative_path(std::string_view filename) {
   return !filename.empty() && !path::is_absolute(filename) &&
          filename.find("://") == std::string_view::npos;
 }
-
-/// Renames inside one element and all below it.
-class Prefixer {
- public:
-  Prefixer(const LinkedModel& model, const std::string& prefix, XmlEdits& edits)
-      : model_(model), prefix_(prefix), edits_(edits) {}
-
-  void run() {
-    const xml::View robot = model_.robot->document.view();
-    for (const xml::View child : robot) {
-      if (is_one_of(child.name(), {"link", "joint", "material"})) {
-        urdf(child);
-      } else {
-        rename(child, "name");
-        extension(child);
-      }
-    }
-  }
-
- private:
-  void rename(xml::View element, std::string_view attribute) {
-    const xml::Attribute* name = element.attribute(attribute);
-    if (name == nullptr || name->value().empty()) return;
-    const bool is_joint = element.name() == "joint" || attribute == "joint";
-    if (is_world(name->value()) && !is_joint && element.name() != "material") return;
-    edits_.set_attribute(element, attribute, prefix_ + std::string(name->value()));
-  }
-
-  void urdf(xml::View element) {
-    if (is_one_of(element.name(), {"link", "joint", "material"})) rename(element, "name");
-    for (const xml::View child : element) {
-      if (is_one_of(child.name(), {"parent", "child"})) rename(child, "link");
-      if (child.name() == "mimic") rename(child, "joint");
-      if (child.name() == "material") rename(child, "name");
-      if (child.name() == "visual") urdf(child);
-    }
-  }
-
-  bool is_name(std::string_view text) const {
-    return model_.link_names.contains(text) || model_.joint_names.contains(text);
-  }
-
-  /// Whatever an extension calls it: an attribute or a text that is the name of a link or joint.
-  void extension(xml::View element) {
-    for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
-         ++one) {
-      const bool refers =
-          is_one_of(one->name(), {"reference", "link", "joint", "link1", "link2"}) ||
-          (one->name() == "name" && element.name() == "joint");
-      if (refers && is_name(one->value())) rename(element, one->name());
-    }
-    const bool is_leaf = element.begin() == element.end();
-    if (is_leaf && is_name(element.text()) && !is_world(element.text())) {
-      Span place = element.text_span();
-      place.end = place.begin;
-      edits_.replace(place, escape_xml(prefix_));
-    }
-    for (const xml::View child : element) extension(child);
-  }
-
-  const LinkedModel& model_;
-  const std::string& prefix_;
-  XmlEdits& edits_;
-};
 
 }  // namespace
 
@@ -116,7 +53,17 @@ void strip_extensions(const LinkedModel& model, XmlEdits& edits) {
 }
 
 void add_prefix(const LinkedModel& model, const std::string& prefix, XmlEdits& edits) {
-  Prefixer(model, prefix, edits).run();
+  const SourceId urdf = model.robot->document.source;
+  for (const Reference& one : references_of(model)) {
+    const bool has_prefix = one.kind == NameKind::link || one.kind == NameKind::joint ||
+                            one.kind == NameKind::material || one.kind == NameKind::group ||
+                            one.kind == NameKind::extension;
+    // A text that may name several things and names none is no name.
+    const bool is_name = one.is_known() || one.kinds == one.kind;
+    const bool is_of_world = one.kind == NameKind::link && is_world(one.name);
+    if (one.span.source != urdf || !has_prefix || !is_name || is_of_world) continue;
+    edits.replace({urdf, one.span.begin, one.span.begin}, escape_xml(prefix));
+  }
 }
 
 void add_base(const LinkedModel& model, BaseJoint base, XmlEdits& edits) {

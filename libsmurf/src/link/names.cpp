@@ -52,11 +52,51 @@ std::optional<std::uint32_t> NameTable::find(std::string_view name) const {
   return indices_[found - 1];
 }
 
+const NameTable* LinkedModel::names(NameKind kind) const {
+  switch (kind) {
+  case NameKind::motor: return &motor_names;
+  case NameKind::link: return &link_names;
+  case NameKind::joint: return &joint_names;
+  case NameKind::visual: return &visual_names;
+  case NameKind::collision: return &collision_names;
+  case NameKind::material: return &material_names;
+  case NameKind::sensor: return &sensor_names;
+  case NameKind::node:
+  case NameKind::pose:
+  case NameKind::entity:
+  case NameKind::group:
+  case NameKind::extension: break;
+  }
+  return nullptr;
+}
+
 const yaml::Document* LinkedModel::document(SourceId source) const {
   for (const ModelFile& file : files) {
     if (file.source == source && file.document) return &*file.document;
   }
   return nullptr;
+}
+
+namespace {
+
+constexpr std::pair<NameKind, std::string_view> kKinds[] = {
+    {NameKind::motor, "motor"},         {NameKind::link, "link"},
+    {NameKind::joint, "joint"},         {NameKind::visual, "visual"},
+    {NameKind::collision, "collision"}, {NameKind::material, "material"},
+    {NameKind::sensor, "sensor"},       {NameKind::node, "node"},
+    {NameKind::pose, "pose"},           {NameKind::entity, "entity"},
+    {NameKind::group, "group"},         {NameKind::extension, "extension"},
+};
+
+}  // namespace
+
+std::string_view to_string(NameKind kind) { return kKinds[static_cast<std::size_t>(kind)].second; }
+
+std::optional<NameKind> find_name_kind(std::string_view name) {
+  for (const auto& [kind, word] : kKinds) {
+    if (word == name) return kind;
+  }
+  return std::nullopt;
 }
 
 }  // namespace smurf

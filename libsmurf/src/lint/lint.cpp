@@ -62,17 +62,19 @@ double RuleSelection::tolerance_of(const Rule& rule) const {
 }
 
 void lint_model(const LinkedModel& model, const RuleSelection& selection, DiagnosticSink& sink) {
+  DoubtfulReferences references(&model);
   for (const Rule* rule : all_rules()) {
     if (rule->check_model == nullptr || !selection.is_enabled(*rule)) continue;
-    Findings findings(*rule, selection.tolerance_of(*rule), sink);
+    Findings findings(*rule, selection.tolerance_of(*rule), sink, references);
     rule->check_model(model, findings);
   }
 }
 
 void lint_scene(const LinkedScene& scene, const RuleSelection& selection, DiagnosticSink& sink) {
+  DoubtfulReferences references(nullptr);
   for (const Rule* rule : all_rules()) {
     if (rule->check_scene == nullptr || !selection.is_enabled(*rule)) continue;
-    Findings findings(*rule, selection.tolerance_of(*rule), sink);
+    Findings findings(*rule, selection.tolerance_of(*rule), sink, references);
     rule->check_scene(scene, findings);
   }
 }

@@ -61,17 +61,14 @@ const urdf::Link* link_without_name(const LinkedModel& model) {
   return found == links.end() ? nullptr : &*found;
 }
 
-Diagnostic* check_link_of_joint(const LinkedModel& model, const urdf::Joint& joint,
-                                const Field<std::string>& link, const urdf::Link* unnamed,
+Diagnostic* check_link_of_joint(const LinkedModel& model, const Reference& link,
+                                const std::string& who, const urdf::Link* unnamed,
                                 Findings& findings) {
-  if (!link || link->empty()) return nullptr;
   if (unnamed == nullptr) {
-    return check_reference(model, NameKind::link, *link, link.span, subject(joint), findings);
+    return check_reference(model, NameKind::link, link.name, link.span, who.c_str(), findings);
   }
-  if (!model.link_names.contains(*link)) {
-    const bool has_name = unnamed->name && !unnamed->name->empty();
-    findings.add_consequence(has_name ? unnamed->name.span : tag_name(model, unnamed->element));
-  }
+  const bool has_name = unnamed->name && !unnamed->name->empty();
+  findings.add_consequence(has_name ? unnamed->name.span : tag_name(model, unnamed->element));
   return nullptr;
 }
 

@@ -29,10 +29,11 @@ void for_each_name(const LinkedModel& model,
 /// The first link without a name, or with one that xacro was to make. Null when all have one.
 const urdf::Link* link_without_name(const LinkedModel& model);
 
-/// Reports a joint that names, as its parent or child, a link that the robot does not have. Where a
-/// link has no name (`unnamed`, else null), that is the fault: null is returned then.
-Diagnostic* check_link_of_joint(const LinkedModel& model, const urdf::Joint& joint,
-                                const Field<std::string>& link, const urdf::Link* unnamed,
+/// Reports a joint, `who`, that names a link which the robot does not have. Where a link has no
+/// name
+/// (`unnamed`, else null), that is the fault: null is returned then.
+Diagnostic* check_link_of_joint(const LinkedModel& model, const Reference& link,
+                                const std::string& who, const urdf::Link* unnamed,
                                 Findings& findings);
 
 /// What Isaac and USD make of a name: `_` for what is no letter, digit or underscore, and `a_`

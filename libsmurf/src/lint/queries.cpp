@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ast/sections.hpp"
 #include "ast/urdf_numbers.hpp"
 #include "ast/urdf_schema.hpp"
 #include "base/numbers.hpp"
@@ -50,31 +51,7 @@ bool are_all_named(const Entries& entries, const NameTable& names) {
 
 }  // namespace
 
-std::string_view to_string(NameKind kind) {
-  switch (kind) {
-  case NameKind::link: return "link";
-  case NameKind::joint: return "joint";
-  case NameKind::visual: return "visual";
-  case NameKind::collision: return "collision";
-  case NameKind::material: return "material";
-  case NameKind::motor: return "motor";
-  case NameKind::sensor: return "sensor";
-  }
-  return "";
-}
-
-const NameTable& names(const LinkedModel& model, NameKind kind) {
-  switch (kind) {
-  case NameKind::link: return model.link_names;
-  case NameKind::joint: return model.joint_names;
-  case NameKind::visual: return model.visual_names;
-  case NameKind::collision: return model.collision_names;
-  case NameKind::material: return model.material_names;
-  case NameKind::motor: return model.motor_names;
-  case NameKind::sensor: break;
-  }
-  return model.sensor_names;
-}
+const NameTable& names(const LinkedModel& model, NameKind kind) { return *model.names(kind); }
 
 Span definition(const LinkedModel& model, NameKind kind, std::string_view name) {
   const auto index = names(model, kind).find(name);
@@ -84,11 +61,10 @@ Span definition(const LinkedModel& model, NameKind kind, std::string_view name) 
   case NameKind::joint: return model.robot->joints[*index].name.span;
   case NameKind::visual:
   case NameKind::collision: return visual_or_collision(model, kind, name, *index);
-  case NameKind::material: return {};
   case NameKind::motor: return model.annotations.motors[*index].name.span;
-  case NameKind::sensor: break;
+  case NameKind::sensor: return model.annotations.sensors[*index].name.span;
+  default: return {};
   }
-  return model.annotations.sensors[*index].name.span;
 }
 
 bool can_judge(const LinkedModel& model, NameKind kind) {
@@ -189,14 +165,8 @@ void for_each_material(const LinkedModel& model,
 }
 
 std::optional<NameKind> sensor_target(std::string_view type) {
-  const auto holds = [&](std::string_view word) {
-    return type.find(word) != std::string_view::npos;
-  };
-  // The order of MARS, smurf.cpp:288-330.
-  if (holds("Joint") && !holds("6DOF")) return NameKind::joint;
-  if (holds("Node")) return holds("Contact") ? std::optional(NameKind::collision) : NameKind::link;
-  if (holds("Motor")) return NameKind::motor;
-  return std::nullopt;
+  const NameKinds kinds = sections::measured_by(type);
+  return kinds.empty() ? std::nullopt : std::optional(kinds.first());
 }
 
 bool creates_collision(const LinkedModel& model, const CollisionAnnotation& entry) {

@@ -8,12 +8,12 @@
 
 #include "base/quoted.hpp"
 #include "smurf/lint.hpp"
+#include "smurf/names.hpp"
 
 namespace smurf {
 
-/// Kinds of things that YAML refers to by name.
-enum class NameKind : std::uint8_t { link, joint, visual, collision, material, motor, sensor };
-std::string_view to_string(NameKind kind);
+/// The names of a kind that is in the table of the model: neither of nodes, poses, entities, groups
+/// nor extensions.
 const NameTable& names(const LinkedModel& model, NameKind kind);
 /// Where the thing of this kind and name is defined.
 Span definition(const LinkedModel& model, NameKind kind, std::string_view name);
@@ -66,9 +66,7 @@ void for_each_joint(const LinkedModel& model, const std::function<void(const urd
 void for_each_material(const LinkedModel& model,
                        const std::function<void(const urdf::Material&)>& visit);
 
-/// What the names in `id` of a sensor are, by the words in its type: "JointPosition" joints,
-/// "NodeContact" collisions, "Motor..." motors, other "Node..." links; none when MARS takes no
-/// `id`.
+/// What the names in `id` of a sensor of this type are before all; none when MARS takes no `id`.
 std::optional<NameKind> sensor_target(std::string_view type);
 /// Phobos 2 makes collisions that the URDF does not have from entries with a geometry.
 bool creates_collision(const LinkedModel& model, const CollisionAnnotation& entry);

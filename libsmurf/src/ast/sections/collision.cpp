@@ -8,12 +8,20 @@ namespace {
 
 using enum ValueType;
 
+/// Phobos 2 makes collisions that the URDF does not have from entries with a geometry.
+Naming own_name(yaml::View entry) { return {NameKind::collision, bool(entry.find("geometry"))}; }
+
 constexpr Key<CollisionAnnotation> kKeys[] = {
-    {{.name = "name", .type = text, .doc = "Name of a collision of the URDF.", .required = true},
+    {{.name = "name",
+      .type = text,
+      .doc = "Name of a collision of the URDF.",
+      .required = true,
+      .names_in = own_name},
      &CollisionAnnotation::name},
     {{.name = "link",
       .type = text,
-      .doc = "Link of the collision; MARS 2 and rock-cpp/smurf match by it as well."},
+      .doc = "Link of the collision; MARS 2 and rock-cpp/smurf match by it as well.",
+      .names = {NameKind::link}},
      &CollisionAnnotation::link},
     {{.name = "bitmask",
       .type = integer,
@@ -29,8 +37,8 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "capsules", .type = list, .doc = "Written by Phobos 0.7, read by nobody."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<CollisionAnnotation>(kKeys, {kMoreKeys, node_keys()});
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<CollisionAnnotation>(kKeys, {kMoreKeys, node_keys()}, takes);
 }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
@@ -46,7 +54,7 @@ constinit const SectionSpec collision{.name = "collision",
                                       .aliases = kAliases,
                                       .entry = "collision",
                                       .doc = "Contact parameters of URDF collisions.",
-                                      .keys = keys,
+                                      .filtered_keys = keys,
                                       .read = read};
 
 }  // namespace smurf::sections

@@ -20,9 +20,15 @@ constexpr Key<Controller> kKeys[] = {
       .type = text,
       .doc = "Shared library; without it the controller is a program reached over TCP."},
      &Controller::dylib_path},
-    {{.name = "sensors", .type = name_list, .doc = "Sensors that the controller reads, in order."},
+    {{.name = "sensors",
+      .type = name_list,
+      .doc = "Sensors that the controller reads, in order.",
+      .names = {NameKind::sensor}},
      &Controller::sensors},
-    {{.name = "motors", .type = name_list, .doc = "Motors that the controller drives, in order."},
+    {{.name = "motors",
+      .type = name_list,
+      .doc = "Motors that the controller drives, in order.",
+      .names = {NameKind::motor}},
      &Controller::motors},
 };
 
@@ -32,7 +38,9 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "nodeid", .type = number_list, .doc = "Nodes by number."},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Controller>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Controller>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Controller>(kKeys, {kMoreKeys}, "controller", entry, section, out.controllers, sink);
@@ -47,7 +55,7 @@ constinit const SectionSpec controllers{
     .aliases = kAliases,
     .entry = "controller",
     .doc = "Controllers; they come after the sensors and motors that they use.",
-    .keys = keys,
+    .filtered_keys = keys,
     .read = read};
 
 }  // namespace smurf::sections

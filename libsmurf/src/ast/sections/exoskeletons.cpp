@@ -17,11 +17,20 @@ constexpr Key<Exoskeleton> kKeys[] = {
      &Exoskeleton::contextual_name},
     {{.name = "around", .type = text, .doc = "Part of the body that wears it."},
      &Exoskeleton::around},
-    {{.name = "jointnames", .type = name_list, .doc = "All joints, fixed ones included."},
+    {{.name = "jointnames",
+      .type = name_list,
+      .doc = "All joints, fixed ones included.",
+      .names = may_name(NameKind::joint)},
      &Exoskeleton::joint_names},
-    {{.name = "jointnames_spanningtree", .type = name_list, .doc = "Movable joints."},
+    {{.name = "jointnames_spanningtree",
+      .type = name_list,
+      .doc = "Movable joints.",
+      .names = may_name(NameKind::joint)},
      &Exoskeleton::joint_names_spanning_tree},
-    {{.name = "jointnames_dependent", .type = name_list, .doc = "Joints that the others follow."},
+    {{.name = "jointnames_dependent",
+      .type = name_list,
+      .doc = "Joints that the others follow.",
+      .names = may_name(NameKind::joint)},
      &Exoskeleton::joint_names_dependent},
 };
 
@@ -32,7 +41,9 @@ constexpr KeySpec kMoreKeys[] = {
      .fallback = "false"},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Exoskeleton>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Exoskeleton>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Exoskeleton>(kKeys, {kMoreKeys}, "exoskeleton", entry, section, out.exoskeletons, sink);
@@ -44,7 +55,7 @@ constinit const SectionSpec exoskeletons{
     .name = "exoskeletons",
     .entry = "exoskeleton",
     .doc = "Exoskeletons and the joints of the body they follow, for Phobos and HyRoDyn.",
-    .keys = keys,
+    .filtered_keys = keys,
     .read = read};
 
 }  // namespace smurf::sections

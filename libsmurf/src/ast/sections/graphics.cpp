@@ -42,7 +42,7 @@ constexpr Key<Graphics> kKeys[] = {
      &Graphics::fog_color},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Graphics>(kKeys, {}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) { return specs_of<Graphics>(kKeys, {}, takes); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Graphics>(kKeys, {}, "graphics entry", entry, section, out.graphics, sink);
@@ -54,7 +54,7 @@ constinit const SectionSpec graphics{.name = "graphics",
                                      .entry = "graphics entry",
                                      .doc = "Settings of the display, for the whole scene.",
                                      .form = SectionForm::list_or_mapping,
-                                     .keys = keys,
+                                     .filtered_keys = keys,
                                      .read = read};
 
 }  // namespace smurf::sections

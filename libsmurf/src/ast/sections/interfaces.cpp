@@ -10,7 +10,11 @@ using enum ValueType;
 constexpr Key<Interface> kKeys[] = {
     {{.name = "name", .type = text, .doc = "Name of the interface.", .required = true},
      &Interface::name},
-    {{.name = "parent", .type = text, .doc = "Link that carries it.", .required = true},
+    {{.name = "parent",
+      .type = text,
+      .doc = "Link that carries it.",
+      .required = true,
+      .names = {NameKind::link}},
      &Interface::parent},
     {{.name = "type", .type = text, .doc = "What fits: interfaces of one type can be joined."},
      &Interface::type},
@@ -30,7 +34,7 @@ constexpr Key<Interface> kKeys[] = {
      &Interface::rotation},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Interface>(kKeys, {}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) { return specs_of<Interface>(kKeys, {}, takes); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Interface>(kKeys, {}, "interface", entry, section, out.interfaces, sink);
@@ -41,7 +45,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec interfaces{.name = "interfaces",
                                        .entry = "interface",
                                        .doc = "Places where models can be joined, for Phobos.",
-                                       .keys = keys,
+                                       .filtered_keys = keys,
                                        .read = read};
 
 }  // namespace smurf::sections

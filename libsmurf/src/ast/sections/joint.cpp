@@ -17,16 +17,26 @@ constexpr std::string_view kUrdfTypes[] = {"revolute", "continuous", "prismatic"
                                            "screw",    "ball",       "universal"};
 
 constexpr Key<JointAnnotation> kKeys[] = {
-    {{.name = "name", .type = text, .doc = "Name of a joint of the URDF.", .required = true},
+    {{.name = "name",
+      .type = text,
+      .doc = "Name of a joint of the URDF.",
+      .required = true,
+      .names = {NameKind::joint}},
      &JointAnnotation::name},
     {{.name = "type",
       .type = text,
       .doc = "Joint of the physics engine that replaces the URDF's type, by name or number.",
       .choices = kTypes},
      &JointAnnotation::type},
-    {{.name = "parent", .type = text, .doc = "Parent link, written by Phobos 2."},
+    {{.name = "parent",
+      .type = text,
+      .doc = "Parent link, written by Phobos 2.",
+      .names = {NameKind::link}},
      &JointAnnotation::parent},
-    {{.name = "child", .type = text, .doc = "Child link, written by Phobos 2."},
+    {{.name = "child",
+      .type = text,
+      .doc = "Child link, written by Phobos 2.",
+      .names = {NameKind::link}},
      &JointAnnotation::child},
     {{.name = "axis1",
       .type = vector3,
@@ -50,7 +60,7 @@ constexpr Key<JointAnnotation> kKeys[] = {
 };
 
 constexpr KeySpec kDependencyKeys[] = {
-    {.name = "joint", .type = text, .doc = "Joint that is followed."},
+    {.name = "joint", .type = text, .doc = "Joint that is followed.", .names = {NameKind::joint}},
     {.name = "multiplier", .type = number, .doc = "Factor on its position."},
     {.name = "offset", .type = number, .doc = "Added to it.", .unit = "rad or m"},
 };
@@ -185,13 +195,21 @@ constexpr KeySpec kMoreKeys[] = {
      .type = list,
      .doc = "Axes of a joint that closes a loop.",
      .members = kAxisKeys},
-    {.name = "motor", .type = text, .doc = "Motor that drives the joint (Phobos 2)."},
+    {.name = "motor",
+     .type = text,
+     .doc = "Motor that drives the joint (Phobos 2).",
+     .names = {NameKind::motor}},
     {.name = "gearbox_ratio", .type = number, .doc = "Ratio of the gearbox (Phobos 2)."},
-    {.name = "gearbox_reference_body", .type = text, .doc = "Link that carries the gearbox."},
+    {.name = "gearbox_reference_body",
+     .type = text,
+     .doc = "Link that carries the gearbox.",
+     .names = {NameKind::link}},
     {.name = "screw_thread_pitch", .type = number, .doc = "Pitch of a screw joint."},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<JointAnnotation>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<JointAnnotation>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<JointAnnotation>(kKeys, {kMoreKeys}, "joint", entry, section, out.joints, sink);
@@ -205,7 +223,7 @@ constinit const SectionSpec joint{.name = "joint",
                                   .aliases = kAliases,
                                   .entry = "joint",
                                   .doc = "Changes to URDF joints.",
-                                  .keys = keys,
+                                  .filtered_keys = keys,
                                   .read = read};
 
 }  // namespace smurf::sections

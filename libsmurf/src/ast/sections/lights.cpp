@@ -60,7 +60,8 @@ constexpr Key<Light> kKeys[] = {
      &Light::directional},
     {{.name = "nodeName",
       .type = text,
-      .doc = "Node that carries the light; looked up in the whole scene."},
+      .doc = "Node that carries the light; looked up in the whole scene.",
+      .names = may_name(kNodeKinds)},
      &Light::node_name},
 };
 
@@ -68,7 +69,9 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "index", .type = integer, .doc = "Number of the light; MARS sets it."},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Light>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Light>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Light>(kKeys, {kMoreKeys}, "light", entry, section, out.lights, sink);
@@ -83,7 +86,7 @@ constinit const SectionSpec lights{
     .aliases = kAliases,
     .entry = "light",
     .doc = "Lights. No key has a default in MARS: what is left out is undefined.",
-    .keys = keys,
+    .filtered_keys = keys,
     .read = read};
 
 }  // namespace smurf::sections

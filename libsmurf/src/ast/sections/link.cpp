@@ -9,19 +9,27 @@ namespace {
 using enum ValueType;
 
 constexpr Key<LinkAnnotation> kKeys[] = {
-    {{.name = "name", .type = text, .doc = "Name of a link of the URDF, for MARS and Phobos."},
+    {{.name = "name",
+      .type = text,
+      .doc = "Name of a link of the URDF, for MARS and Phobos.",
+      .names = {NameKind::link}},
      &LinkAnnotation::name},
     {{.name = "link",
       .type = text,
-      .doc = "The same name once more, for MARS 2, which stops at an entry without it."},
+      .doc = "The same name once more, for MARS 2, which stops at an entry without it.",
+      .names = {NameKind::link}},
      &LinkAnnotation::link},
 };
 
 constexpr KeySpec kMoreKeys[] = {
-    {.name = "visuals", .type = name_list, .doc = "Visuals of the link, written by Phobos 2."},
+    {.name = "visuals",
+     .type = name_list,
+     .doc = "Visuals of the link, written by Phobos 2.",
+     .names = {NameKind::visual}},
     {.name = "collisions",
      .type = name_list,
-     .doc = "Collisions of the link, written by Phobos 2."},
+     .doc = "Collisions of the link, written by Phobos 2.",
+     .names = {NameKind::collision}},
     {.name = "is_human",
      .type = boolean,
      .doc = "The link is part of a human (Phobos 2).",
@@ -34,8 +42,8 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "origin", .type = any, .doc = "Pose of the link (Phobos 2)."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<LinkAnnotation>(kKeys, {kMoreKeys, node_keys()});
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<LinkAnnotation>(kKeys, {kMoreKeys, node_keys()}, takes);
 }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
@@ -51,7 +59,7 @@ constinit const SectionSpec link{.name = "link",
                                  .aliases = kAliases,
                                  .entry = "link",
                                  .doc = "Changes to the frame nodes of URDF links.",
-                                 .keys = keys,
+                                 .filtered_keys = keys,
                                  .read = read};
 
 }  // namespace smurf::sections

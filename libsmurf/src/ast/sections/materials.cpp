@@ -8,7 +8,11 @@ namespace {
 using enum ValueType;
 
 constexpr Key<MaterialAnnotation> kKeys[] = {
-    {{.name = "name", .type = text, .doc = "Name of a material of the URDF.", .required = true},
+    {{.name = "name",
+      .type = text,
+      .doc = "Name of a material of the URDF.",
+      .required = true,
+      .names = {NameKind::material}},
      &MaterialAnnotation::name},
     {{.name = "ambientColor",
       .type = color,
@@ -84,7 +88,9 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "printShader", .type = any, .doc = "Renderer of MARS: write the shader to a file."},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<MaterialAnnotation>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<MaterialAnnotation>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<MaterialAnnotation>(kKeys, {kMoreKeys}, "material", entry, section, out.materials,
@@ -99,7 +105,7 @@ constinit const SectionSpec materials{.name = "materials",
                                       .aliases = kAliases,
                                       .entry = "material",
                                       .doc = "Colours and textures of URDF materials.",
-                                      .keys = keys,
+                                      .filtered_keys = keys,
                                       .read = read};
 
 }  // namespace smurf::sections

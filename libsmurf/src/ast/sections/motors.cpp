@@ -17,9 +17,14 @@ constexpr Key<Motor> kKeys[] = {
       .type = text,
       .doc = "Name of the motor; controllers, sensors, poses and "
              "mimicking motors refer to it.",
-      .required = true},
+      .required = true,
+      .names = defines(NameKind::motor)},
      &Motor::name},
-    {{.name = "joint", .type = text, .doc = "URDF joint that the motor drives.", .required = true},
+    {{.name = "joint",
+      .type = text,
+      .doc = "URDF joint that the motor drives.",
+      .required = true,
+      .names = {NameKind::joint}},
      &Motor::joint},
     {{.name = "type",
       .type = text,
@@ -82,7 +87,8 @@ constexpr Key<Motor> kKeys[] = {
      &Motor::max_position},
     {{.name = "mimic_motor",
       .type = text,
-      .doc = "Motor that this one follows (Phobos writes the joint's name)."},
+      .doc = "Motor that this one follows (Phobos writes the joint's name).",
+      .names = {NameKind::motor | NameKind::joint}},
      &Motor::mimic_motor},
     {{.name = "mimic_multiplier",
       .type = number,
@@ -173,7 +179,9 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "maxVelI", .type = number, .doc = "MARS 2: limit of the velocity's integral part."},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Motor>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Motor>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Motor>(kKeys, {kMoreKeys}, "motor", entry, section, out.motors, sink);
@@ -187,7 +195,7 @@ constinit const SectionSpec motors{.name = "motors",
                                    .aliases = kAliases,
                                    .entry = "motor",
                                    .doc = "Motors and the joints they drive.",
-                                   .keys = keys,
+                                   .filtered_keys = keys,
                                    .read = read};
 
 }  // namespace smurf::sections

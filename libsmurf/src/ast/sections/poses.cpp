@@ -13,13 +13,15 @@ constexpr Key<JointPoseSet> kKeys[] = {
     {{.name = "name",
       .type = text,
       .doc = "Name that entities of a scene refer to by `pose`.",
-      .required = true},
+      .required = true,
+      .names = defines(NameKind::pose)},
      &JointPoseSet::name},
     {{.name = "joints",
       .type = number_map,
       .doc = "Position of each motor (MARS) or joint (Phobos): give both the same name.",
       .unit = "rad or m",
-      .required = true},
+      .required = true,
+      .names = {NameKind::motor | NameKind::joint}},
      {}},
 };
 
@@ -35,7 +37,9 @@ void read_joints(yaml::View joints, JointPoseSet& pose) {
   }
 }
 
-std::vector<const KeySpec*> keys() { return specs_of<JointPoseSet>(kKeys, {}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<JointPoseSet>(kKeys, {}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<JointPoseSet>(kKeys, {}, "joint pose set", entry, section, out.poses, sink);
@@ -47,7 +51,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec poses{.name = "poses",
                                   .entry = "joint pose set",
                                   .doc = "Named joint positions.",
-                                  .keys = keys,
+                                  .filtered_keys = keys,
                                   .read = read};
 
 }  // namespace smurf::sections

@@ -9,11 +9,17 @@ namespace {
 
 using enum ValueType;
 
+Naming measured(yaml::View entry) {
+  const yaml::View type = entry.find("type");
+  return {type && type.is_scalar() ? measured_by(type.text()) : NameKinds()};
+}
+
 constexpr Key<Sensor> kKeys[] = {
     {{.name = "name",
       .type = text,
       .doc = "Name of the sensor; controllers refer to it.",
-      .required = true},
+      .required = true,
+      .names = defines(NameKind::sensor)},
      &Sensor::name},
     {{.name = "type",
       .type = text,
@@ -23,21 +29,36 @@ constexpr Key<Sensor> kKeys[] = {
      &Sensor::type},
     {{.name = "link",
       .type = text,
-      .doc = "Link that carries the sensor; MARS 2 needs it for all types."},
+      .doc = "Link that carries the sensor; MARS 2 needs it for all types.",
+      .names = {NameKind::link}},
      &Sensor::link},
-    {{.name = "joint", .type = text, .doc = "Joint that is measured."}, &Sensor::joint},
+    {{.name = "joint", .type = text, .doc = "Joint that is measured.", .names = {NameKind::joint}},
+     &Sensor::joint},
     {{.name = "id",
       .type = name_list,
       .doc = "What is measured, by name: joints for Joint* types, motors for Motor* types, "
-             "collisions for NodeContact*, links for other Node* types."},
+             "collisions for NodeContact*, links for other Node* types.",
+      .names_in = measured},
      &Sensor::id},
-    {{.name = "links", .type = name_list, .doc = "Links that are measured."}, &Sensor::links},
-    {{.name = "joints", .type = name_list, .doc = "Joints that are measured."}, &Sensor::joints},
+    {{.name = "links",
+      .type = name_list,
+      .doc = "Links that are measured.",
+      .names = {NameKind::link}},
+     &Sensor::links},
+    {{.name = "joints",
+      .type = name_list,
+      .doc = "Joints that are measured.",
+      .names = {NameKind::joint}},
+     &Sensor::joints},
     {{.name = "motors",
       .type = name_list,
-      .doc = "Motors that are measured; the section `motors` must come first in MARS."},
+      .doc = "Motors that are measured; the section `motors` must come first in MARS.",
+      .names = {NameKind::motor}},
      &Sensor::motors},
-    {{.name = "collisions", .type = name_list, .doc = "Collisions that are measured."},
+    {{.name = "collisions",
+      .type = name_list,
+      .doc = "Collisions that are measured.",
+      .names = {NameKind::collision}},
      &Sensor::collisions},
     {{.name = "rate",
       .type = number,
@@ -241,7 +262,9 @@ constexpr KeySpec kRayKeys[] = {
     {.name = "taskInstanceName", .type = text, .doc = "Rock task of the sensor (rock-cpp/smurf)."},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Sensor>(kKeys, {kCameraKeys, kRayKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Sensor>(kKeys, {kCameraKeys, kRayKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Sensor>(kKeys, {kCameraKeys, kRayKeys}, "sensor", entry, section, out.sensors, sink);
@@ -251,11 +274,21 @@ constexpr std::string_view kAliases[] = {"sensor"};
 
 }  // namespace
 
+NameKinds measured_by(std::string_view type) {
+  const auto holds = [&](std::string_view word) {
+    return type.find(word) != std::string_view::npos;
+  };
+  // The order of MARS, smurf.cpp:288-330.
+  if (holds("Joint") && !holds("6DOF")) return NameKind::joint;
+  if (holds("Node")) return holds("Contact") ? NameKinds(NameKind::collision) : kNodeKinds;
+  return holds("Motor") ? NameKinds(NameKind::motor) : NameKinds();
+}
+
 constinit const SectionSpec sensors{.name = "sensors",
                                     .aliases = kAliases,
                                     .entry = "sensor",
                                     .doc = "Sensors and what they measure.",
-                                    .keys = keys,
+                                    .filtered_keys = keys,
                                     .read = read};
 
 }  // namespace smurf::sections

@@ -20,15 +20,25 @@ constexpr Key<Submechanism> kKeys[] = {
       .doc = "Structure of the mechanism: serial, R, RRR, 2SPU+1U, ...",
       .fallback = "\"numerical\""},
      &Submechanism::type},
-    {{.name = "jointnames", .type = name_list, .doc = "All joints, fixed ones included."},
+    {{.name = "jointnames",
+      .type = name_list,
+      .doc = "All joints, fixed ones included.",
+      .names = may_name(NameKind::joint)},
      &Submechanism::joint_names},
-    {{.name = "jointnames_spanningtree", .type = name_list, .doc = "Movable joints."},
+    {{.name = "jointnames_spanningtree",
+      .type = name_list,
+      .doc = "Movable joints.",
+      .names = may_name(NameKind::joint)},
      &Submechanism::joint_names_spanning_tree},
-    {{.name = "jointnames_active", .type = name_list, .doc = "Joints with a motor."},
+    {{.name = "jointnames_active",
+      .type = name_list,
+      .doc = "Joints with a motor.",
+      .names = may_name(NameKind::joint)},
      &Submechanism::joint_names_active},
     {{.name = "jointnames_independent",
       .type = name_list,
-      .doc = "Joints whose positions determine all others."},
+      .doc = "Joints whose positions determine all others.",
+      .names = may_name(NameKind::joint)},
      &Submechanism::joint_names_independent},
 };
 
@@ -38,9 +48,18 @@ constexpr KeySpec kAxisKeys[] = {
 };
 
 constexpr KeySpec kLoopKeys[] = {
-    {.name = "cut_joint", .type = text, .doc = "Joint where the loop is cut."},
-    {.name = "predecessor_body", .type = text, .doc = "Link before the cut."},
-    {.name = "successor_body", .type = text, .doc = "Link after the cut."},
+    {.name = "cut_joint",
+     .type = text,
+     .doc = "Joint where the loop is cut.",
+     .names = may_name(NameKind::joint)},
+    {.name = "predecessor_body",
+     .type = text,
+     .doc = "Link before the cut.",
+     .names = may_name(NameKind::link)},
+    {.name = "successor_body",
+     .type = text,
+     .doc = "Link after the cut.",
+     .names = may_name(NameKind::link)},
     {.name = "constraint_axes",
      .type = list,
      .doc = "Axes of the cut joint.",
@@ -48,8 +67,14 @@ constexpr KeySpec kLoopKeys[] = {
 };
 
 constexpr KeySpec kDependencyKeys[] = {
-    {.name = "name", .type = text, .doc = "Joint that follows others."},
-    {.name = "depends_on", .type = list, .doc = "Joints that it follows."},
+    {.name = "name",
+     .type = text,
+     .doc = "Joint that follows others.",
+     .names = may_name(NameKind::joint)},
+    {.name = "depends_on",
+     .type = list,
+     .doc = "Joints that it follows.",
+     .names = may_name(NameKind::joint)},
 };
 
 constexpr KeySpec kMoreKeys[] = {
@@ -65,7 +90,9 @@ constexpr KeySpec kMoreKeys[] = {
      .fallback = "false"},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Submechanism>(kKeys, {kMoreKeys}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<Submechanism>(kKeys, {kMoreKeys}, takes);
+}
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Submechanism>(kKeys, {kMoreKeys}, "submechanism", entry, section, out.submechanisms,
@@ -77,7 +104,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec submechanisms{.name = "submechanisms",
                                           .entry = "submechanism",
                                           .doc = "Mechanisms of the robot, for Phobos and HyRoDyn.",
-                                          .keys = keys,
+                                          .filtered_keys = keys,
                                           .read = read};
 
 }  // namespace smurf::sections

@@ -10,11 +10,19 @@ using enum ValueType;
 constexpr Key<Submodel> kKeys[] = {
     {{.name = "export_dir", .type = text, .doc = "Folder of the submodel, relative to this file."},
      &Submodel::export_directory},
-    {{.name = "start", .type = text, .doc = "Root link of the submodel."}, &Submodel::start},
-    {{.name = "stop", .type = names, .doc = "Links at which the submodel ends."}, &Submodel::stop},
+    {{.name = "start",
+      .type = text,
+      .doc = "Root link of the submodel.",
+      .names = {NameKind::link}},
+     &Submodel::start},
+    {{.name = "stop",
+      .type = names,
+      .doc = "Links at which the submodel ends.",
+      .names = {NameKind::link}},
+     &Submodel::stop},
 };
 
-std::vector<const KeySpec*> keys() { return specs_of<Submodel>(kKeys, {}); }
+std::vector<const KeySpec*> keys(KeyFilter takes) { return specs_of<Submodel>(kKeys, {}, takes); }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
   read_into<Submodel>(kKeys, {}, "submodel", entry, section, out.submodels, sink);
@@ -28,7 +36,7 @@ constinit const SectionSpec submodels{
     .entry = "submodel",
     .doc = "Parts of the model that Phobos exported as models of their own.",
     .form = SectionForm::named,
-    .keys = keys,
+    .filtered_keys = keys,
     .read = read};
 
 }  // namespace smurf::sections

@@ -8,12 +8,18 @@ namespace {
 using enum ValueType;
 
 constexpr Key<VisualAnnotation> kKeys[] = {
-    {{.name = "name", .type = text, .doc = "Name of a visual of the URDF.", .required = true},
+    {{.name = "name",
+      .type = text,
+      .doc = "Name of a visual of the URDF.",
+      .required = true,
+      .names = {NameKind::visual}},
      &VisualAnnotation::name},
-    {{.name = "link", .type = text, .doc = "Link of the visual."}, &VisualAnnotation::link},
+    {{.name = "link", .type = text, .doc = "Link of the visual.", .names = {NameKind::link}},
+     &VisualAnnotation::link},
     {{.name = "materialName",
       .type = text,
-      .doc = "Name of the material that replaces the URDF's."},
+      .doc = "Name of the material that replaces the URDF's.",
+      .names = {NameKind::material}},
      &VisualAnnotation::material_name},
 };
 
@@ -22,8 +28,8 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "lod", .type = any, .doc = "Levels of detail, written by Phobos up to 1.0."},
 };
 
-std::vector<const KeySpec*> keys() {
-  return specs_of<VisualAnnotation>(kKeys, {kMoreKeys, node_keys()});
+std::vector<const KeySpec*> keys(KeyFilter takes) {
+  return specs_of<VisualAnnotation>(kKeys, {kMoreKeys, node_keys()}, takes);
 }
 
 void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) {
@@ -39,7 +45,7 @@ constinit const SectionSpec visuals{.name = "visuals",
                                     .aliases = kAliases,
                                     .entry = "visual",
                                     .doc = "Changes to how URDF visuals are shown.",
-                                    .keys = keys,
+                                    .filtered_keys = keys,
                                     .read = read};
 
 }  // namespace smurf::sections

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "lint/name_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const urdf::Link* unnamed = link_without_name(model);
-  for_each_joint(model, [&](const urdf::Joint& joint) {
-    Diagnostic* diagnostic = check_link_of_joint(model, joint, joint.parent, unnamed, findings);
-    if (diagnostic != nullptr && *joint.parent == "world") {
+  for (const Reference& one : findings.doubtful_references()) {
+    const xml::View parent = element_of(model, one);
+    if (!parent || parent.name() != "parent") continue;
+    Diagnostic* diagnostic =
+        check_link_of_joint(model, one, subject_of(parent.parent()), unnamed, findings);
+    if (diagnostic != nullptr && one.name == "world") {
       diagnostic->construct = "world";
       diagnostic->notes.push_back("only Drake knows a link `world` that is not declared");
       diagnostic->help = "declare it: `<link name=\"world\"/>`";
     }
-  });
+  }
 }
 
 constexpr Fact kFacts[] = {

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
 #include "lint/name_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const urdf::Link* unnamed = link_without_name(model);
-  for_each_joint(model, [&](const urdf::Joint& joint) {
-    check_link_of_joint(model, joint, joint.child, unnamed, findings);
-  });
+  for (const Reference& one : findings.doubtful_references()) {
+    const xml::View child = element_of(model, one);
+    if (!child || child.name() != "child") continue;
+    check_link_of_joint(model, one, subject_of(child.parent()), unnamed, findings);
+  }
 }
 
 constexpr Fact kFacts[] = {

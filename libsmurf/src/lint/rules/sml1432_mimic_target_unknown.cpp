@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  for_each_joint(model, [&](const urdf::Joint& joint) {
-    if (!joint.mimic || !joint.mimic->joint) return;
-    check_reference(model, NameKind::joint, *joint.mimic->joint, joint.mimic->joint.span,
-                    ("the mimic of " + title(joint)).c_str(), findings);
-  });
+  for (const Reference& one : findings.doubtful_references()) {
+    const xml::View mimic = element_of(model, one);
+    if (!mimic || mimic.name() != "mimic") continue;
+    const std::string subject = "the mimic of " + subject_of(mimic.parent());
+    check_reference(model, NameKind::joint, one.name, one.span, subject.c_str(), findings);
+  }
 }
 
 constexpr Fact kFacts[] = {

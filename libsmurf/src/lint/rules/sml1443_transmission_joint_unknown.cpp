@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  if (!model.robot) return;
-  for (const xml::ElementId id : model.robot->extensions) {
-    const xml::View transmission(model.robot->document, id);
-    if (transmission.name() != "transmission") continue;
-    for (const xml::View child : transmission) {
-      const xml::Attribute* name = child.name() == "joint" ? child.attribute("name") : nullptr;
-      if (name == nullptr) continue;
-      check_reference(model, NameKind::joint, name->value(), name->value_span(), "a transmission",
-                      findings);
-    }
+  for (const Reference& one : findings.doubtful_references()) {
+    const xml::View joint = element_of(model, one);
+    if (!joint || joint.name() != "joint" || joint.parent().name() != "transmission") continue;
+    check_reference(model, NameKind::joint, one.name, one.span, "a transmission", findings);
   }
 }
 

@@ -2,7 +2,7 @@
 #include "base/edits.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
-#include "lint/queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -24,21 +24,21 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View gazebo(model.robot->document, id);
-    if (gazebo.name() != "gazebo") continue;
-    const xml::Attribute* reference = gazebo.attribute("reference");
-    if (reference == nullptr) check_slip(gazebo, findings);
-    if (reference == nullptr || reference->value().empty()) continue;
-    const std::string_view name = reference->value();
-    if (model.link_names.contains(name) || model.joint_names.contains(name)) continue;
+    if (gazebo.name() == "gazebo" && gazebo.attribute("reference") == nullptr) {
+      check_slip(gazebo, findings);
+    }
+  }
+  for (const Reference& one : findings.doubtful_references()) {
+    const xml::View gazebo = element_of(model, one);
+    if (!gazebo || gazebo.name() != "gazebo" || one.is_known()) continue;
     Diagnostic& diagnostic =
-        findings.report(reference->value_span(), "no link and no joint is called " + quoted(name));
+        findings.report(one.span, "no link and no joint is called " + quoted(one.name));
     diagnostic.notes.push_back("Gazebo ignores this element and all it holds");
-    auto near = findings.suggest(name, model.link_names.names());
-    if (!near) near = findings.suggest(name, model.joint_names.names());
+    auto near = findings.suggest(one.name, model.link_names.names());
+    if (!near) near = findings.suggest(one.name, model.joint_names.names());
     if (!near) continue;
     diagnostic.help = "did you mean " + quoted(*near) + "?";
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{reference->value_span(), escape_xml(*near)}}});
+    diagnostic.fixes.push_back({Applicability::unsafe, {{one.span, escape_xml(*near)}}});
   }
 }
 

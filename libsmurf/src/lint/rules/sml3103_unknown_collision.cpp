@@ -1,31 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/annotation_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
+/// Without its link there is no collision either; the link is reported.
+bool is_on_unknown_link(const LinkedModel& model, const AnnotationPlace& place) {
+  if (place.section != "collision" || place.key != "name") return false;
+  const yaml::View link = place.entry.find("link");
+  return link && link.is_scalar() && !model.link_names.contains(link.text());
+}
+
 void check(const LinkedModel& model, Findings& findings) {
-  for (const CollisionAnnotation& entry : model.annotations.collisions) {
-    if (!entry.name || creates_collision(model, entry)) continue;
-    // Without its link there is no collision either; the link is reported.
-    if (entry.link && !model.link_names.contains(*entry.link)) continue;
-    check_reference(model, NameKind::collision, *entry.name, entry.name.span,
-                    "this collision entry", findings);
-  }
-  for (const LinkAnnotation& link : model.annotations.links) {
-    for (const Spanned<std::string>& name : texts_at(mapping_of(model, link), "collisions")) {
-      check_reference(model, NameKind::collision, name.value, name.span, subject("link", link),
-                      findings);
-    }
-  }
-  for (const Sensor& sensor : model.annotations.sensors) {
-    const Subject who = subject("sensor", sensor);
-    check_references(model, NameKind::collision, sensor.collisions, who, findings);
-    if (sensor.type && sensor_target(*sensor.type) == NameKind::collision) {
-      check_references(model, NameKind::collision, sensor.id, who, findings);
-    }
-  }
+  report_unknown(model, NameKind::collision, findings,
+                 [&](const AnnotationPlace& place) { return is_on_unknown_link(model, place); });
 }
 
 constexpr Fact kFacts[] = {

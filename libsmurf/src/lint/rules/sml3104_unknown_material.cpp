@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/annotation_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  for (const MaterialAnnotation& entry : model.annotations.materials) {
-    if (!entry.name) continue;
-    check_reference(model, NameKind::material, *entry.name, entry.name.span, "this material entry",
-                    findings);
-  }
-  for (const VisualAnnotation& entry : model.annotations.visuals) {
-    if (!entry.material_name) continue;
-    check_reference(model, NameKind::material, *entry.material_name, entry.material_name.span,
-                    subject("visual entry", entry), findings);
-  }
-  for (const NodeAnnotation& entry : model.annotations.nodes) {
-    if (!entry.material_name) continue;
-    check_reference(model, NameKind::material, *entry.material_name, entry.material_name.span,
-                    subject("node", entry), findings);
-  }
+  report_unknown(model, NameKind::material, findings);
 }
 
 constexpr Fact kFacts[] = {

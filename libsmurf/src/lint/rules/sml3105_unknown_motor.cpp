@@ -1,35 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/annotation_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  for (const Sensor& sensor : model.annotations.sensors) {
-    const Subject who = subject("sensor", sensor);
-    check_references(model, NameKind::motor, sensor.motors, who, findings);
-    if (sensor.type && sensor_target(*sensor.type) == NameKind::motor) {
-      check_references(model, NameKind::motor, sensor.id, who, findings);
-    }
-  }
-  for (const Controller& controller : model.annotations.controllers) {
-    check_references(model, NameKind::motor, controller.motors, subject("controller", controller),
-                     findings);
-  }
-  for (const JointAnnotation& joint : model.annotations.joints) {
-    const auto motor = text_at(mapping_of(model, joint), "motor");
-    if (motor) {
-      check_reference(model, NameKind::motor, motor->value, motor->span, subject("joint", joint),
-                      findings);
-    }
-  }
-  for (const Motor& motor : model.annotations.motors) {
-    // Phobos writes the joint that is mimicked; another rule reports it.
-    if (!motor.mimic_motor || model.joint_names.contains(*motor.mimic_motor)) continue;
-    check_reference(model, NameKind::motor, *motor.mimic_motor, motor.mimic_motor.span,
-                    subject("motor", motor), findings);
-  }
+  report_unknown(model, NameKind::motor, findings);
 }
 
 constexpr Fact kFacts[] = {

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/annotation_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  for (const VisualAnnotation& entry : model.annotations.visuals) {
-    if (!entry.name) continue;
-    check_reference(model, NameKind::visual, *entry.name, entry.name.span, "this visual entry",
-                    findings);
-  }
-  for (const LinkAnnotation& link : model.annotations.links) {
-    for (const Spanned<std::string>& name : texts_at(mapping_of(model, link), "visuals")) {
-      check_reference(model, NameKind::visual, name.value, name.span, subject("link", link),
-                      findings);
-    }
-  }
+  report_unknown(model, NameKind::visual, findings);
 }
 
 constexpr Fact kFacts[] = {

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  for (const Controller& controller : model.annotations.controllers) {
-    check_references(model, NameKind::sensor, controller.sensors, subject("controller", controller),
-                     findings);
-  }
+  report_unknown(model, NameKind::sensor, findings);
 }
 
 constexpr Fact kFacts[] = {

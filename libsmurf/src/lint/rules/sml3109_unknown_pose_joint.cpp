@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/annotation_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!can_judge(model, NameKind::motor)) return;
-  for (const JointPoseSet& pose : model.annotations.poses) {
-    for (const JointPoseSet::Entry& entry : pose.joints) {
-      if (model.motor_names.contains(entry.name.value)) continue;
-      check_reference(model, NameKind::joint, entry.name.value, entry.name.span,
-                      subject("joint pose", pose), findings);
-    }
+  for (const Reference& one : findings.doubtful_references()) {
+    if (one.is_known()) continue;
+    const AnnotationPlace place = annotation_place(model, one);
+    if (place.section != "poses") continue;
+    check_reference(model, NameKind::joint, one.name, place_of(one), subject_of(place).c_str(),
+                    findings);
   }
 }
 

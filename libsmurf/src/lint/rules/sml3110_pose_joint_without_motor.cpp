@@ -2,7 +2,7 @@
 #include <unordered_map>
 
 #include "base/readers.hpp"
-#include "lint/annotation_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -11,21 +11,21 @@ void check(const LinkedModel& model, Findings& findings) {
   // A model without motors is not for moving in MARS.
   if (!can_judge(model, NameKind::motor) || model.annotations.motors.empty()) return;
   std::unordered_map<std::string_view, const Motor*> by_joint;
-  for (const Motor& motor : model.annotations.motors) {
-    if (motor.joint && motor.name) by_joint.emplace(*motor.joint, &motor);
-  }
-  for (const JointPoseSet& pose : model.annotations.poses) {
-    for (const JointPoseSet::Entry& entry : pose.joints) {
-      const std::string& name = entry.name.value;
-      if (model.motor_names.contains(name) || !model.joint_names.contains(name)) continue;
-      Diagnostic& diagnostic =
-          findings.report(entry.name.span, "MARS does not move the joint " + quoted(name) +
-                                               ": there is no motor of this name");
-      const auto found = by_joint.find(name);
-      if (found == by_joint.end()) continue;
-      diagnostic.labels.push_back({found->second->name.span, "the motor of this joint"});
-      diagnostic.help = "name the motor " + quoted(name) + ", like its joint";
+  for (const Reference& one : findings.doubtful_references()) {
+    const bool is_joint = one.is_known() && one.kind == NameKind::joint;
+    if (!is_joint || annotation_place(model, one).section != "poses") continue;
+    if (by_joint.empty()) {
+      for (const Motor& motor : model.annotations.motors) {
+        if (motor.joint && motor.name) by_joint.emplace(*motor.joint, &motor);
+      }
     }
+    Diagnostic& diagnostic =
+        findings.report(place_of(one), "MARS does not move the joint " + quoted(one.name) +
+                                           ": there is no motor of this name");
+    const auto found = by_joint.find(one.name);
+    if (found == by_joint.end()) continue;
+    diagnostic.labels.push_back({found->second->name.span, "the motor of this joint"});
+    diagnostic.help = "name the motor " + quoted(one.name) + ", like its joint";
   }
 }
 

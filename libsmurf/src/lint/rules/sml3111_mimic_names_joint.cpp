@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
-#include "lint/annotation_queries.hpp"
+#include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!can_judge(model, NameKind::motor)) return;
-  for (const Motor& motor : model.annotations.motors) {
-    if (!motor.mimic_motor || model.motor_names.contains(*motor.mimic_motor)) continue;
-    const urdf::Joint* joint = find_joint(model, *motor.mimic_motor);
-    if (joint == nullptr) continue;
-    Diagnostic& diagnostic = findings.report(motor.mimic_motor.span,
-                                             "MARS knows no motor " + quoted(*motor.mimic_motor) +
-                                                 ": it is a joint, which only Phobos takes");
-    diagnostic.labels.push_back({joint->name.span, "the joint is defined here"});
+  for (const Reference& one : findings.doubtful_references()) {
+    const bool is_joint = one.is_known() && one.kind == NameKind::joint;
+    if (!is_joint || annotation_place(model, one).section != "motors") continue;
+    Diagnostic& diagnostic =
+        findings.report(place_of(one), "MARS knows no motor " + quoted(one.name) +
+                                           ": it is a joint, which only Phobos takes");
+    diagnostic.labels.push_back(
+        {definition(model, NameKind::joint, one.name), "the joint is defined here"});
   }
 }
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Who names what: every definition and every use of a name in a model or a scene.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "smurf/linked.hpp"
+#include "smurf/names.hpp"
+#include "smurf/source.hpp"
+#include "smurf/xml.hpp"
+
+namespace smurf {
+
+/// A place where a name stands. `name` points into the model.
+struct Reference {
+  static constexpr std::uint32_t kNothing = 0xffffffffU;
+  enum class Notation : std::uint8_t { yaml, yaml_key, xml_attribute, xml_text };
+
+  /// Of what is named; where nothing is, the first kind that the place may name.
+  NameKind kind{};
+  Notation notation{};
+  bool is_definition = false;
+  /// The name may be known elsewhere: in another robot of the scene, or to a program.
+  bool is_vague = false;
+  NameKinds kinds;  ///< all that the place may name
+  /// The yaml::NodeId or xml::ElementId; of a key, the node under it.
+  std::uint32_t place = kNothing;
+  std::string_view name;  ///< decoded
+  Span span;              ///< of the name: within quotes, and of `inertial_LINK` the LINK
+  /// The whole text that the name is in or all of: a YAML scalar with its quotes, an attribute
+  /// without them. Where a YAML alias stands for it, `span` is the alias.
+  Span text;
+  /// What is named, as NameTable has it: an index of a link, joint, motor, sensor; of a visual or
+  /// collision, that of its link; of an entity, its number in the scene files in order.
+  /// kNothing: the name is unknown.
+  std::uint32_t item = kNothing;
+  ModelIndex model{kNothing};  ///< in a scene: the model whose name it is; kNothing for entities
+
+  bool is_known() const { return item != kNothing; }
+};
+
+/// All of them, file by file. Names inside of what no reader knows (a user's own section, an
+/// extension of a vendor) are there when they read like the name of something.
+std::vector<Reference> references_of(const LinkedModel& model);
+/// Those of an SRDF for the model; `name` points into it.
+std::vector<Reference> references_of(const LinkedModel& model, const xml::Document& srdf);
+/// Those of its scene files, then those of its models.
+std::vector<Reference> references_of(const LinkedScene& scene);
+
+/// The uses in a model that name nothing, or something of another kind than the place means first.
+/// The others are not kept, which makes it cheaper than references_of().
+std::vector<Reference> doubtful_references(const LinkedModel& model);
+
+}  // namespace smurf

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place that knows who names what: rows of key tables for YAML, elements and attributes for
+// URDF and SRDF.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ast/sections.hpp"
+#include "smurf/references.hpp"
+
+namespace smurf {
+
+/// Where a name stands, as Reference has it.
+struct NamePlace {
+  Reference::Notation notation{};
+  std::uint32_t place = Reference::kNothing;
+  Span span, text;
+};
+/// Of a scalar, of the text of a key, of a value.
+NamePlace place_of_name(yaml::View scalar);
+NamePlace place_of_key(yaml::View member);
+NamePlace place_of_value(xml::View element, const xml::Attribute& attribute);
+/// A part of the name: `size` bytes from `offset` on.
+NamePlace part_of(NamePlace place, std::size_t offset, std::size_t size);
+
+/// A word for an address ("topicName"): "/arm/elbow" is no joint, whatever it is called.
+bool is_address(std::string_view word);
+/// What a word ("jointName", "base_link") says about the kind of what it names.
+NameKinds kinds_in_word(std::string_view word);
+
+class ReferenceFinder {
+ public:
+  enum class Keep : std::uint8_t { all, doubtful };
+  ReferenceFinder(const LinkedModel& model, Keep keep) : model_(model), keep_(keep) {}
+
+  void read_annotations();
+  void read_urdf();
+  void read_srdf(const xml::Document& srdf);
+  /// A name by its row; lists and mappings of names likewise.
+  void read_key(const KeySpec& row, yaml::View value, yaml::View entry);
+  /// Joint pose sets, as `poses` has them.
+  void read_section(const SectionSpec& section, yaml::View value);
+  void add(const Naming& naming, std::string_view name, const NamePlace& place);
+  std::vector<Reference> take() { return std::move(found_); }
+
+  /// What has the name; none when nothing does.
+  std::optional<std::uint32_t> find(NameKind kind, std::string_view name);
+
+ private:
+  bool keeps_all() const { return keep_ == Keep::all; }
+  void keep(const Reference& reference);
+  bool resolve(Reference& reference);
+  bool add_known(NameKinds kinds, std::string_view name, const NamePlace& place);
+
+  using Rows = std::vector<const KeySpec*>;  ///< those of a section that name something
+  void read_entry(const SectionSpec& section, const Rows& rows, yaml::View entry);
+  void read_members(KeyTable members, yaml::View value);
+  /// What no table knows: names are told from the words of keys.
+  void read_unknown(yaml::View value, std::string_view word);
+
+  void read_field(const Naming& naming, const Field<std::string>& field, xml::ElementId element);
+  void read_link(const urdf::Link& link);
+  void read_end(const urdf::Joint& joint, std::string_view end, const Field<std::string>& link);
+  void read_material(xml::View material);
+  /// The elements in it that URDF does not define.
+  void read_inner(xml::View element);
+  void read_extension(xml::View element);
+  void read_attributes(xml::View element);
+  void read_text(xml::View element);
+  bool read_part(std::string_view text, std::string_view part, NameKinds kinds,
+                 const NamePlace& place);
+  void read_gazebo_name(std::string_view text, const NamePlace& place);
+  void read_groups(xml::View root);
+
+  const LinkedModel& model_;
+  Keep keep_;
+  std::vector<Reference> found_;
+  std::optional<NameTable> nodes_, poses_;
+  NameTable groups_;
+};
+
+}  // namespace smurf

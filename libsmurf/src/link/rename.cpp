@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf/rename.hpp"
+
+#include <algorithm>
+#include <compare>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "ast/notation.hpp"
+#include "base/edits.hpp"
+#include "base/quoted.hpp"
+#include "base/suggest.hpp"
+#include "base/utf8.hpp"
+#include "base/words.hpp"
+#include "smurf/yaml.hpp"
+
+namespace smurf {
+namespace {
+
+using Loaded = std::span<const std::vector<Reference>>;
+
+/// Who has the name: a model of what was loaded, or the scene itself.
+struct Owner {
+  std::size_t loaded = 0;
+  ModelIndex model{};
+  friend auto operator<=>(const Owner&, const Owner&) = default;
+};
+
+/// A name as one model knows it.
+struct OwnedName {
+  Owner owner;
+  NameKind kind{};
+  std::string_view name;
+  friend auto operator<=>(const OwnedName&, const OwnedName&) = default;
+};
+
+std::string place_text(const SourceMap& sources, Span span) {
+  const Position at = sources.position(span.source, span.begin);
+  return sources.path(span.source) + ":" + std::to_string(at.line) + ":" +
+         std::to_string(at.column);
+}
+
+std::string thing(NameKind kind, std::string_view name) {
+  return std::string(to_string(kind)) + " " + quoted(name);
+}
+
+/// Where a plain scalar would be read as this text, in block and in flow style.
+bool is_plain(std::string_view text) {
+  constexpr std::string_view kIndicators = "-?:,[]{}#&*!|>'\"%@`";
+  if (text.empty() || trimmed(text).size() != text.size() ||
+      kIndicators.find(text.front()) != text.npos || text.find_first_of(",[]{}\n") != text.npos ||
+      text.find(": ") != text.npos || text.find(" #") != text.npos || text.ends_with(':')) {
+    return false;
+  }
+  return yaml::classify(text, yaml::Style::plain) == yaml::ScalarType::text &&
+         !text_by_yaml11(text);
+}
+
+std::string with_doubled(std::string_view text, std::string_view which, char before) {
+  std::string result;
+  for (const char c : text) {
+    if (which.find(c) != std::string_view::npos) result += before == '\0' ? c : before;
+    result += c;
+  }
+  return result;
+}
+
+/// As it stands in an attribute of this quote, or in a text; what need not be escaped is not.
+std::string escape_for(std::string_view text, char quote) {
+  std::string result;
+  for (const char c : text) {
+    const bool is_special = c == '&' || c == '<' || c == quote;
+    result += is_special ? escape_xml(std::string_view(&c, 1)) : std::string(1, c);
+  }
+  return result;
+}
+
+/// The names in one text that change.
+struct ChangedText {
+  const Reference* reference = nullptr;                         ///< one of them
+  std::map<std::uint32_t, std::pair<Span, std::string>> parts;  ///< by place
+};
+
+class Renamer {
+ public:
+  Renamer(Loaded loaded, std::span<const Rename> renames, const SourceMap& sources)
+      : loaded_(loaded), renames_(renames), sources_(sources) {}
+
+  Renamed run() {
+    for (const Rename& rename : renames_) choose(rename);
+    for (const auto& [name, to] : new_names_) check_clash(name, to);
+    if (result_.problems.empty()) collect();
+    if (result_.problems.empty()) apply();
+    if (!result_.problems.empty()) result_.texts.clear();
+    return std::move(result_);
+  }
+
+ private:
+  void fail(std::string problem) {
+    auto& all = result_.problems;
+    if (std::find(all.begin(), all.end(), problem) == all.end()) all.push_back(std::move(problem));
+  }
+
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (std::size_t i = 0; i < loaded_.size(); ++i) {
+      for (const Reference& one : loaded_[i]) visit(Owner{i, one.model}, one);
+    }
+  }
+
+  static bool is_of(const Rename& rename, const Reference& one) {
+    return !rename.kind || *rename.kind == one.kind;
+  }
+
+  /// Files are told apart by their names: several loads may have read the same one.
+  std::pair<std::string_view, std::uint32_t> place_of(const Reference& one) const {
+    return {sources_.path(one.span.source), one.span.begin};
+  }
+
+  /// Finds who has the name; there may be several models that share the file.
+  void choose(const Rename& rename) {
+    if (rename.to.empty() || !utf8::is_printable(rename.to)) {
+      return fail("'" + utf8::replace_controls(rename.to) + "' is no name");
+    }
+    std::map<Owner, const Reference*> owners;
+    std::set<NameKind> kinds;
+    for_each([&](Owner owner, const Reference& one) {
+      // A material may be used and defined nowhere.
+      const bool is_it = one.is_definition || one.kind == NameKind::material;
+      if (!is_it || one.name != rename.from || !is_of(rename, one)) return;
+      owners.emplace(owner, &one);
+      kinds.insert(one.kind);
+    });
+    if (owners.empty()) return fail(unknown(rename));
+    if (kinds.size() > 1) return fail(ambiguous(rename, kinds));
+    const Reference& first = *owners.begin()->second;
+    for (const auto& [owner, definition] : owners) {
+      if (place_of(*definition) != place_of(first)) {
+        return fail("there are two: the " + thing(first.kind, rename.from) + " of " +
+                    place_text(sources_, first.span) + " and that of " +
+                    place_text(sources_, definition->span) +
+                    "; name the files of one of them only");
+      }
+      const auto [known, is_new] =
+          new_names_.emplace(OwnedName{owner, first.kind, rename.from}, rename.to);
+      if (!is_new && known->second != rename.to) {
+        return fail("the " + thing(first.kind, rename.from) + " is to get two names");
+      }
+    }
+  }
+
+  std::string unknown(const Rename& rename) const {
+    const std::string kind(rename.kind ? to_string(*rename.kind) : "name");
+    std::vector<std::string_view> known;
+    for_each([&](Owner, const Reference& one) {
+      if (one.is_definition && is_of(rename, one)) known.push_back(one.name);
+    });
+    const auto near = nearest(rename.from, known);
+    return "there is no " + kind + " " + quoted(rename.from) +
+           (near ? "; did you mean " + quoted(*near) + "?" : std::string());
+  }
+
+  static std::string ambiguous(const Rename& rename, const std::set<NameKind>& kinds) {
+    std::string words, ways;
+    for (const NameKind kind : kinds) {
+      words += (words.empty() ? "a " : " and a ") + std::string(to_string(kind));
+      ways += (ways.empty() ? "" : " or ") + std::string(to_string(kind)) + ":" + rename.from;
+    }
+    return quoted(rename.from) + " is " + words + "; write " + ways;
+  }
+
+  void check_clash(const OwnedName& renamed, const std::string& to) {
+    for (const auto& [other, other_to] : new_names_) {
+      if (other.owner == renamed.owner && other.kind == renamed.kind &&
+          other.name != renamed.name && other_to == to) {
+        fail("two things are to get the name " + quoted(to));
+      }
+    }
+    for (const Reference& one : loaded_[renamed.owner.loaded]) {
+      if (!one.is_definition || one.model != renamed.owner.model || one.kind != renamed.kind ||
+          one.name != to || new_names_.contains({renamed.owner, one.kind, one.name})) {
+        continue;
+      }
+      return fail("there is a " + thing(one.kind, to) + " already, at " +
+                  place_text(sources_, one.span));
+    }
+  }
+
+  void collect() {
+    for_each([&](Owner owner, const Reference& one) {
+      if (!one.is_known()) return;
+      const auto found = new_names_.find(OwnedName{owner, one.kind, one.name});
+      if (found == new_names_.end()) return;
+      const bool is_alias = one.span.begin >= one.text.end || one.span.end <= one.text.begin;
+      const Span part = is_alias ? inside(one.text) : one.span;
+      ChangedText& text = texts_[{sources_.path(one.text.source), one.text.begin}];
+      if (text.reference == nullptr) text.reference = &one;
+      const auto [known, is_new] = text.parts.try_emplace(part.begin, part, found->second);
+      if (!is_new && known->second.second != found->second) {
+        fail("the text at " + place_text(sources_, one.text) + " names two things");
+      }
+    });
+    // What else means one of these texts would change with it.
+    for_each([&](Owner owner, const Reference& one) {
+      if (!one.is_known() || new_names_.contains(OwnedName{owner, one.kind, one.name})) return;
+      const auto text = texts_.find({sources_.path(one.text.source), one.text.begin});
+      if (text == texts_.end() || !text->second.parts.contains(one.span.begin)) return;
+      fail("the text at " + place_text(sources_, one.span) + " also names the " +
+           thing(one.kind, one.name));
+    });
+  }
+
+  Span inside(Span scalar) const {
+    const std::string_view text = sources_.text(scalar);
+    const bool is_quoted = text.starts_with('\'') || text.starts_with('"');
+    return is_quoted ? Span{scalar.source, scalar.begin + 1, scalar.end - 1} : scalar;
+  }
+
+  /// Adds the edits of one text.
+  void edit(const ChangedText& text, std::vector<Edit>& edits) {
+    const Span whole = text.reference->text;
+    const std::string_view raw = sources_.text(whole);
+    const Reference::Notation notation = text.reference->notation;
+    const bool is_yaml =
+        notation == Reference::Notation::yaml || notation == Reference::Notation::yaml_key;
+    const char first = raw.empty() ? '\0' : raw.front();
+    if (is_yaml && (first == '|' || first == '>')) {
+      return fail("the name at " + place_text(sources_, whole) + " is a text of several lines");
+    }
+    std::vector<Edit> plain;
+    for (const auto& [begin, part] : text.parts) {
+      const auto& [span, to] = part;
+      if (is_yaml && first == '\'') {
+        edits.push_back({span, with_doubled(to, "'", '\'')});
+      } else if (is_yaml && first == '"') {
+        edits.push_back({span, with_doubled(to, "\"\\", '\\')});
+      } else if (is_yaml) {
+        plain.push_back({{span.source, span.begin - whole.begin, span.end - whole.begin}, to});
+      } else {
+        const bool is_attribute = notation == Reference::Notation::xml_attribute;
+        const char quote = is_attribute ? sources_.text(whole.source)[whole.begin - 1] : '\0';
+        edits.push_back({span, escape_for(to, quote)});
+      }
+    }
+    if (plain.empty()) return;
+    std::string changed = apply_edits(raw, plain);
+    if (!is_plain(changed)) changed = "\"" + with_doubled(changed, "\"\\", '\\') + "\"";
+    edits.push_back({whole, std::move(changed)});
+  }
+
+  void apply() {
+    std::map<std::string_view, std::vector<Edit>> files;
+    std::map<std::string_view, SourceId> ids;
+    for (const auto& [place, text] : texts_) {
+      edit(text, files[place.first]);
+      ids.emplace(place.first, text.reference->text.source);
+    }
+    for (const auto& [path, edits] : files) {
+      const std::string_view before = sources_.text(ids.at(path));
+      std::string after = apply_edits(before, edits);
+      if (after != before) result_.texts.push_back({std::string(path), std::move(after)});
+    }
+  }
+
+  Loaded loaded_;
+  std::span<const Rename> renames_;
+  const SourceMap& sources_;
+  std::map<OwnedName, std::string> new_names_;
+  /// By file and place.
+  std::map<std::pair<std::string_view, std::uint32_t>, ChangedText> texts_;
+  Renamed result_;
+};
+
+bool means_the_same(const Reference& a, const Reference& b) {
+  return a.kind == b.kind && a.item == b.item && a.model == b.model && a.kinds == b.kinds &&
+         a.is_definition == b.is_definition && a.place == b.place;
+}
+
+}  // namespace
+
+Renamed rename(std::span<const std::vector<Reference>> loaded, std::span<const Rename> renames,
+               const SourceMap& sources) {
+  return Renamer(loaded, renames, sources).run();
+}
+
+std::vector<std::string> changed_meanings(std::span<const std::vector<Reference>> before,
+                                          std::span<const std::vector<Reference>> after,
+                                          const SourceMap& sources) {
+  std::vector<std::string> changed;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const auto& old = before[i];
+    const std::vector<Reference> none;
+    const auto& now = i < after.size() ? after[i] : none;
+    const auto [a, b] =
+        std::mismatch(old.begin(), old.end(), now.begin(), now.end(), means_the_same);
+    if (b != now.end()) {
+      changed.push_back(place_text(sources, b->span) + ": " + quoted(b->name) +
+                        " would mean something else than before");
+    } else if (a != old.end()) {
+      changed.push_back(place_text(sources, a->span) + ": " + quoted(a->name) +
+                        " would mean nothing any more");
+    }
+  }
+  return changed;
+}
+
+}  // namespace smurf

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""smurf-lint --rename: which files it changes, and what it refuses."""
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+URDF = """<robot name="arm">
+  <link name="base"/>
+  <link name="forearm">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
+    </inertial>
+  </link>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="forearm"/>
+    <axis xyz="0 0 1"/>
+    <limit effort="1" velocity="1"/>
+  </joint>
+</robot>
+"""
+SMURF = "modelname: arm\nfiles:\n- ../urdf/arm.urdf\n- arm_motors.yml\n"
+MOTORS = "motors:\n- name: elbow\n  joint: elbow\n  type: PID\n  maxEffort: 1.0\n  maxSpeed: 1.0\n"
+SRDF = '<robot name="arm">\n  <passive_joint name="elbow"/>\n</robot>\n'
+SCENE = "entities:\n- {name: one, file: arm/smurf/arm.smurf}\n" \
+        "- {name: two, file: arm/smurf/arm.smurf, position: [1, 0, 0], parent: 'one::forearm'}\n"
+
+
+class Rename(cli.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("arm/smurf/arm.smurf", SMURF)
+        self.write("arm/smurf/arm_motors.yml", MOTORS)
+        self.write("arm/urdf/arm.urdf", URDF)
+
+    def refused(self, message, *arguments):
+        before = {path: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
+        done = self.expect(2, *arguments)
+        self.assertIn(message, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for path, text in before.items():
+            self.assertEqual(path.read_bytes(), text, path)
+
+    def test_all_files(self):
+        done = self.expect(0, "--rename", "joint:elbow=elbow_left", "arm")
+        self.assertIn("no findings", done.stdout)
+        self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF.replace("elbow", "elbow_left"))
+        self.assertEqual(self.read("arm/smurf/arm_motors.yml"),
+                         MOTORS.replace("joint: elbow", "joint: elbow_left"))
+        self.expect(0, "--rename=joint:elbow_left=elbow", "arm")
+        self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
+        self.assertEqual(self.read("arm/smurf/arm_motors.yml"), MOTORS)
+
+    def test_several(self):
+        self.expect(0, "--rename", "joint:elbow=j", "--rename", "motor:elbow=m", "--rename",
+                    "forearm=f", "arm/smurf/arm.smurf")
+        self.assertEqual(self.read("arm/smurf/arm_motors.yml"),
+                         MOTORS.replace("joint: elbow", "joint: j").replace("elbow", "m"))
+        self.assertIn('<child link="f"/>', self.read("arm/urdf/arm.urdf"))
+
+    def test_srdf_beside_the_urdf(self):
+        self.write("arm/urdf/arm.srdf", SRDF)
+        self.write("arm/urdf/other.srdf", SRDF.replace("arm", "other"))
+        self.expect(0, "--rename", "joint:elbow=j", "arm")
+        self.assertEqual(self.read("arm/urdf/arm.srdf"), SRDF.replace("elbow", "j"))
+        self.assertIn("elbow", self.read("arm/urdf/other.srdf"))
+
+    def test_scene(self):
+        self.write("world.smurfs", SCENE)
+        self.expect(0, "--rename", "link:forearm=f", "--rename", "entity:one=first", ".")
+        self.assertEqual(self.read("world.smurfs"),
+                         SCENE.replace("forearm", "f").replace("name: one", "name: first")
+                         .replace("one::", "first::"))
+        self.assertIn('<link name="f">', self.read("arm/urdf/arm.urdf"))
+
+    def test_diff_changes_nothing(self):
+        done = self.expect(1, "--diff", "--rename", "joint:elbow=j", "arm")
+        self.assertIn("-  joint: elbow\n+  joint: j\n", done.stdout)
+        self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
+
+    def test_standard_input(self):
+        done = self.expect(0, "--rename", "joint:elbow=j", "--stdin-filename", "x/a.urdf", "-",
+                           stdin=URDF)
+        self.assertEqual(done.stdout, URDF.replace("elbow", "j"))
+
+    def test_refused(self):
+        self.refused("there is no joint `elbwo`; did you mean `elbow`?",
+                     "--rename", "joint:elbwo=x", "arm")
+        self.refused("`elbow` is a motor and a joint", "--rename", "elbow=x", "arm")
+        self.refused("there is a link `base` already", "--rename", "forearm=base", "arm")
+        self.refused("is not KIND:NAME=NEW", "--rename", "elbow", "arm")
+        self.refused("--rename and --fix are two steps", "--rename", "a=b", "--fix", "arm")
+
+    def test_two_models(self):
+        self.write("other/urdf/other.urdf", URDF)
+        self.refused("there are two: the joint `elbow`", "--rename", "joint:elbow=x", ".")
+
+    def test_a_model_beside_it_that_shares_the_urdf(self):
+        self.write("arm/smurf/bare.smurf", "modelname: bare\nfiles:\n- ../urdf/arm.urdf\n")
+        self.refused("bare.smurf' reads 'arm/urdf/arm.urdf' as well; name it, too",
+                     "--rename", "joint:elbow=x", "arm/smurf/arm.smurf")
+        self.expect(0, "--rename", "joint:elbow=x", "arm")
+
+    def test_all_files_or_none(self):
+        (self.folder / "arm/smurf/arm_motors.yml").unlink()
+        self.write("elsewhere/arm_motors.yml", MOTORS)
+        (self.folder / "arm/smurf/arm_motors.yml").symlink_to(self.folder / "elsewhere/arm_motors.yml")
+        (self.folder / "arm/.git").mkdir()
+        self.refused("", "--rename", "joint:elbow=x", "--allow-outside", "arm")
+
+
+if __name__ == "__main__":
+    cli.main()
