@@ -263,7 +263,7 @@ ExitCode run(const LintOptions& options) {
   }
   std::optional<Changes> renamed;
   if (!options.renames.empty()) {
-    if (!plan.has_failed) renamed = rename_all(options, plan, session);
+    if (!!plan.problems.empty()) renamed = rename_all(options, plan, session);
     if (!renamed) return kFailed;
   }
   const auto check = [&] { return run_check(options, plan, session); };
