@@ -82,9 +82,10 @@ class Rename(cli.CliTest):
         self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
 
     def test_standard_input(self):
-        done = self.expect(0, "--rename", "joint:elbow=j", "--stdin-filename", "x/a.urdf", "-",
-                           stdin=URDF)
-        self.assertEqual(done.stdout, URDF.replace("elbow", "j"))
+        done = self.run_tool("--rename", "joint:elbow=j", "--stdin-filename", "x/a.urdf", "-",
+                             stdin=URDF)
+        self.assertEqual((done.returncode, done.stdout), (0, URDF.replace("elbow", "j")))
+        self.assertIn("no findings", done.stderr)
 
     def test_refused(self):
         self.refused("there is no joint `elbwo`; did you mean `elbow`?",

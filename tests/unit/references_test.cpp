@@ -123,16 +123,16 @@ using Places = std::vector<std::string>;
 TEST_CASE("every place that names a thing is in the table") {
   const Model one;
   CHECK(one.places(NameKind::joint, "elbow") ==
-        Places{"r_all.yml:2", "r_all.yml:6", "r_all.yml:22", "r_all.yml:29", "r_all.yml:36",
+        Places{"r_all.yml:2", "r_all.yml:6", "r_all.yml:23", "r_all.yml:30", "r_all.yml:37",
                "r.urdf:9", "r.urdf:11", "r.urdf:13", "r.urdf:16", "r.urdf:19"});
   CHECK(one.places(NameKind::motor, "elbow") ==
-        Places{"r_all.yml:2", "r_all.yml:3", "r_all.yml:10", "r_all.yml:22", "r_all.yml:27"});
+        Places{"r_all.yml:2", "r_all.yml:3", "r_all.yml:10", "r_all.yml:23", "r_all.yml:28"});
   CHECK(one.places(NameKind::joint, "wrist") ==
-        Places{"r_all.yml:3", "r_all.yml:4", "r_all.yml:4", "r_all.yml:6", "r_all.yml:22",
-               "r_all.yml:27", "r_all.yml:30", "r.urdf:10", "r.urdf:19"});
+        Places{"r_all.yml:3", "r_all.yml:4", "r_all.yml:4", "r_all.yml:6", "r_all.yml:23",
+               "r_all.yml:28", "r_all.yml:31", "r.urdf:10", "r.urdf:19"});
   CHECK(one.places(NameKind::link, "tip") ==
         Places{"r_all.yml:8", "r_all.yml:18", "r_all.yml:18", "r_all.yml:20", "r_all.yml:21",
-               "r_all.yml:21", "r_all.yml:30", "r_all.yml:32", "r_all.yml:34", "r.urdf:8",
+               "r_all.yml:21", "r_all.yml:31", "r_all.yml:33", "r_all.yml:35", "r.urdf:8",
                "r.urdf:11", "r.urdf:14", "r.urdf:14", "r.urdf:16", "r.urdf:16"});
   CHECK(one.places(NameKind::link, "arm \"1\"") ==
         Places{"r_all.yml:14", "r.urdf:4", "r.urdf:9", "r.urdf:11"});
@@ -141,8 +141,8 @@ TEST_CASE("every place that names a thing is in the table") {
   CHECK(one.places(NameKind::collision, "arm_collision").size() == 3);
   CHECK(one.places(NameKind::visual, "base_visual").size() == 3);
   CHECK(one.places(NameKind::sensor, "positions") == Places{"r_all.yml:6", "r_all.yml:10"});
-  CHECK(one.places(NameKind::node, "camera") == Places{"r_all.yml:21", "r_all.yml:24"});
-  CHECK(one.places(NameKind::pose, "home") == Places{"r_all.yml:26"});
+  CHECK(one.places(NameKind::node, "camera") == Places{"r_all.yml:21", "r_all.yml:25"});
+  CHECK(one.places(NameKind::pose, "home") == Places{"r_all.yml:27"});
   CHECK(one.places(NameKind::extension, "drive") == Places{"r.urdf:13"});
 }
 
@@ -191,13 +191,18 @@ TEST_CASE("a rename changes the names and nothing else") {
 
 TEST_CASE("a new name is quoted and escaped where it has to be") {
   const Model one;
-  const Renamed result = renamed(one, {{NameKind::link, "tip", "a: \"b\" & 'c'"}});
+  const Renamed result = renamed(one, {{NameKind::link, "arm \"1\"", "a: \"b\" & 'c'"},
+                                       {NameKind::material, "grey", "1: \"x\""},
+                                       {NameKind::motor, "follower", "'f'"}});
   REQUIRE(result.problems.empty());
   const std::string yaml = text_of(result, "r_all.yml");
-  CHECK(yaml.find(R"({name: "inertial_a: \"b\" & 'c'", mass: 1})") != std::string::npos);
-  CHECK(yaml.find(R"(stop: ["a: \"b\" & 'c'"])") != std::string::npos);
+  CHECK(yaml.find(R"(link: 'a: "b" & ''c'''})") != std::string::npos);
+  CHECK(yaml.find(R"({name: "1: \"x\""})") != std::string::npos);
+  CHECK(yaml.find(R"({name: "'f'", joint: "wrist")") != std::string::npos);
+  CHECK(yaml.find(R"(motors: [elbow, '''f'''])") != std::string::npos);
   const std::string urdf = text_of(result, "r.urdf");
-  CHECK(urdf.find(R"(<link name="a: &quot;b&quot; &amp; 'c'"/>)") != std::string::npos);
+  CHECK(urdf.find(R"(<link name='a: "b" &amp; &apos;c&apos;'>)") != std::string::npos);
+  CHECK(urdf.find(R"(<child link="a: &quot;b&quot; &amp; 'c'"/>)") != std::string::npos);
   const Model other(yaml, urdf);
   const std::array before{references_of(one.model)};
   const std::array after{references_of(other.model)};
@@ -242,7 +247,7 @@ TEST_CASE("a new name that something means already changes meanings") {
   const std::array before{references_of(one.model)};
   const std::array after{references_of(other.model)};
   CHECK(changed_meanings(before, after, other.sources) ==
-        Places{"r_all.yml:29:65: `unheard_of` would mean something else than before"});
+        Places{"r_all.yml:30:63: `unheard_of` would mean something else than before"});
 }
 
 TEST_CASE("names in an SRDF") {
