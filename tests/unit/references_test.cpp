@@ -78,13 +78,14 @@ my_own:
 
 constexpr const char* kMain = "modelname: r\nfiles: [r.urdf, r_all.yml]\n";
 
-struct Model {
+struct OneModel {
   SourceMap sources;
   MemoryFiles files;
   DiagnosticSink sink;
   LinkedModel model;
 
-  explicit Model(const std::string& annotations = kAnnotations, const std::string& urdf = kUrdf) {
+  explicit OneModel(const std::string& annotations = kAnnotations,
+                    const std::string& urdf = kUrdf) {
     files.add("r.smurf", kMain);
     files.add("r.urdf", urdf);
     files.add("r_all.yml", annotations);
@@ -104,7 +105,7 @@ struct Model {
   }
 };
 
-Renamed renamed(const Model& model, std::initializer_list<Rename> renames) {
+Renamed renamed(const OneModel& model, std::initializer_list<Rename> renames) {
   const std::array loaded{references_of(model.model)};
   return rename(loaded, std::vector<Rename>(renames), model.sources);
 }
@@ -121,7 +122,7 @@ using Places = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("every place that names a thing is in the table") {
-  const Model one;
+  const OneModel one;
   CHECK(one.places(NameKind::joint, "elbow") ==
         Places{"r_all.yml:2", "r_all.yml:6", "r_all.yml:23", "r_all.yml:30", "r_all.yml:37",
                "r.urdf:9", "r.urdf:11", "r.urdf:13", "r.urdf:16", "r.urdf:19"});
@@ -147,7 +148,7 @@ TEST_CASE("every place that names a thing is in the table") {
 }
 
 TEST_CASE("every name is the text at its span") {
-  const Model one;
+  const OneModel one;
   for (const Reference& reference : references_of(one.model)) {
     const std::string text(one.sources.text(reference.span));
     if (text.find('&') == std::string::npos) CHECK(text == reference.name);
@@ -155,7 +156,7 @@ TEST_CASE("every name is the text at its span") {
 }
 
 TEST_CASE("what names nothing, and what names another kind, is doubtful") {
-  const Model one;
+  const OneModel one;
   std::vector<std::string> doubtful;
   for (const Reference& reference : doubtful_references(one.model)) {
     doubtful.push_back(std::string(to_string(reference.kind)) + " " + std::string(reference.name) +
@@ -166,7 +167,7 @@ TEST_CASE("what names nothing, and what names another kind, is doubtful") {
 }
 
 TEST_CASE("a rename changes the names and nothing else") {
-  const Model one;
+  const OneModel one;
   const Renamed result = renamed(one, {{NameKind::joint, "elbow", "elbow_left"}});
   REQUIRE(result.problems.empty());
   REQUIRE(result.texts.size() == 2);
@@ -180,7 +181,7 @@ TEST_CASE("a rename changes the names and nothing else") {
         std::string::npos);
   CHECK(urdf.find("<actuator name=\"elbow\"/>") != std::string::npos);
 
-  const Model other(yaml, urdf);
+  const OneModel other(yaml, urdf);
   const std::array before{references_of(one.model)};
   const std::array after{references_of(other.model)};
   CHECK(changed_meanings(before, after, other.sources).empty());
@@ -190,7 +191,7 @@ TEST_CASE("a rename changes the names and nothing else") {
 }
 
 TEST_CASE("a new name is quoted and escaped where it has to be") {
-  const Model one;
+  const OneModel one;
   const Renamed result = renamed(one, {{NameKind::link, "arm \"1\"", "a: \"b\" & 'c'"},
                                        {NameKind::material, "grey", "1: \"x\""},
                                        {NameKind::motor, "follower", "'f'"}});
@@ -203,14 +204,14 @@ TEST_CASE("a new name is quoted and escaped where it has to be") {
   const std::string urdf = text_of(result, "r.urdf");
   CHECK(urdf.find(R"(<link name='a: "b" &amp; &apos;c&apos;'>)") != std::string::npos);
   CHECK(urdf.find(R"(<child link="a: &quot;b&quot; &amp; 'c'"/>)") != std::string::npos);
-  const Model other(yaml, urdf);
+  const OneModel other(yaml, urdf);
   const std::array before{references_of(one.model)};
   const std::array after{references_of(other.model)};
   CHECK(changed_meanings(before, after, other.sources).empty());
 }
 
 TEST_CASE("two things can swap their names") {
-  const Model one;
+  const OneModel one;
   const Renamed result =
       renamed(one, {{NameKind::joint, "elbow", "wrist"}, {NameKind::joint, "wrist", "elbow"}});
   REQUIRE(result.problems.empty());
@@ -218,7 +219,7 @@ TEST_CASE("two things can swap their names") {
 }
 
 TEST_CASE("what cannot be renamed is said") {
-  const Model one;
+  const OneModel one;
   const auto problem = [&](const Rename& rename) {
     const Renamed result = renamed(one, {rename});
     CHECK(result.texts.empty());
@@ -234,16 +235,16 @@ TEST_CASE("what cannot be renamed is said") {
 }
 
 TEST_CASE("one text that names two things is not changed for one of them") {
-  const Model one("motors:\n- {name: &n wrist, joint: *n}\n");
+  const OneModel one("motors:\n- {name: &n wrist, joint: *n}\n");
   const Renamed result = renamed(one, {{NameKind::joint, "wrist", "x"}});
   REQUIRE(result.problems.size() == 1);
   CHECK(result.problems.front().find("also names the motor `wrist`") != std::string::npos);
 }
 
 TEST_CASE("a new name that something means already changes meanings") {
-  const Model one;
+  const OneModel one;
   const Renamed result = renamed(one, {{NameKind::joint, "elbow", "unheard_of"}});
-  const Model other(text_of(result, "r_all.yml"), text_of(result, "r.urdf"));
+  const OneModel other(text_of(result, "r_all.yml"), text_of(result, "r.urdf"));
   const std::array before{references_of(one.model)};
   const std::array after{references_of(other.model)};
   CHECK(changed_meanings(before, after, other.sources) ==
@@ -251,7 +252,7 @@ TEST_CASE("a new name that something means already changes meanings") {
 }
 
 TEST_CASE("names in an SRDF") {
-  Model one;
+  OneModel one;
   one.files.add("r.srdf", R"(<robot name="r">
   <group name="all"><chain base_link="base" tip_link="tip"/><joint name="elbow"/></group>
   <group name="more"><group name="all"/></group>
@@ -273,7 +274,7 @@ TEST_CASE("names in an SRDF") {
 }
 
 TEST_CASE("names in a scene") {
-  Model one;
+  OneModel one;
   one.files.add("world.smurfs", R"(entities:
 - {name: first, file: r.smurf, pose: home}
 - {name: second, file: r.smurf, parent: "first::tip", anchor: first::tip}

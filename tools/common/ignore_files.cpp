@@ -28,7 +28,8 @@ const IgnoreFiles::Level& IgnoreFiles::level_of(const std::string& folder) {
   const std::string above(path::parent(folder));
   if (above != folder) level.above = &level_of(above);
   std::error_code ignored;
-  level.is_repository = std::filesystem::exists(path::join(folder, ".git"), ignored);
+  level.is_repository =
+      std::filesystem::exists(std::filesystem::symlink_status(path::join(folder, ".git"), ignored));
   level.is_in_repository =
       level.is_repository || (level.above != nullptr && level.above->is_in_repository);
   const auto read = [&](std::string_view name) {

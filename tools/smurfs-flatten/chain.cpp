@@ -36,9 +36,10 @@ std::string place(const SourceMap& sources, Span span) {
 
 }  // namespace
 
-std::string describe_chain(const LinkedScene& scene, const SourceMap& sources,
-                           InstanceIndex instance, const Dialect& dialect) {
+std::optional<std::string> describe_chain(const LinkedScene& scene, const SourceMap& sources,
+                                          InstanceIndex instance, const Dialect& dialect) {
   const std::vector<TransformStep> steps = explain(scene, instance, dialect);
+  if (steps.size() > kMostSteps) return std::nullopt;
   std::size_t place_width = 0;
   std::size_t what_width = 0;
   for (const TransformStep& step : steps) {

@@ -2,6 +2,7 @@
 // --explain: where an instance's pose comes from.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "smurf/dialect.hpp"
@@ -10,8 +11,8 @@
 namespace smurf::tools {
 
 /// One line a transform, from the world to the instance, each with the place it is written at.
-/// Precondition: the instance has a pose; see explain().
-std::string describe_chain(const LinkedScene& scene, const SourceMap& sources,
-                           InstanceIndex instance, const Dialect& dialect);
+/// None when there are more than kMostSteps. Precondition: the instance has a pose; see explain().
+std::optional<std::string> describe_chain(const LinkedScene& scene, const SourceMap& sources,
+                                          InstanceIndex instance, const Dialect& dialect);
 
 }  // namespace smurf::tools

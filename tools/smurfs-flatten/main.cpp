@@ -168,9 +168,14 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
   }
   DiagnosticSink about_others;
   apply_dialect(dialect, scene, about_others);
-  std::string text = describe_chain(scene, sources, *instance, dialect);
-  if (!reading.note.empty()) text += options.dialect + " " + render::escape(reading.note) + "\n";
-  return write_output(kTool, options.common.output, text) ? kDone : kFailed;
+  std::optional<std::string> text = describe_chain(scene, sources, *instance, dialect);
+  if (!text) {
+    complain(kTool, "more than " + std::to_string(kMostSteps) + " transforms lead to '" +
+                        options.explained + "', too many to be told");
+    return kFailed;
+  }
+  if (!reading.note.empty()) *text += options.dialect + " " + render::escape(reading.note) + "\n";
+  return write_output(kTool, options.common.output, *text) ? kDone : kFailed;
 }
 
 /// Whether the options fit together; a misfit has been said.

@@ -129,7 +129,11 @@ struct TransformStep {
   Pose X_W;          ///< all steps so far
 };
 
+/// A chain of more transforms is not told: each parent of a chain of parents brings its joints.
+inline constexpr std::size_t kMostSteps = 10'000;
+
 /// The chain of transforms of an instance, from the world on; empty when the instance has no pose.
+/// One that is too long ends after kMostSteps + 1.
 /// `scene` is as loaded, or as apply_dialect() left it with this dialect.
 std::vector<TransformStep> explain(const LinkedScene& scene, InstanceIndex instance,
                                    const Dialect& dialect);

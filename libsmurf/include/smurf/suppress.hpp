@@ -8,7 +8,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -103,12 +102,14 @@ class Baseline {
     Span span;
     bool is_used = false;
   };
-  using Key = std::tuple<std::string, std::string, std::string>;  ///< file, id, named pointer
+  template <class Value>
+  using ByName = std::map<std::string, Value, std::less<>>;
 
   void read_file(yaml::View rules, DiagnosticSink& sink);
 
   BaselinePath name_of_;
-  std::map<Key, std::vector<Entry>> entries_;
+  /// By file, id of the rule, and named pointer. Of the two former there are few.
+  ByName<ByName<ByName<std::vector<Entry>>>> entries_;
 };
 
 }  // namespace smurf

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 bool has(const fs::path& folder, std::string_view name) {
   std::error_code ignored;
-  return fs::exists(folder / name, ignored);
+  return fs::exists(fs::symlink_status(folder / name, ignored));
 }
 
 /// `folder` or above it?

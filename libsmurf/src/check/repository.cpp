@@ -38,8 +38,10 @@ bool leads_out(const fs::path& link, const fs::path& folder) {
 
 bool is_repository(const fs::path& folder) {
   std::error_code ignored;
-  return std::ranges::any_of(
-      kHistories, [&](std::string_view history) { return fs::exists(folder / history, ignored); });
+  // A link counts wherever it leads: whether something is there is not for a checkout to ask.
+  return std::ranges::any_of(kHistories, [&](std::string_view history) {
+    return fs::exists(fs::symlink_status(folder / history, ignored));
+  });
 }
 
 RepositoryPath in_repository() {

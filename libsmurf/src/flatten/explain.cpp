@@ -21,6 +21,8 @@ class Explainer {
   }
 
  private:
+  bool is_too_long() const { return steps_.size() > kMostSteps; }
+
   void add(std::string what, Span span, const Pose& X_step) {
     const Pose X_W = steps_.empty() ? X_step : steps_.back().X_W * X_step;
     steps_.push_back({std::move(what), span, X_step, X_W});
@@ -32,7 +34,7 @@ class Explainer {
     while (chain.back()->placement.parent.kind == Attachment::Kind::link) {
       chain.push_back(&scene_.instance(chain.back()->placement.parent.instance));
     }
-    for (std::size_t i = chain.size(); i-- > 0;) {
+    for (std::size_t i = chain.size(); i-- > 0 && !is_too_long();) {
       add_includes(*chain[i]);
       add_entity(*chain[i]);
       if (i > 0) add_joints(*chain[i], chain[i - 1]->placement.parent.link);
@@ -78,6 +80,7 @@ class Explainer {
     }
     std::reverse(joints.begin(), joints.end());
     for (const JointIndex joint : joints) {
+      if (is_too_long()) return;
       const auto& X_EP = frames[to_size(*model->tree.joint_parent[to_size(joint)])];
       const auto& X_EC = frames[to_size(*model->tree.joint_child[to_size(joint)])];
       add(joint_title(instance, model->joint(joint)), joint_place(model->joint(joint)),

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/edits.hpp"
+#include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "smurf/suppress.hpp"
 
@@ -38,22 +39,25 @@ void Baseline::read_file(yaml::View file, DiagnosticSink& sink) {
       malformed(rule.place(), "below a rule stands a list of places", sink);
       continue;
     }
+    auto& entries = entries_[std::string(file.key())][std::string(rule.key())];
     for (const yaml::View place : rule) {
       if (!place.is_scalar()) {
         malformed(place.place(), "a place is a pointer such as `/motors/name=elbow/joint`", sink);
         continue;
       }
-      entries_[{std::string(file.key()), std::string(rule.key()), std::string(place.text())}]
-          .push_back({place.place()});
+      entries[std::string(place.text())].push_back({place.place()});
     }
   }
 }
 
 std::size_t Baseline::apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources) {
   return std::erase_if(diagnostics, [&](const Diagnostic& diagnostic) {
-    const auto found = entries_.find({name_of_(sources.path(diagnostic.span.source)),
-                                      std::string(diagnostic.rule->id), diagnostic.named_pointer});
-    if (found == entries_.end()) return false;
+    const auto file = entries_.find(name_of_(sources.path(diagnostic.span.source)));
+    if (file == entries_.end()) return false;
+    const auto rule = file->second.find(diagnostic.rule->id);
+    if (rule == file->second.end()) return false;
+    const auto found = rule->second.find(diagnostic.named_pointer);
+    if (found == rule->second.end()) return false;
     const auto entry = std::find_if(found->second.begin(), found->second.end(),
                                     [](const Entry& one) { return !one.is_used; });
     if (entry == found->second.end()) return false;
@@ -62,20 +66,30 @@ std::size_t Baseline::apply(std::vector<Diagnostic>& diagnostics, const SourceMa
   });
 }
 
+constexpr std::size_t kLongestId = 40;  // a hostile one may have any length
+
 void Baseline::report_stale(const SourceMap& sources, const RuleSelection& selection,
                             DiagnosticSink& sink) const {
   std::set<std::string> checked;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     checked.insert(name_of_(sources.path(SourceId{static_cast<std::uint32_t>(i)})));
   }
-  for (const auto& [key, entries] : entries_) {
-    const auto& [file, id, pointer] = key;
-    const Rule* rule = find_rule(id);
-    if (rule != nullptr && (!checked.contains(file) || !selection.is_enabled(*rule))) continue;
-    for (const Entry& entry : entries) {
-      if (entry.is_used) continue;
-      sink.report(rules::sml9105_stale_baseline_entry, entry.span,
-                  "`" + file + "` no longer raises " + id + " at `" + pointer + "`");
+  const auto report = [&](const std::string& file, const std::string& id, const auto& places) {
+    for (const auto& [pointer, entries] : places) {
+      for (const Entry& entry : entries) {
+        if (entry.is_used) continue;
+        sink.report(rules::sml9105_stale_baseline_entry, entry.span,
+                    quoted(file) + " no longer raises " + shortened(id, kLongestId) + " at " +
+                        quoted(pointer));
+      }
+    }
+  };
+  for (const auto& [file, by_rule] : entries_) {
+    for (const auto& [id, places] : by_rule) {
+      const Rule* rule = find_rule(id);
+      const bool is_run =
+          checked.contains(file) && (rule == nullptr || selection.is_enabled(*rule));
+      if (rule == nullptr || is_run) report(file, id, places);
     }
   }
 }

@@ -3,6 +3,7 @@
 // names of places too.
 #include <algorithm>
 
+#include "base/quoted.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf {
@@ -17,7 +18,10 @@ std::string pointer_in(const xml::Document& document, xml::XPaths& paths, Span s
       element.attributes_begin(), element.attributes_end(), [&](const xml::Attribute& a) {
         return a.span().begin <= span.begin && span.end <= a.span().end;
       });
-  if (attribute != element.attributes_end()) path += "/@" + std::string(attribute->name());
+  if (attribute != element.attributes_end()) {
+    constexpr std::size_t kLongestName = 200;
+    path += "/@" + shortened(attribute->name(), kLongestName);
+  }
   return path;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/quoted.hpp"
 #include "base/words.hpp"
 #include "smurf/xml.hpp"
 
@@ -53,6 +54,11 @@ void XPaths::name_children(View parent) {
   }
 }
 
+/// Every finding has a path, so that long names in it would be kept ten thousand times.
+constexpr std::size_t kLongestStep = 300;
+constexpr std::size_t kLongestPath = 2000;
+
+/// The innermost steps of one that is too long.
 std::string XPaths::find(ElementId id) {
   steps_.resize(document_->elements.size());
   std::string result;
@@ -65,7 +71,8 @@ std::string XPaths::find(ElementId id) {
         step = "/" + std::string(view.name());
       }
     }
-    result.insert(0, step);
+    result.insert(0, shortened(step, kLongestStep));
+    if (result.size() > kLongestPath) return "/..." + result;
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/numbers.hpp"
+#include "base/quoted.hpp"
 #include "smurf/yaml.hpp"
 
 namespace smurf::yaml {
@@ -137,17 +138,28 @@ std::optional<std::string> name_step(const Document& document, NodeId id) {
   return "name=" + escape_step(name.text());
 }
 
+/// Every finding has pointers, so that long keys in them would be kept ten thousand times.
+constexpr std::size_t kLongestStep = 200;
+constexpr std::size_t kLongestPointer = 2000;
+
+/// The innermost steps of one that is too long.
 std::string path_to(const Document& document, NodeId id, bool by_name) {
   std::vector<std::string> steps;
+  std::size_t length = 0;
   while (id != kNoNode && id != document.root) {
     const Node& node = document.nodes[static_cast<std::size_t>(id)];
     if (node.parent == kNoNode) break;
     const Node& parent = document.nodes[static_cast<std::size_t>(node.parent)];
     if (parent.kind() == Kind::mapping) {
-      steps.push_back(escape_step(node.key()));
+      steps.push_back(escape_step(shortened(node.key(), kLongestStep)));
     } else {
       const auto name = by_name ? name_step(document, id) : std::nullopt;
       steps.push_back(name ? *name : std::to_string(node.position()));
+    }
+    length += steps.back().size() + 1;
+    if (length > kLongestPointer) {
+      steps.emplace_back("...");
+      break;
     }
     id = node.parent;
   }
