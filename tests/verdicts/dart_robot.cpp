@@ -67,19 +67,19 @@ void add_body(Json& robot, dynamics::BodyNode& body) {
 void add_joint(Json& robot, dynamics::Joint& joint) {
   const std::string& name = joint.getName();
   robot["joints:" + name] = joint.getType();
-  Json limits = Json::array(), dynamics = Json::array(), axes = Json::array();
+  Json limits = Json::array(), damping = Json::array(), axes = Json::array();
   for (std::size_t i = 0; i < joint.getNumDofs(); ++i) {
     limits.push_back({joint.getPositionLowerLimit(i), joint.getPositionUpperLimit(i),
                       joint.getForceLowerLimit(i), joint.getForceUpperLimit(i),
                       joint.getVelocityLowerLimit(i), joint.getVelocityUpperLimit(i)});
-    dynamics.push_back({joint.getDampingCoefficient(i), joint.getCoulombFriction(i)});
+    damping.push_back({joint.getDampingCoefficient(i), joint.getCoulombFriction(i)});
     const Eigen::Matrix<double, 6, 1> axis =
         joint.getRelativeJacobian().col(static_cast<Eigen::Index>(i));
     axes.push_back(numbers(axis));
   }
   if (joint.getNumDofs() == 0) return;
   robot["limits:" + name] = limits;
-  robot["dynamics:" + name] = dynamics;
+  robot["dynamics:" + name] = damping;
   robot["axes:" + name] = axes;
   if (const dynamics::Joint* followed = joint.getMimicJoint()) {
     robot["mimics:" + name] = {followed->getName(), joint.getMimicMultiplier(),
