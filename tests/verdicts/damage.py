@@ -91,10 +91,15 @@ def damage_attribute(cases, base, twin, label, attribute, is_thorough):
         add("misspelt", rename(attribute[:-2] + attribute[:-3:-1] if len(attribute) > 2 else attribute + "x"), True)
         add("cased", rename(attribute.capitalize()), True)
         add("prefixed", lambda found: (rename("foreign:" + attribute)(found),
-                                       found.set("xmlns:foreign", "urn:foreign")), True)
+                                       found.set("xmlns:foreign", "urn:foreign")), False)
         add("doubled", lambda found: found.attributes.append([attribute, value]), True)
         add("as-element", lambda found: (found.drop(attribute), found.children.append(
             Element(attribute, text=value))), True)
+
+
+def is_single(base, label):
+    """Is a second one of it a slip? A link may have many visuals and collisions."""
+    return find(base, label)[0].tag not in ("visual", "collision")
 
 
 def damage_element(cases, base, twin, label, is_thorough):
@@ -127,7 +132,7 @@ def damage_element(cases, base, twin, label, is_thorough):
                                             for part in attribute[1].split())
 
     add("dropped", lambda found, above: above.children.remove(found), False)
-    add("doubled", twice(lambda second: None), True)
+    add("doubled", twice(lambda second: None), is_single(base, label))
     add("misspelt", misspell, True)
     add("cased", lambda found, _: setattr(found, "tag", found.tag.capitalize()), True)
     add("emptied", lambda found, _: (found.attributes.clear(), found.children.clear(), setattr(found, "text", "")),
@@ -138,7 +143,7 @@ def damage_element(cases, base, twin, label, is_thorough):
     add("doubled-otherwise", twice(other_numbers), False)
     add("shouted", lambda found, _: setattr(found, "tag", found.tag.upper()), True)
     add("prefixed", lambda found, _: (setattr(found, "tag", "foreign:" + found.tag),
-                                      found.set("xmlns:foreign", "urn:foreign")), True)
+                                      found.set("xmlns:foreign", "urn:foreign")), False)
     add("childless", lambda found, _: (found.children.clear(), setattr(found, "text", "")), False)
     add("foreign-attribute", lambda found, _: found.set("foreign", "1"), True)
     add("foreign-prefixed-child", insert(Element("drake:thing", [("xmlns:drake", "http://drake.mit.edu")])), True)
