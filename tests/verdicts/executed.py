@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What readers did with the damaged robots: running them, and the table of it, executed.tsv.
+
+A cell says `refuses`, `crashes` (or hangs), `same` (the robot of the case without the damage), or
+what is another: `masses,limits`; `taken` where the reader does not take the other case.
+"""
+import concurrent.futures
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+
+HERE = pathlib.Path(__file__).resolve().parent
+NODE_MODULES = HERE.parent.parent / "build/readers/node_modules"
+TABLE = HERE / "executed.tsv"
+FILES_A_RUN = 400
+SECONDS_A_RUN = 900
+TOLERANCE = 1e-9  # relative: a reader does the same with the same numbers
+REFUSED = ("refuses", "crashes")
+
+
+def command_version(*command):
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        return ""
+    return done.stdout.strip()
+
+
+def npm_version(name):
+    return json.loads((NODE_MODULES / name / "package.json").read_text())["version"]
+
+
+class Reader:
+    def __init__(self, name, target, command, version):
+        self.name, self.target, self.command, self.version = name, target, command, version
+
+
+def readers(build):
+    """Those that can be run here, and the names of the others."""
+    found, absent = [], []
+    for name, target, program, package in (
+            ("urdfdom", "ros", "urdfdom_robot", "urdfdom"), ("libsdformat", "gazebo", "sdformat_robot", "sdformat12"),
+            ("DART", "dart", "dart_robot", "dart")):
+        version = command_version("dpkg-query", "-W", "-f=${Version}", "liburdfdom-dev") if package == "urdfdom" \
+            else command_version("pkg-config", "--modversion", package)
+        path = build / program
+        if path.exists():
+            found.append(Reader(name, target, [path], version))
+        else:
+            absent.append(name)
+    for name, target, program, package in (("MuJoCo", "mujoco", "mujoco_robot.mjs", "@mujoco/mujoco"),
+                                           ("urdf-loader", None, "urdf_loader_robot.mjs", "urdf-loader")):
+        if shutil.which("node") and (NODE_MODULES / package).is_dir():
+            found.append(Reader(name, target, ["node", HERE / program, NODE_MODULES], npm_version(package)))
+        else:
+            absent.append(name)
+    return found, absent
+
+
+def run_once(command, files):
+    """What is said of each file; the one that ends the process is the last of them."""
+    with subprocess.Popen([str(part) for part in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, cwd=os.path.dirname(files[0])) as process:
+        try:
+            output, _ = process.communicate("".join(file + "\n" for file in files).encode(), SECONDS_A_RUN)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            output, _ = process.communicate()
+    said = {}
+    for line in output.decode(errors="replace").splitlines():
+        if line.endswith("}"):
+            reading = json.loads(line)
+            said[reading["file"]] = reading
+    return said
+
+
+def run(command, files):
+    """{file: what is said of it}; a reader that ends with a file goes on with the next one."""
+    said, rest = {}, list(files)
+    while rest:
+        more = run_once(command, rest)
+        if not more:
+            raise RuntimeError(f"{command[0]} does not run")
+        said.update(more)
+        rest = [file for file in rest if file not in said]
+    return said
+
+
+def read_all(reader, files):
+    parts = [files[start:start + FILES_A_RUN] for start in range(0, len(files), FILES_A_RUN)]
+    said = {}
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for part in pool.map(lambda part: run(reader.command, part), parts):
+            said.update(part)
+    return said
+
+
+def is_equal(one, other):
+    if isinstance(one, list) and isinstance(other, list):
+        return len(one) == len(other) and all(map(is_equal, one, other))
+    if isinstance(one, (int, float)) and isinstance(other, (int, float)):
+        return math.isclose(one, other, rel_tol=TOLERANCE, abs_tol=1e-12)
+    return one == other
+
+
+def differences(robot, twin):
+    """What is another, by the words before the colons of the keys."""
+    keys = robot.keys() | twin.keys()
+    changed = {key.split(":")[0] for key in keys if not is_equal(robot.get(key, ""), twin.get(key, ""))}
+    return ",".join(sorted(changed)) or "same"
+
+
+def judge(cases, paths, said):
+    """{name: cell}"""
+    cells = {}
+    for name, case in cases.items():
+        reading, twin = said[str(paths[name])], said[str(paths[case.twin])]
+        if reading["verdict"] in REFUSED:
+            cells[name] = reading["verdict"]
+        elif "robot" not in twin:
+            cells[name] = "taken"
+        else:
+            cells[name] = differences(reading["robot"], twin["robot"])
+    return cells
+
+
+def read_table():
+    """{reader: version}, {name: {reader: cell}}"""
+    lines = TABLE.read_text(encoding="utf-8").splitlines()
+    versions = dict(re.findall(r"([\w-]+) ([\w.+-]+)(?:,|$)", lines[1].lstrip("# ")))
+    heading = lines[2].split("\t")[1:]
+    rows = (line.split("\t") for line in lines[3:])
+    return versions, {row[0]: dict(zip(heading, row[1:])) for row in rows}
+
+
+def write_table(date, versions, rows):
+    names = list(versions)
+    lines = [f"# What readers did with the robots of damage.py on {date}; written by record.py, not to be edited.",
+             "# " + ", ".join(f"{name} {version}" for name, version in versions.items()),
+             "\t".join(["case", *names])]
+    lines += ["\t".join([name, *(cells[reader] for reader in names)]) for name, cells in rows.items()]
+    TABLE.write_text("\n".join(lines) + "\n", encoding="utf-8")

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Gives the damaged robots to their readers.
+
+usage: record.py BUILD [--hold] [--keep FOLDER]
+
+BUILD has the programs urdfdom_robot, sdformat_robot and dart_robot. Writes executed.tsv anew; with
+--hold it stays, and what readers of the same version do must be what it says. --keep leaves the
+robots, and what each reader said of them, in FOLDER.
+
+Ends with 77, which CTest shows as skipped, where a reader is absent or of another version.
+"""
+import argparse
+import datetime
+import json
+import pathlib
+import sys
+import tempfile
+
+import damage
+import executed
+
+SHOWN = 20
+
+
+def record(build, folder, keep):
+    """{reader: (version, {name: cell})}, and the names of absent readers."""
+    cases = damage.all_cases()
+    paths = damage.write(cases, folder)
+    found, absent = executed.readers(build)
+    results = {}
+    for reader in found:
+        said = executed.read_all(reader, [str(path) for path in paths.values()])
+        results[reader.name] = (reader.version, executed.judge(cases, paths, said))
+        if keep:
+            (folder / f"{reader.name}.json").write_text(json.dumps(
+                {name: said[str(path)] for name, path in paths.items()}))
+        print(f"{reader.name} {reader.version}: {len(said)} robots", flush=True)
+    return results, absent
+
+
+def hold(results):
+    """How many cells are other than recorded; readers of other versions are not compared."""
+    versions, rows = executed.read_table()
+    wrong, others = [], []
+    for name, (version, cells) in results.items():
+        if versions.get(name) != version:
+            others.append(f"{name} {version}: recorded is {versions.get(name)}")
+            continue
+        wrong += [f"{name}: {case}: {cell}, recorded is {rows.get(case, {}).get(name)}"
+                  for case, cell in cells.items() if rows.get(case, {}).get(name) != cell]
+    for line in wrong[:SHOWN]:
+        print(line)
+    print(f"{len(wrong)} of what was run is not as recorded")
+    return len(wrong), others
+
+
+def write(results):
+    versions = {name: version for name, (version, _) in results.items()}
+    names = next(iter(results.values()))[1]
+    executed.write_table(datetime.date.today().isoformat(), versions, {
+        case: {reader: cells[case] for reader, (_, cells) in results.items()} for case in names})
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--hold", action="store_true")
+    parser.add_argument("--keep", type=pathlib.Path)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = options.keep or pathlib.Path(scratch)
+        results, absent = record(options.build.resolve(), folder.resolve(), options.keep is not None)
+    if not options.hold:
+        if absent:
+            sys.exit(f"not written: {', '.join(absent)} is not installed")
+        write(results)
+        return 0
+    wrong, others = hold(results)
+    for line in [f"{name} is not installed" for name in absent] + others:
+        print(f"skipped: {line}")
+    if wrong:
+        return 1
+    return 77 if absent or others else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The verdicts of smurf-lint on damaged robots, held against what readers did (executed.tsv).
+
+usage: verdicts_test.py SMURF-LINT [--list READER WHAT]
+
+For each reader are counted, and may not become more than BOUNDS:
+  all-clears  we print "takes it", with losses or without; it refuses the file or crashes
+  alarms      we print "refuses it"; it takes the file
+  not-known   we print "not known"
+  others      we print no more losses than for the undamaged robot; it makes another robot of a file
+              that can mean nothing but the undamaged one
+--list prints the cases of one count: --list mujoco alarms.
+"""
+import argparse
+import collections
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import damage
+import executed
+
+TARGETS = {"ros": "urdfdom", "gazebo": "libsdformat", "dart": "DART", "mujoco": "MuJoCo"}
+COUNTS = ("all-clears", "alarms", "not-known", "others")
+# At most as many; they may only become less.
+BOUNDS = {"ros": (31, 64, 228, 48), "gazebo": (82, 136, 209, 68), "dart": (163, 87, 198, 9),
+          "mujoco": (184, 856, 269, 8)}
+LEAST = 7000
+
+
+def lint(tool, path):
+    """{target: its part of the report}"""
+    done = subprocess.run([tool, "--target", ",".join(TARGETS), "--format", "json", path.name], cwd=path.parent,
+                          capture_output=True, check=False)
+    return json.loads(done.stdout)["targets"]
+
+
+def lint_all(tool, paths):
+    """{name: {target: its part of the report}}"""
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return dict(zip(paths, pool.map(lambda path: lint(tool, path), paths.values())))
+
+
+def is_another(case, cell, verdict, twin):
+    if not case.is_same or cell in ("same", "taken") or verdict["verdict"] not in ("takes", "loses"):
+        return False
+    return verdict["losses"] <= twin["losses"]
+
+
+def count(target, cases, rows, verdicts):
+    """{what: [line about a case]}"""
+    found = collections.defaultdict(list)
+    for name, case in cases.items():
+        cell, verdict = rows[name][TARGETS[target]], verdicts[name][target]
+        said = verdict["verdict"]
+        line = f"{name}: {cell}, we print {said}"
+        if "first" in verdict:
+            line += f" ({verdict['first']['id']}: {verdict['first']['makes']})"
+        if said == "unknown":
+            found["not-known"].append(line + " " + ",".join(verdict.get("unknown_rules", [])))
+        elif cell in executed.REFUSED:
+            if said != "refuses":
+                found["all-clears"].append(line)
+        elif said == "refuses":
+            found["alarms"].append(line)
+        elif is_another(case, cell, verdict, verdicts[case.twin][target]):
+            found["others"].append(line)
+    return found
+
+
+def check(target, found, total):
+    numbers = [len(found[what]) for what in COUNTS]
+    print(f"{target}: " + ", ".join(f"{number} {what}" for number, what in zip(numbers, COUNTS)) + f" of {total}")
+    is_good = True
+    for number, bound, what in zip(numbers, BOUNDS[target], COUNTS):
+        if number > bound:
+            print(f"  {number} {what}, more than {bound}; see them with --list {target} {what}")
+            is_good = False
+        elif number < bound:
+            print(f"  {number} {what}: make the bound of {bound} smaller")
+    return is_good
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("tool", type=pathlib.Path)
+    parser.add_argument("--list", nargs=2, metavar=("READER", "WHAT"))
+    options = parser.parse_args()
+    cases = damage.all_cases()
+    _, rows = executed.read_table()
+    if list(rows) != list(cases) or len(cases) < LEAST:
+        sys.exit("executed.tsv is not of these cases: record.py writes it anew")
+    with tempfile.TemporaryDirectory() as folder:
+        verdicts = lint_all(options.tool.resolve(), damage.write(cases, pathlib.Path(folder).resolve()))
+    is_good = True
+    for target in TARGETS:
+        found = count(target, cases, rows, verdicts)
+        if options.list and options.list[0] == target:
+            print("\n".join(found[options.list[1]]))
+        is_good = check(target, found, len(cases)) and is_good
+    return 0 if is_good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
