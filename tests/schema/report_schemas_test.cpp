@@ -171,7 +171,7 @@ TEST_CASE("the dump of a scene") {
   const Json dump = dump_of_scene(SMURF_FIXTURES "/scenes/nested/outer.smurfs");
   const Json& scene = dump.at("scene");
   CHECK(scene.at("files").size() == 2);
-  CHECK(scene.at("instances").size() == 3);
+  CHECK(scene.at("instances").size() == 5);
   check("model-dump.schema.json", dump,
         {{"/scene", R"({"models": null})"},
          {"/scene/files/0/entities/0", R"({"list": "robots"})"},
