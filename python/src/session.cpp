@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checking and loading. A function with a session of its own lets other threads of Python run.
 #include <algorithm>
-#include <string_view>
 
 #include "common.hpp"
 #include "smurf/archive_files.hpp"
@@ -13,12 +12,9 @@ constexpr const char* kSettings =
     "\n\nKeyword arguments, as the options of smurf-lint: `config` (a path), `isolated` (read no "
     "configuration), `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict "
     "from rules to \"error\", \"warning\" or \"info\"), `targets` (names of readers), `packages` "
-    "(a dict from names to folders), `baseline` (a path), `no_ignores`, `jobs`.";
-
-bool has_extension(const std::string& path, std::initializer_list<std::string_view> extensions) {
-  return std::any_of(extensions.begin(), extensions.end(),
-                     [&](std::string_view extension) { return path.ends_with(extension); });
-}
+    "(a dict from names to folders), `baseline` (a path), `no_ignores`, "
+    "`allow_outside` (read what models name wherever it lies), "
+    "`jobs`.";
 
 /// Runs with the lock of Python, or without it where nothing else can use the session.
 template <class Run>
@@ -37,7 +33,9 @@ py::object check(Session& session, const std::string& path, const CheckSettings&
 /// What is loaded for a path that may be that of an archive.
 std::string main_file(const std::string& path, const Session& session) {
   if (!is_archive(path)) return path;
-  ArchivedMain main = main_file_of_archive(path, session.files());
+  const DiskFiles disk;  // the session has not been asked for anything that it could let be read
+  const ArchiveFiles archives(disk, session.limits());
+  ArchivedMain main = main_file_of_archive(path, archives);
   if (main.path.empty()) raise_error("cannot read '" + path + "': it " + main.reason, py::list());
   return std::move(main.path);
 }
@@ -66,7 +64,8 @@ template <class Loaded>
 py::object load_model(const std::shared_ptr<Session>& session, const std::string& path,
                       const CheckSettings& settings, bool is_shared) {
   const std::string main = main_file(path, *session);
-  if (has_extension(main, {".smurfs", ".smurfa", ".svg"})) {
+  const InputKind kind = input_kind(main);
+  if (kind == InputKind::scene || kind == InputKind::drawing) {
     throw py::value_error("'" + path + "' is a scene, which load_scene() loads");
   }
   auto owner = std::make_shared<Owner>(Owner{session, {}, {}, {}});

@@ -99,6 +99,8 @@ const std::map<std::string, Setter>& setters() {
        [](auto& to, const auto& value) {
          to.heeds_comments = to.heeds_baseline = !from_bool(value, "no_ignores");
        }},
+      {"allow_outside",
+       [](auto& to, const auto& value) { to.allows_outside = from_bool(value, "allow_outside"); }},
       {"jobs", [](auto& to, const auto& value) { to.jobs = from_jobs(value); }},
   };
   return setters;

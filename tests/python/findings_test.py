@@ -81,6 +81,7 @@ def test_json_report():
     (["--ignore", "SML1"], {"ignore": "SML1"}),
     (["--select", "SML3,SML4"], {"select": ["SML3", "SML4"]}),
     (["--severity", "SML3=warning"], {"severities": {"SML3": "warning"}}),
+    (["--allow-outside"], {"allow_outside": True}),
     (["--isolated", "--no-ignores"], {"isolated": True, "no_ignores": True}),
 ])
 def test_options(options, keywords):

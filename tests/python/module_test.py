@@ -19,7 +19,7 @@ import smurf
 def test_dump():
     """What --dump-model writes is what the objects say."""
     for path in inputs.fixtures()[::3]:
-        done = inputs.run("smurf-lint", "--allow-outside", "--dump-model", path)
+        done = inputs.run("smurf-lint", "--dump-model", path)
         try:
             loaded = smurf.load_scene(path) if inputs.is_scene(path) else smurf.load_model(path)
         except smurf.Error:
