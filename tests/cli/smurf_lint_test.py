@@ -10,6 +10,7 @@ import struct
 import subprocess
 import sys
 import termios
+import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
@@ -639,6 +640,80 @@ class Inputs(LintTest):
         self.assertEqual(self.findings("cell.smurfs").count(expected), 1)
         self.assertEqual(self.findings(".").count(expected), 1)
         self.assertIn("(1 model, 1 scene)\n", self.expect(1, ".").stdout)
+
+
+class Dumps(LintTest):
+    """--dump-model; what is in it, for all fixtures, is a matter of tests/schema and tests/python."""
+
+    def dump(self, path, code=0, *options):
+        done = self.run_tool("--dump-model", path, *options)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return json.loads(done.stdout), done.stderr
+
+    def test_model(self):
+        self.write_model()
+        dump, said = self.dump("arm/smurf/arm.smurf")
+        model = dump["model"]
+        self.assertEqual(said, "")
+        self.assertEqual([file["kind"] for file in model["files"]], ["main", "urdf", "annotation"])
+        self.assertEqual(model["joints"][0]["axis"], [0, 0, 1])
+        self.assertEqual(model["joints"][0]["limit"], {"effort": 1, "velocity": 1})
+        self.assertEqual(model["annotations"]["motors"], [
+            {"source": {"file": "arm/smurf/arm_motors.yml", "line": 2, "column": 3},
+             "values": {"name": "elbow", "joint": "elbow", "type": "PID", "maxEffort": 1, "maxSpeed": 1}}])
+
+    def test_values_as_tables_understand_them(self):
+        self.write("arm_more.yml", "sensors:\n- {name: a, type: 7, id: [b], rate: '3', more: [1, {x: ~}]}\n"
+                                   "- &e {name: c, rate: 2}\n- *e\nmine: {a: .inf, a: 2, b: true}\n")
+        model = self.dump("arm_more.yml", 1)[0]["model"]
+        self.assertEqual([entry["values"] for entry in model["annotations"]["sensors"]],
+                         [{"name": "a", "type": "7", "id": ["b"], "more": [1, {"x": None}]},
+                          {"name": "c", "rate": 2}, {"name": "c", "rate": 2}])
+        self.assertEqual([(one["name"], one["value"]) for one in model["custom"]],
+                         [("mine", {"a": ".inf", "b": True})])
+
+    def test_what_keeps_it_from_being_read(self):
+        self.write_model()
+        (self.folder / "arm/urdf/arm.urdf").unlink()
+        dump, said = self.dump("arm/smurf/arm.smurf", 1)
+        self.assertFalse(dump["model"]["is_complete"])
+        self.assertNotIn("links", dump["model"])
+        self.assertRegex(said, r"arm\.smurf:3:3: error\[SML2001\]")
+        self.dump("arm/smurf/arm.smurf", 0, "--exit-zero")
+
+    def test_rules_are_not_run(self):
+        self.write_model(motors=BROKEN_MOTORS)
+        self.assertEqual(self.dump("arm/smurf/arm.smurf")[1], "")
+
+    def test_scene_and_archive(self):
+        dump, _ = self.dump(cli.FIXTURES / "scenes/nested/outer.smurfs")
+        table = dump["scene"]["instances"][1]
+        self.assertEqual((table["path"], table["parent"]), ("cell/Table", {"instance": "Base", "link": "flange"}))
+        self.write_model()
+        with zipfile.ZipFile(self.folder / "arm.zsmurf", "w") as archive:
+            for name in ("smurf/arm.smurf", "smurf/arm_motors.yml", "urdf/arm.urdf"):
+                archive.write(self.folder / "arm" / name, name)
+        self.assertEqual(len(self.dump("arm.zsmurf")[0]["model"]["joints"]), 1)
+
+    def test_nothing_from_outside(self):
+        self.write("secret.yml", "motors:\n- {name: secret, joint: secret}\n")
+        self.write_model("a/b/c/arm")
+        self.write("a/b/c/arm/smurf/arm.smurf", SMURF + "- ../../../../../secret.yml\n")
+        (self.folder / "a/b/c/.git").mkdir()
+        done = self.run_tool("--dump-model", "smurf/arm.smurf", cwd=self.folder / "a/b/c/arm")
+        self.assertNotIn("secret\"", done.stdout)
+        self.assertIn("outside of the project", done.stderr)
+
+    def test_size(self):
+        self.write_model()
+        self.expect_complaint("what is in 'arm/smurf/arm.smurf' has more than 1000 bytes of JSON; raise the limit "
+                              "with `--limit scene-bytes=N`", "--dump-model", "arm/smurf/arm.smurf",
+                              "--limit", "scene-bytes=1000")
+
+    def test_mistakes(self):
+        self.expect_complaint("cannot read 'no.smurf': No such file or directory", "--dump-model", "no.smurf")
+        self.write("notes.txt", "")
+        self.expect_complaint("'notes.txt' is no model, scene, URDF or annotation file", "--dump-model", "notes.txt")
 
 
 class JsonAnnotations(LintTest):

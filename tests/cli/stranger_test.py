@@ -369,6 +369,7 @@ class Inputs(StrangerTest):
         self.refuse("smurf-lint", ["--generate-baseline"], "--baseline", self.MODEL[:2])
         self.inputs = []
         self.refuse("smurf-lint", ["--show-config", "arm"], "-o", [".smurf-lint.yaml"])
+        self.refuse("smurf-lint", ["--dump-model", self.MODEL[0]], "-o", self.MODEL[:1])
 
     def test_reports(self):
         self.expect(0, "smurf-lint", "--format", "json=report.json", "arm")

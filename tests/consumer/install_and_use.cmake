@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -D BUILD=... -D SOURCE=... -D MODEL=... -D WORK=... -D GENERATOR=... -D FLAGS=...
-#   -D COMPILER=... -P install_and_use.cmake
+#   -D COMPILER=... [-D PYTHON=...] -P install_and_use.cmake
 # Installs the build into a prefix of its own, moves it, and builds and runs the consumer against it.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
@@ -44,6 +44,21 @@ if(PKG_CONFIG)
   separate_arguments(flags UNIX_COMMAND "${FLAGS} -std=c++20 ${SOURCE}/main.cpp ${out}")
   run(${COMPILER} ${flags} -o ${WORK}/consumer)
   run_consumer(${WORK}/consumer)
+endif()
+
+# The Python module, and the tools beside it.
+if(PYTHON)
+  file(GLOB_RECURSE package ${WORK}/prefix/smurf/__init__.py)
+  cmake_path(GET package PARENT_PATH folder)
+  cmake_path(GET folder PARENT_PATH folder)
+  set(python ${CMAKE_COMMAND} -E env PYTHONPATH=${folder} PYTHONDONTWRITEBYTECODE=1 PATH=/nowhere ${PYTHON})
+  run(${python} -c "import sys, smurf
+arm = smurf.load_model(sys.argv[1])
+print(len(arm.motors), 'motors,', len(arm.check()), 'findings')" ${MODEL})
+  if(NOT out STREQUAL "6 motors, 0 findings\n")
+    message(FATAL_ERROR "the Python module says: ${out}")
+  endif()
+  run(${python} -m smurf lint ${MODEL})
 endif()
 
 foreach(tool smurf-lint smurf2urdf urdf2smurf smurfs-flatten)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The schemas that are written by hand say yes to what the tools write and no to near misses.
+#include <filesystem>
 #include <initializer_list>
 
 #include <doctest/doctest.h>
@@ -7,7 +8,9 @@
 
 #include "schema/case_file.hpp"
 #include "schema/validator.hpp"
+#include "smurf/check.hpp"
 #include "smurf/render.hpp"
+#include "smurf/write.hpp"
 
 using Json = nlohmann::json;
 using namespace smurf;
@@ -122,6 +125,81 @@ TEST_CASE("the flat scene") {
          {"/instances/0/source", R"({"line": 0})"},
          {"/instances/0", R"({"color": "red"})"},
          {"/instances/0/links/hand", R"({"position": null})"}});
+}
+
+namespace {
+
+Json dump_of_model(const std::string& path) {
+  Session session;
+  const LoadedModel loaded = session.load_model(path);
+  return Json::parse(*write_model_json(loaded.model, *loaded.sources));
+}
+
+Json dump_of_scene(const std::string& path) {
+  Session session;
+  const LoadedScene loaded = session.load_scene(path);
+  return Json::parse(*write_scene_json(loaded.scene, *loaded.sources));
+}
+
+}  // namespace
+
+TEST_CASE("the dump of a model") {
+  const Json dump = dump_of_model(SMURF_FIXTURES "/models/arm/smurf/arm.smurf");
+  const Json& model = dump.at("model");
+  CHECK(model.at("joints").size() == 9);
+  CHECK(model.at("annotations").at("motors").size() == 6);
+  check("model-dump.schema.json", dump,
+        {{"", R"({"model": null})"},
+         {"", R"({"scene": {}})"},
+         {"", R"({"schema_version": "2.0"})"},
+         {"/model", R"({"joints": null})"},
+         {"/model", R"({"colour": 1})"},
+         {"/model/files/0", R"({"kind": "mesh"})"},
+         {"/model/links/1", R"({"source": null})"},
+         {"/model/links/1/source", R"({"line": 0})"},
+         {"/model/links/1/inertial", R"({"mass": "1"})"},
+         {"/model/links/1/inertial/inertia", R"({"iyx": 0})"},
+         {"/model/links/1/visuals/0", R"({"X_LC": null, "X_LV": null})"},
+         {"/model/links/1/visuals/0/X_LV", R"({"position": [0, 0]})"},
+         {"/model/links/1/visuals/0/X_LV/orientation", R"({"w": 2})"},
+         {"/model/links/1/visuals/0/geometry", R"({"type": "cone"})"},
+         {"/model/joints/0", R"({"type": "hinge"})"},
+         {"/model/annotations/motors/0", R"({"values": []})"}});
+}
+
+TEST_CASE("the dump of a scene") {
+  const Json dump = dump_of_scene(SMURF_FIXTURES "/scenes/nested/outer.smurfs");
+  const Json& scene = dump.at("scene");
+  CHECK(scene.at("files").size() == 2);
+  CHECK(scene.at("instances").size() == 5);
+  check("model-dump.schema.json", dump,
+        {{"/scene", R"({"models": null})"},
+         {"/scene/files/0/entities/0", R"({"list": "robots"})"},
+         {"/scene/instances/0", R"({"path": null})"},
+         {"/scene/instances/0", R"({"model": -1})"},
+         {"/scene/instances/0", R"({"anchor": "parent"})"},
+         {"/scene/instances/0", R"({"joint_positions": {"j1": "0.5"}})"},
+         {"/scene/models/0", R"({"is_complete": 1})"}});
+}
+
+TEST_CASE("the dumps of all fixtures, whatever is wrong in them") {
+  std::vector<Instance> instances;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(SMURF_FIXTURES)) {
+    const std::string extension = entry.path().extension().string();
+    const std::string path = entry.path().string();
+    if (extension == ".smurf" || extension == ".urdf") {
+      instances.push_back({"model-dump.schema.json", dump_of_model(path).dump()});
+    } else if (extension == ".smurfs" || extension == ".smurfa" || extension == ".svg") {
+      instances.push_back({"model-dump.schema.json", dump_of_scene(path).dump()});
+    }
+  }
+  REQUIRE(instances.size() > 1000);
+  const auto verdicts = validate(instances);
+  if (!verdicts) return;
+  for (std::size_t i = 0; i < verdicts->size(); ++i) {
+    CAPTURE(instances[i].json);
+    CHECK((*verdicts)[i]);
+  }
 }
 
 TEST_CASE("the report of the load check") {

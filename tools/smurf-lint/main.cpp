@@ -11,6 +11,7 @@
 #include "common/process.hpp"
 #include "common/progress.hpp"
 #include "render/printable.hpp"
+#include "smurf-lint/dump.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf-lint/rename.hpp"
@@ -292,6 +293,7 @@ int main(int argc, char** argv) {
   if (!options.explain.empty()) return explain(options);
   if (!options.list_rules.empty()) return list_rules(options);
   if (!options.show_config.empty()) return show_config(options);
+  if (!options.dump_model.empty()) return dump_model(options);
   if (options.merge_reports) return merge_reports(options);
 
   return run(options);

@@ -290,6 +290,13 @@ std::vector<Option> input_options(LintOptions& options) {
        .name = "list-files",
        .help = "Show the files that would be checked, and check nothing.",
        .set = set_flag(options.list_files)},
+      {.group = "Input",
+       .name = "dump-model",
+       .metavar = "PATH",
+       .help =
+           "Write what is read of a model or scene as JSON, each entry with its place, and check "
+           "nothing; what keeps it from being read goes to standard error.",
+       .set = set_text(options.dump_model)},
   };
 }
 
@@ -337,6 +344,8 @@ Command lint_command(LintOptions& options) {
        "One machine of eight; then --merge-reports part-*.json:"},
       {"smurf-lint --explain unknown-joint", "The page of a rule:"},
       {"smurf-lint --show-config robots/", "What holds there, and where it is said:"},
+      {"smurf-lint --dump-model arm.smurf | jq '.model.joints[].limit'",
+       "What is read of a model, for programs:"},
   };
   return command;
 }

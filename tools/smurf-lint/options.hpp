@@ -61,6 +61,7 @@ struct LintOptions {
   std::optional<int> jobs;
 
   std::string explain;     ///< a rule: show its page and do nothing else
+  std::string dump_model;  ///< a path: show what is read of it and do nothing else
   std::string list_rules;  ///< "text" or "json": list the rules and do nothing else
 };
 

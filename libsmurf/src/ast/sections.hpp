@@ -30,6 +30,8 @@ struct SectionSpec {
   std::vector<const KeySpec*> (*filtered_keys)(KeyFilter takes) = nullptr;
   /// Reads one entry (a mapping) and appends it.
   void (*read)(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink) = nullptr;
+  /// What it has appended, in file order.
+  std::vector<const Annotation*> (*entries)(const Annotations& annotations) = nullptr;
 
   std::vector<const KeySpec*> keys() const { return filtered_keys(nullptr); }
 };
@@ -72,6 +74,15 @@ void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view ent
 
 /// What the names in `id` of a sensor of this type are; none when MARS takes no `id`.
 NameKinds measured_by(std::string_view type);
+
+/// The usual `entries` of a section.
+template <auto Member>
+std::vector<const Annotation*> entries_of(const Annotations& annotations) {
+  std::vector<const Annotation*> entries;
+  entries.reserve((annotations.*Member).size());
+  for (const Annotation& entry : annotations.*Member) entries.push_back(&entry);
+  return entries;
+}
 
 /// The keys that describe a node of MARS: entries of `collision`, `visuals`, `link` and `nodes`
 /// replace them one by one.

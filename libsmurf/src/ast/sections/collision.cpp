@@ -55,6 +55,7 @@ constinit const SectionSpec collision{.name = "collision",
                                       .entry = "collision",
                                       .doc = "Contact parameters of URDF collisions.",
                                       .filtered_keys = keys,
-                                      .read = read};
+                                      .read = read,
+                                      .entries = entries_of<&Annotations::collisions>};
 
 }  // namespace smurf::sections

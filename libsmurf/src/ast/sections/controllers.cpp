@@ -56,6 +56,7 @@ constinit const SectionSpec controllers{
     .entry = "controller",
     .doc = "Controllers; they come after the sensors and motors that they use.",
     .filtered_keys = keys,
-    .read = read};
+    .read = read,
+    .entries = entries_of<&Annotations::controllers>};
 
 }  // namespace smurf::sections

@@ -56,6 +56,7 @@ constinit const SectionSpec exoskeletons{
     .entry = "exoskeleton",
     .doc = "Exoskeletons and the joints of the body they follow, for Phobos and HyRoDyn.",
     .filtered_keys = keys,
-    .read = read};
+    .read = read,
+    .entries = entries_of<&Annotations::exoskeletons>};
 
 }  // namespace smurf::sections

@@ -55,6 +55,7 @@ constinit const SectionSpec graphics{.name = "graphics",
                                      .doc = "Settings of the display, for the whole scene.",
                                      .form = SectionForm::list_or_mapping,
                                      .filtered_keys = keys,
-                                     .read = read};
+                                     .read = read,
+                                     .entries = entries_of<&Annotations::graphics>};
 
 }  // namespace smurf::sections

@@ -46,6 +46,7 @@ constinit const SectionSpec interfaces{.name = "interfaces",
                                        .entry = "interface",
                                        .doc = "Places where models can be joined, for Phobos.",
                                        .filtered_keys = keys,
-                                       .read = read};
+                                       .read = read,
+                                       .entries = entries_of<&Annotations::interfaces>};
 
 }  // namespace smurf::sections

@@ -224,6 +224,7 @@ constinit const SectionSpec joint{.name = "joint",
                                   .entry = "joint",
                                   .doc = "Changes to URDF joints.",
                                   .filtered_keys = keys,
-                                  .read = read};
+                                  .read = read,
+                                  .entries = entries_of<&Annotations::joints>};
 
 }  // namespace smurf::sections

@@ -87,6 +87,7 @@ constinit const SectionSpec lights{
     .entry = "light",
     .doc = "Lights. No key has a default in MARS: what is left out is undefined.",
     .filtered_keys = keys,
-    .read = read};
+    .read = read,
+    .entries = entries_of<&Annotations::lights>};
 
 }  // namespace smurf::sections

@@ -60,6 +60,7 @@ constinit const SectionSpec link{.name = "link",
                                  .entry = "link",
                                  .doc = "Changes to the frame nodes of URDF links.",
                                  .filtered_keys = keys,
-                                 .read = read};
+                                 .read = read,
+                                 .entries = entries_of<&Annotations::links>};
 
 }  // namespace smurf::sections

@@ -106,6 +106,7 @@ constinit const SectionSpec materials{.name = "materials",
                                       .entry = "material",
                                       .doc = "Colours and textures of URDF materials.",
                                       .filtered_keys = keys,
-                                      .read = read};
+                                      .read = read,
+                                      .entries = entries_of<&Annotations::materials>};
 
 }  // namespace smurf::sections

@@ -196,6 +196,7 @@ constinit const SectionSpec motors{.name = "motors",
                                    .entry = "motor",
                                    .doc = "Motors and the joints they drive.",
                                    .filtered_keys = keys,
-                                   .read = read};
+                                   .read = read,
+                                   .entries = entries_of<&Annotations::motors>};
 
 }  // namespace smurf::sections

@@ -51,6 +51,7 @@ constinit const SectionSpec nodes{.name = "nodes",
                                   .entry = "node",
                                   .doc = "Changes to nodes of MARS, and new nodes.",
                                   .filtered_keys = keys,
-                                  .read = read};
+                                  .read = read,
+                                  .entries = entries_of<&Annotations::nodes>};
 
 }  // namespace smurf::sections

@@ -52,6 +52,7 @@ constinit const SectionSpec poses{.name = "poses",
                                   .entry = "joint pose set",
                                   .doc = "Named joint positions.",
                                   .filtered_keys = keys,
-                                  .read = read};
+                                  .read = read,
+                                  .entries = entries_of<&Annotations::poses>};
 
 }  // namespace smurf::sections

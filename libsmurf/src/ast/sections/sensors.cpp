@@ -289,6 +289,7 @@ constinit const SectionSpec sensors{.name = "sensors",
                                     .entry = "sensor",
                                     .doc = "Sensors and what they measure.",
                                     .filtered_keys = keys,
-                                    .read = read};
+                                    .read = read,
+                                    .entries = entries_of<&Annotations::sensors>};
 
 }  // namespace smurf::sections

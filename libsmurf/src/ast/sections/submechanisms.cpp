@@ -105,6 +105,7 @@ constinit const SectionSpec submechanisms{.name = "submechanisms",
                                           .entry = "submechanism",
                                           .doc = "Mechanisms of the robot, for Phobos and HyRoDyn.",
                                           .filtered_keys = keys,
-                                          .read = read};
+                                          .read = read,
+                                          .entries = entries_of<&Annotations::submechanisms>};
 
 }  // namespace smurf::sections

@@ -37,6 +37,7 @@ constinit const SectionSpec submodels{
     .doc = "Parts of the model that Phobos exported as models of their own.",
     .form = SectionForm::named,
     .filtered_keys = keys,
-    .read = read};
+    .read = read,
+    .entries = entries_of<&Annotations::submodels>};
 
 }  // namespace smurf::sections

@@ -46,6 +46,7 @@ constinit const SectionSpec visuals{.name = "visuals",
                                     .entry = "visual",
                                     .doc = "Changes to how URDF visuals are shown.",
                                     .filtered_keys = keys,
-                                    .read = read};
+                                    .read = read,
+                                    .entries = entries_of<&Annotations::visuals>};
 
 }  // namespace smurf::sections

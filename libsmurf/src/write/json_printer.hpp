@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// JSON of nested values, not larger than asked for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/pose.hpp"
+#include "smurf/source.hpp"
+
+namespace smurf {
+
+/// Puts commas and line ends where they belong. Once the text is larger than `most`, nothing is
+/// added to it any more, and it is not given away.
+class JsonPrinter {
+ public:
+  /// How the parts of an object or list stand: each on a line of its own, or all on one.
+  enum class Layout : std::uint8_t { block, line };
+
+  explicit JsonPrinter(std::uint64_t most) : most_(most) {}
+
+  void begin_object(Layout layout = Layout::line) { begin('{', layout); }
+  void begin_list(Layout layout = Layout::line) { begin('[', layout); }
+  /// Ends the object or list that was begun last.
+  void end();
+  /// Of the next value; in objects only.
+  void key(std::string_view name);
+
+  void text(std::string_view value);
+  /// JSON has no infinite numbers: those are null.
+  void number(double value);
+  void integer(std::int64_t value);
+  void boolean(bool value);
+  void null();
+  void vector(const Vector3& value);
+  /// {"position": [x, y, z], "orientation": {"w": ...}}
+  void pose(const Pose& value);
+
+  /// {"file": "arm.urdf", "line": 3, "column": 5}
+  void place(Span span, const SourceMap& sources);
+
+  bool is_full() const { return out_.size() > most_; }
+  /// The text with a line end; none when it has become too large.
+  std::optional<std::string> take();
+
+ private:
+  struct Open {
+    char end;
+    Layout layout;
+    bool is_empty = true;
+  };
+
+  void begin(char bracket, Layout layout);
+  void break_line(std::size_t depth);
+  /// What stands between the values of a list.
+  void begin_value();
+
+  std::uint64_t most_;
+  std::string out_;
+  std::vector<Open> open_;
+  bool has_key_ = false;  ///< the value that comes next
+};
+
+}  // namespace smurf

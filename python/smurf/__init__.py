@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""SMURF robot models: checked, loaded with types, placed, and exported.
+
+    import smurf
+
+    for finding in smurf.check("arm.smurf"):
+        print(finding)                          # arm_motors.yml:3:10: error[SML3101] ...
+
+    arm = smurf.load_model("arm.smurf")
+    arm.joint("elbow").limit.upper              # rad
+    arm.motors[0].places["joint"]               # where that is written
+    arm.forward_kinematics({"elbow": 0.5})      # {link: X_RL}, arrays of shape (4, 4)
+
+    scene = smurf.load_scene("cell.smurfs").flatten()
+    scene.X_WE                                  # array of shape (n, 4, 4)
+
+Lengths are in metres, angles in radians, masses in kilograms. X_AB is the pose of the frame B in the
+frame A: `p_A = X_AB @ p_B` for homogeneous p. Quaternions are (w, x, y, z). Arrays are copies. What a
+file does not say is None; nothing is filled in. Objects keep what they were loaded with alive.
+
+`python3 -m smurf lint ...` runs the program smurf-lint.
+"""
+from ._errors import Error
+from ._smurf import (
+    Box,
+    Capsule,
+    Collision,
+    CollisionAnnotation,
+    Controller,
+    Cylinder,
+    Dynamics,
+    Exoskeleton,
+    Finding,
+    FlatInstance,
+    FlatModel,
+    FlatScene,
+    Graphics,
+    Inertial,
+    Instance,
+    Interface,
+    Joint,
+    JointAnnotation,
+    JointPoseSet,
+    Light,
+    Limit,
+    Link,
+    LinkAnnotation,
+    Material,
+    MaterialAnnotation,
+    Mesh,
+    Mimic,
+    Model,
+    Motor,
+    NodeAnnotation,
+    Place,
+    Report,
+    Scene,
+    Sensor,
+    Session,
+    Sphere,
+    Submechanism,
+    Submodel,
+    TargetVerdict,
+    Visual,
+    VisualAnnotation,
+    __version__,
+    check,
+    explain,
+    load_model,
+    load_scene,
+)
+
+__all__ = [
+    "Box", "Capsule", "Collision", "CollisionAnnotation", "Controller", "Cylinder", "Dynamics", "Error",
+    "Exoskeleton", "Finding", "FlatInstance", "FlatModel", "FlatScene", "Graphics", "Inertial",
+    "Instance", "Interface", "Joint", "JointAnnotation", "JointPoseSet", "Light", "Limit", "Link",
+    "LinkAnnotation", "Material", "MaterialAnnotation", "Mesh", "Mimic", "Model", "Motor",
+    "NodeAnnotation", "Place", "Report", "Scene", "Sensor", "Session", "Sphere", "Submechanism",
+    "Submodel", "TargetVerdict", "Visual", "VisualAnnotation", "__version__", "check", "explain",
+    "load_model", "load_scene",
+]

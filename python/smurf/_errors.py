@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the module raises."""
+
+
+class Error(Exception):
+    """A file cannot be read, or has errors that keep something from being done with it.
+
+    `findings` is a list of smurf.Finding that say why; it may be empty.
+    """
+
+    def __init__(self, message="", findings=()):
+        super().__init__(message)
+        self.findings = list(findings)
+
+    def __str__(self):
+        return "\n".join([super().__str__(), *map(str, self.findings[:10])])

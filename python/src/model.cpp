@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A model: what was read, where its links are, and its URDF.
+#include "model.hpp"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "smurf/convert.hpp"
+#include "smurf/write.hpp"
+
+namespace smurf::python {
+
+Report check_owned(Owner& owner) {
+  const auto check = [&](auto& loaded) {
+    const DiagnosticSink found = loaded.found;  // which a check takes away
+    Report report = owner.session->check(loaded);
+    loaded.found = found;
+    return report;
+  };
+  return owner.model ? check(*owner.model) : check(*owner.scene);
+}
+
+void refuse_errors(Owner& owner, const std::string& path) {
+  Report report = check_owned(owner);
+  if (report.summary.errors == 0) return;
+  std::erase_if(report.diagnostics,
+                [](const Diagnostic& one) { return one.severity != Severity::error; });
+  raise_error("'" + path + "' has errors",
+              to_findings(std::move(report.diagnostics), owner.sources()));
+}
+
+std::string current_folder() {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::current_path(error);
+  if (error) throw py::value_error("there is no current folder: " + error.message());
+  return folder.string();
+}
+
+namespace {
+
+using Model = Ref<LinkedModel>;
+
+py::list names_to_list(const std::vector<std::string>& names) {
+  py::list list;
+  for (const std::string& name : names) list.append(to_path(name));
+  return list;
+}
+
+double from_position(const py::handle& value, const std::string& joint) {
+  const double position = PyFloat_AsDouble(value.ptr());
+  if (position == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
+  if (!std::isfinite(position)) {
+    throw py::value_error("the position of the joint '" + joint + "' is not finite");
+  }
+  return position;
+}
+
+JointPositions positions_of(const LinkedModel& model, const py::object& positions) {
+  if (positions.is_none()) return {};
+  if (py::isinstance<py::str>(positions)) {
+    const std::string name = from_text(positions, "positions");
+    auto known = joint_positions(model, name);
+    if (!known) throw py::value_error("the model has no joint pose set '" + name + "'");
+    return *std::move(known);
+  }
+  if (!py::isinstance<py::dict>(positions)) {
+    throw py::type_error("positions must be a dict, or the name of a joint pose set");
+  }
+  JointPositions all;
+  for (const auto& [key, value] : py::reinterpret_borrow<py::dict>(positions)) {
+    const std::string joint = from_text(key, "the name of a joint");
+    if (!model.joint_names.contains(joint)) {
+      throw py::value_error("the model has no joint '" + joint + "'");
+    }
+    all[joint] = from_position(value, joint);
+  }
+  return all;
+}
+
+py::dict link_poses(const Model& self, const py::object& positions) {
+  const auto poses = forward_kinematics(*self, positions_of(*self, positions));
+  py::dict X_RL;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Field<std::string>& name = self->robot->links[i].name;
+    // The first of equal names is the link that has the name.
+    if (!poses[i] || !name || self->link_names.find(*name) != i) continue;
+    X_RL[to_text(*name)] = to_matrix4(*poses[i]);
+  }
+  return X_RL;
+}
+
+py::object named_positions(const Model& self, const py::object& pose) {
+  py::dict positions;
+  for (const auto& [joint, position] : positions_of(*self, pose)) {
+    positions[to_text(joint)] = position;
+  }
+  return positions;
+}
+
+/// A word of an enumeration, in its order.
+template <class Enum>
+Enum from_word(const py::handle& value, const char* argument,
+               std::initializer_list<const char*> words) {
+  const std::string text = from_text(value, argument);
+  std::string known;
+  std::size_t index = 0;
+  for (const char* word : words) {
+    if (text == word) return static_cast<Enum>(index);
+    ++index;
+    known += std::string(known.empty() ? "" : ", ") + word;
+  }
+  throw py::value_error(std::string(argument) + " is none of " + known);
+}
+
+AppliedAnnotations from_applied(const py::handle& value) {
+  AppliedAnnotations applied;
+  for (const std::string& name : from_texts(value, "apply")) {
+    if (name == "materials") {
+      applied.materials = true;
+    } else if (name == "limits") {
+      applied.limits = true;
+    } else if (name == "dynamics") {
+      applied.dynamics = true;
+    } else if (name == "mimic") {
+      applied.mimic = true;
+    } else {
+      throw py::value_error("apply: '" + name + "' is none of materials, limits, dynamics, mimic");
+    }
+  }
+  return applied;
+}
+
+/// What export_urdf() may not be asked for.
+void check_export(const LinkedModel& model, const UrdfExport& options) {
+  if (options.base != BaseJoint::as_is) {
+    if (model.tree.roots.size() != 1) throw py::value_error("base: the model has no single root");
+    if (model.link_names.contains("world")) {
+      throw py::value_error("base: the model has a link 'world' already");
+    }
+  }
+  for (const std::string& name : options.keep) {
+    if (!model.link_names.contains(name) && !model.joint_names.contains(name)) {
+      throw py::value_error("keep: the model has no link or joint '" + name + "'");
+    }
+  }
+}
+
+/// The result is read again and compared, as smurf2urdf does.
+void prove(const LinkedModel& model, const std::string& urdf, const UrdfExport& options) {
+  if (options.apply.mimic) return;  // joints that were independent follow others now
+  MemoryFiles files;
+  files.add("plain.urdf", urdf);
+  Session session(files);
+  CheckSettings settings;
+  settings.is_isolated = true;
+  settings.opens_meshes = false;
+  const LoadedModel result = session.load_model("plain.urdf", settings);
+  const Proof proof = compare_models(model, result.model, proof_scope(options));
+  if (!result.model.robot || !proof.holds()) {
+    throw std::runtime_error("the result is another robot: " + proof.difference);
+  }
+}
+
+py::bytes to_urdf(const Model& self, const py::object& output_folder, const py::object& mesh_uri,
+                  const py::object& apply, const py::object& prefix, const py::object& base,
+                  const py::object& keep, bool collapse_fixed, bool strip_comments,
+                  bool strip_extensions, bool canonical, bool force) {
+  if (!self->robot) throw py::value_error("the model has no URDF");
+  // Where names stand in rebase ... keep, package is left out: see smurf2urdf.
+  constexpr std::array kUris = {MeshUri::rebase, MeshUri::relative, MeshUri::absolute,
+                                MeshUri::file, MeshUri::keep};
+  const auto uri = from_word<std::size_t>(mesh_uri, "mesh_uri",
+                                          {"rebase", "relative", "absolute", "file", "keep"});
+  UrdfExport options;
+  options.output_folder = from_path(output_folder);
+  options.current_folder = current_folder();
+  options.mesh_uri = kUris[uri];
+  options.apply = from_applied(apply);
+  options.prefix = from_text(prefix, "prefix");
+  options.base = from_word<BaseJoint>(base, "base", {"as-is", "fixed", "floating"});
+  options.keep = from_texts(keep, "keep");
+  options.collapses_fixed = collapse_fixed;
+  options.strips_comments = strip_comments;
+  options.strips_extensions = strip_extensions;
+  options.is_canonical = canonical;
+  check_export(*self, options);
+  if (!force) refuse_errors(*self.owner, self->path);
+  DiagnosticSink losses;
+  const std::string urdf = export_urdf(*self, self.owner->sources(), options, losses);
+  prove(*self, urdf, options);
+  return {urdf};
+}
+
+template <class T, class Names>
+Ref<T> find(const Model& self, const std::vector<T>& values, const Names& names,
+            const py::object& name, const char* what) {
+  const std::string text = from_text(name, "name");
+  const auto index = names.find(text);
+  if (!index) throw py::key_error(std::string("the model has no ") + what + " '" + text + "'");
+  return {self.owner, &values[*index]};
+}
+
+template <class T>
+void add_section(py::class_<Model>& model, const char* name, std::vector<T> Annotations::*member,
+                 const char* doc) {
+  model.def_property_readonly(
+      name, [member](const Model& self) { return to_list(self.owner, self->annotations.*member); },
+      doc);
+}
+
+void bind_files(py::class_<Model>& model) {
+  model
+      .def_property_readonly(
+          "path", [](const Model& self) { return to_path(self->path); },
+          "The path it was loaded by.")
+      .def_property_readonly(
+          "name",
+          [](const Model& self) {
+            const Field<std::string>& own = self->main.modelname;
+            if (own || !self->robot) return to_object(own);
+            return to_object(self->robot->name);
+          },
+          "`modelname` of the .smurf, else the name of the robot; None when there is neither.")
+      .def_property_readonly(
+          "files",
+          [](const Model& self) {
+            std::vector<std::string> paths;
+            for (const ModelFile& file : self->files) {
+              paths.push_back(self.owner->sources().path(file.source));
+            }
+            return names_to_list(paths);
+          },
+          "The paths of all files that were read, meshes left out, in their order.")
+      .def_property_readonly(
+          "urdf_path",
+          [](const Model& self) -> py::object {
+            if (self->urdf_path.empty()) return py::none();
+            return to_path(self->urdf_path);
+          },
+          "The path of the URDF; None when there is none.")
+      .def_property_readonly(
+          "is_complete", [](const Model& self) { return self->is_complete; },
+          "False when a file is missing or broken.")
+      .def("__repr__",
+           [](const Model& self) {
+             return py::str("<smurf.Model {!r}>").format(to_path(self->path));
+           })
+      .def("__eq__",
+           [](const Model& a, const py::object& b) {
+             return py::isinstance<Model>(b) && a == b.cast<const Model&>();
+           })
+      .def("__hash__", [](const Model& self) { return std::hash<const void*>()(self.value); });
+}
+
+void bind_elements(py::class_<Model>& model) {
+  model
+      .def_property_readonly(
+          "links",
+          [](const Model& self) {
+            return self->robot ? to_list(self.owner, self->robot->links) : py::list();
+          },
+          "A new list of smurf.Link, in the order of the URDF.")
+      .def_property_readonly(
+          "joints",
+          [](const Model& self) {
+            return self->robot ? to_list(self.owner, self->robot->joints) : py::list();
+          },
+          "A new list of smurf.Joint, in the order of the URDF.")
+      .def_property_readonly(
+          "materials",
+          [](const Model& self) {
+            return self->robot ? to_list(self.owner, self->robot->materials) : py::list();
+          },
+          "A new list of smurf.Material: those of the robot.")
+      .def_property_readonly(
+          "roots",
+          [](const Model& self) {
+            py::list roots;
+            for (const LinkIndex root : self->tree.roots) {
+              roots.append(Ref<urdf::Link>{self.owner, &self->link(root)});
+            }
+            return roots;
+          },
+          "A new list of the links without a parent joint; poses are those in the first one.")
+      .def(
+          "link",
+          [](const Model& self, const py::object& name) {
+            static const std::vector<urdf::Link> none;
+            return find(self, self->robot ? self->robot->links : none, self->link_names, name,
+                        "link");
+          },
+          py::arg("name"), "The link of a name; KeyError when there is none.")
+      .def(
+          "joint",
+          [](const Model& self, const py::object& name) {
+            static const std::vector<urdf::Joint> none;
+            return find(self, self->robot ? self->robot->joints : none, self->joint_names, name,
+                        "joint");
+          },
+          py::arg("name"), "The joint of a name; KeyError when there is none.");
+  add_section(model, "motors", &Annotations::motors, "A new list of smurf.Motor.");
+  add_section(model, "sensors", &Annotations::sensors, "A new list of smurf.Sensor.");
+  add_section(model, "controllers", &Annotations::controllers, "A new list of smurf.Controller.");
+  add_section(model, "material_annotations", &Annotations::materials,
+              "A new list of smurf.MaterialAnnotation.");
+  add_section(model, "collision_annotations", &Annotations::collisions,
+              "A new list of smurf.CollisionAnnotation.");
+  add_section(model, "visual_annotations", &Annotations::visuals,
+              "A new list of smurf.VisualAnnotation.");
+  add_section(model, "link_annotations", &Annotations::links,
+              "A new list of smurf.LinkAnnotation.");
+  add_section(model, "node_annotations", &Annotations::nodes,
+              "A new list of smurf.NodeAnnotation.");
+  add_section(model, "joint_annotations", &Annotations::joints,
+              "A new list of smurf.JointAnnotation.");
+  add_section(model, "lights", &Annotations::lights, "A new list of smurf.Light.");
+  add_section(model, "graphics", &Annotations::graphics, "A new list of smurf.Graphics.");
+  add_section(model, "poses", &Annotations::poses, "A new list of smurf.JointPoseSet.");
+  add_section(model, "submechanisms", &Annotations::submechanisms,
+              "A new list of smurf.Submechanism.");
+  add_section(model, "exoskeletons", &Annotations::exoskeletons,
+              "A new list of smurf.Exoskeleton.");
+  add_section(model, "interfaces", &Annotations::interfaces, "A new list of smurf.Interface.");
+  add_section(model, "submodels", &Annotations::submodels, "A new list of smurf.Submodel.");
+}
+
+void bind_functions(py::class_<Model>& model) {
+  model
+      .def(
+          "forward_kinematics", &link_poses, py::arg("positions") = py::none(),
+          "Where the links are: a dict from names of links to X_RL, the pose of the link L in the "
+          "first root link R, an array of shape (4, 4), m.\n\n"
+          "`positions` is a dict from names of joints to rad or m, or the name of a joint pose set; "
+          "joints that it leaves out are at zero, and those that mimic others follow them. Links "
+          "that the root does not reach are left out.")
+      .def("joint_positions", &named_positions, py::arg("pose"),
+           "The positions of a joint pose set by joints: a dict, rad or m.")
+      .def(
+          "check",
+          [](const Model& self) {
+            if (!self.owner->model) {
+              throw py::value_error("the model is part of a scene; check that, or the file");
+            }
+            return to_report(check_owned(*self.owner), self.owner->sources());
+          },
+          "Checks the model as it was loaded, and returns a smurf.Report.")
+      .def(
+          "to_urdf", &to_urdf, py::kw_only(), py::arg("output_folder") = ".",
+          py::arg("mesh_uri") = "rebase", py::arg("apply") = py::tuple(), py::arg("prefix") = "",
+          py::arg("base") = "as-is", py::arg("keep") = py::tuple(),
+          py::arg("collapse_fixed") = false, py::arg("strip_comments") = false,
+          py::arg("strip_extensions") = false, py::arg("canonical") = false,
+          py::arg("force") = false,
+          "The plain URDF as bytes, as smurf2urdf writes it: the model's own, with mesh paths that "
+          "resolve from `output_folder`, and what the options ask for. Raises smurf.Error for a "
+          "model with errors, unless `force`; nothing is written.")
+      .def(
+          "to_json",
+          [](const Model& self) {
+            auto text = write_model_json(*self, self.owner->sources());
+            if (!text) throw py::value_error("the model is too large for a JSON text");
+            return to_text(*text);
+          },
+          "All that was read as JSON text (schemas/model-dump.schema.json).");
+}
+
+}  // namespace
+
+void bind_model(py::module_& module) {
+  py::class_<Model> model(module, "Model",
+                          "A model: a .smurf with its URDF and annotations, or a URDF.");
+  bind_files(model);
+  bind_elements(model);
+  bind_functions(model);
+}
+
+}  // namespace smurf::python

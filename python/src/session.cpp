@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checking and loading. A function with a session of its own lets other threads of Python run.
+#include <algorithm>
+
+#include "common.hpp"
+#include "smurf/archive_files.hpp"
+
+namespace smurf::python {
+namespace {
+
+constexpr const char* kSettings =
+    "\n\nKeyword arguments, as the options of smurf-lint: `config` (a path), `isolated` (read no "
+    "configuration), `select` and `ignore` (ids, names or prefixes of rules), `severities` (a dict "
+    "from rules to \"error\", \"warning\" or \"info\"), `targets` (names of readers), `packages` "
+    "(a dict from names to folders), `baseline` (a path), `no_ignores`, "
+    "`allow_outside` (read what models name wherever it lies), "
+    "`jobs`.";
+
+/// Runs with the lock of Python, or without it where nothing else can use the session.
+template <class Run>
+auto run_alone(bool is_shared, const Run& run) {
+  if (is_shared) return run();
+  const py::gil_scoped_release others_may_run;
+  return run();
+}
+
+py::object check(Session& session, const std::string& path, const CheckSettings& settings,
+                 bool is_shared) {
+  Report report = run_alone(is_shared, [&] { return session.check(path, settings); });
+  return to_report(std::move(report), session.sources());
+}
+
+/// What is loaded for a path that may be that of an archive.
+std::string main_file(const std::string& path, const Session& session) {
+  if (!is_archive(path)) return path;
+  const DiskFiles disk;  // the session has not been asked for anything that it could let be read
+  const ArchiveFiles archives(disk, session.limits());
+  ArchivedMain main = main_file_of_archive(path, archives);
+  if (main.path.empty()) raise_error("cannot read '" + path + "': it " + main.reason, py::list());
+  return std::move(main.path);
+}
+
+bool has_content(const LinkedModel& model) {
+  return model.robot ||
+         std::any_of(model.files.begin(), model.files.end(),
+                     [](const ModelFile& file) { return file.document.has_value(); });
+}
+
+bool has_content(const LinkedScene& scene) {
+  return std::any_of(scene.scenes.begin(), scene.scenes.end(),
+                     [](const SceneFile& file) { return file.document || file.drawing; }) ||
+         std::any_of(scene.models.begin(), scene.models.end(),
+                     [](const LinkedModel& model) { return has_content(model); });
+}
+
+template <class Loaded>
+[[noreturn]] void raise_unreadable(const std::string& path, Session& session, Loaded& loaded) {
+  const FileContent content = session.files().read(path, session.limits().file_bytes);
+  const bool is_read = content.status == ReadStatus::ok;
+  raise_error("cannot read '" + path + "'" + (is_read ? "" : ": " + content.reason),
+              to_findings(session.finish(loaded, loaded.found.take()), session.loaded_sources()));
+}
+
+py::object load_model(const std::shared_ptr<Session>& session, const std::string& path,
+                      const CheckSettings& settings, bool is_shared) {
+  const std::string main = main_file(path, *session);
+  const InputKind kind = input_kind(main);
+  if (kind == InputKind::scene || kind == InputKind::drawing) {
+    throw py::value_error("'" + path + "' is a scene, which load_scene() loads");
+  }
+  auto owner = std::make_shared<Owner>(Owner{session, {}, {}, {}});
+  run_alone(is_shared, [&] { owner->model.emplace(session->load_model(main, settings)); });
+  if (!has_content(owner->model->model)) raise_unreadable(main, *session, *owner->model);
+  const LinkedModel* model = &owner->model->model;
+  return py::cast(Ref<LinkedModel>{std::move(owner), model});
+}
+
+py::object load_scene(const std::shared_ptr<Session>& session, const std::string& path,
+                      const CheckSettings& settings, bool is_shared) {
+  const std::string main = main_file(path, *session);
+  auto owner = std::make_shared<Owner>(Owner{session, {}, {}, {}});
+  run_alone(is_shared, [&] { owner->scene.emplace(session->load_scene(main, settings)); });
+  if (!has_content(owner->scene->scene)) raise_unreadable(main, *session, *owner->scene);
+  const LinkedScene* scene = &owner->scene->scene;
+  return py::cast(Ref<LinkedScene>{std::move(owner), scene});
+}
+
+/// Paths without the lock may be long in coming: network drives.
+template <class Load>
+auto with_own_session(const Load& load) {
+  return [load](const py::object& path, const py::kwargs& settings) {
+    return load(std::make_shared<Session>(), from_path(path), settings_of(settings), false);
+  };
+}
+template <class Load>
+auto with_session(const Load& load) {
+  return [load](const std::shared_ptr<Session>& self, const py::object& path,
+                const py::kwargs& settings) {
+    return load(self, from_path(path), settings_of(settings), true);
+  };
+}
+
+constexpr auto kCheck = [](const std::shared_ptr<Session>& session, const std::string& path,
+                           const CheckSettings& settings,
+                           bool is_shared) { return check(*session, path, settings, is_shared); };
+
+constexpr const char* kCheckDoc =
+    "Checks a model, URDF, scene or annotation file with all that it loads, and returns a "
+    "smurf.Report. Raises smurf.Error when the file cannot be read.";
+constexpr const char* kModelDoc =
+    "Loads a .smurf, a .urdf, an annotation file or an archive (.zsmurf), and returns a "
+    "smurf.Model. What is wrong in it is told by its check(); smurf.Error is raised when there is "
+    "nothing that could be read.";
+constexpr const char* kSceneDoc =
+    "Loads a .smurfs, a .smurfa, a drawing (.svg) or an archive with all models and scenes it "
+    "names, and returns a smurf.Scene; a .smurf or .urdf counts as a scene of one entity. Raises "
+    "smurf.Error as load_model() does.";
+
+}  // namespace
+
+void bind_session(py::module_& module) {
+  const auto doc = [](const char* what) { return std::string(what) + kSettings; };
+  const std::string check_doc = doc(kCheckDoc);
+  const std::string model_doc = doc(kModelDoc);
+  const std::string scene_doc = doc(kSceneDoc);
+  module.def("check", with_own_session(kCheck), py::arg("path"), check_doc.c_str());
+  module.def("load_model", with_own_session(load_model), py::arg("path"), model_doc.c_str());
+  module.def("load_scene", with_own_session(load_scene), py::arg("path"), scene_doc.c_str());
+  py::class_<Session, std::shared_ptr<Session>>(
+      module, "Session",
+      "Files on the disk with unsaved texts in front of them, for editors: a second check reads "
+      "again only what has changed.")
+      .def(py::init<>())
+      .def(
+          "set_text",
+          [](Session& self, const py::object& path, const py::object& text) {
+            self.set_text(from_path(path),
+                          py::isinstance<py::bytes>(text)
+                              ? std::string(py::reinterpret_borrow<py::bytes>(text))
+                              : from_text(text, "text"));
+          },
+          py::arg("path"), py::arg("text"), "Puts a str or bytes in the place of a file.")
+      .def(
+          "clear_text",
+          [](Session& self, const py::object& path) { self.clear_text(from_path(path)); },
+          py::arg("path"), "What is on the disk counts again.")
+      .def("check", with_session(kCheck), py::arg("path"), check_doc.c_str())
+      .def("load_model", with_session(load_model), py::arg("path"), model_doc.c_str())
+      .def("load_scene", with_session(load_scene), py::arg("path"), scene_doc.c_str());
+}
+
+}  // namespace smurf::python

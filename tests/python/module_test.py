@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What Python users rely on: types, lifetimes, errors, copies, docstrings, the programs behind -m."""
+import gc
+import inspect
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import threading
+
+import inputs
+import numpy as np
+import pytest
+import smurf
+
+
+def test_dump():
+    """What --dump-model writes is what the objects say."""
+    for path in inputs.fixtures()[::3]:
+        done = inputs.run("smurf-lint", "--dump-model", path)
+        try:
+            loaded = smurf.load_scene(path) if inputs.is_scene(path) else smurf.load_model(path)
+        except smurf.Error:
+            continue
+        assert loaded.to_json().encode() == done.stdout, path
+
+
+def test_values():
+    arm = smurf.load_model(inputs.ARM)
+    dump = json.loads(arm.to_json())["model"]
+    assert arm.name == dump["modelname"]
+    assert arm.files == [file["path"] for file in dump["files"]]
+    assert [link.name for link in arm.links] == [link["name"] for link in dump["links"]]
+    for link, entry in zip(arm.links, dump["links"]):
+        assert (link.place.line, link.place.column) == (entry["source"]["line"], entry["source"]["column"])
+        if link.inertial is None:
+            assert "inertial" not in entry
+            continue
+        assert link.inertial.mass == entry["inertial"]["mass"]
+        assert link.inertial.X_LI[:3, 3].tolist() == entry["inertial"]["X_LI"]["position"]
+        inertia = entry["inertial"]["inertia"]
+        assert link.inertial.inertia.shape == (3, 3)
+        assert link.inertial.inertia[0, 1] == link.inertial.inertia[1, 0] == inertia["ixy"]
+        for visual, shape in zip(link.visuals, entry["visuals"]):
+            kind = type(visual.geometry).__name__.lower()
+            assert kind == shape["geometry"]["type"]
+            if kind == "mesh":
+                assert visual.geometry.path == shape["geometry"]["file"]
+                assert visual.geometry.exists == shape["geometry"]["exists"]
+    for joint, entry in zip(arm.joints, dump["joints"]):
+        assert (joint.name, joint.type, joint.parent, joint.child) == tuple(
+            entry[key] for key in ("name", "type", "parent", "child"))
+        assert arm.joint(joint.name) == joint and hash(arm.joint(joint.name)) == hash(joint)
+        if joint.limit:
+            for key in ("lower", "upper", "effort", "velocity"):
+                assert getattr(joint.limit, key) == entry["limit"].get(key)
+    for motor, entry in zip(arm.motors, dump["annotations"]["motors"]):
+        assert motor.joint == entry["values"]["joint"]
+        assert motor.max_effort == entry["values"]["maxEffort"]
+        place = motor.places["joint"]
+        text = pathlib.Path(place.file).read_text().splitlines()[place.line - 1]
+        assert text[place.column - 1:place.end_column - 1] == motor.joint
+    assert len(arm.motors) == len(dump["annotations"]["motors"]) > 0
+
+
+def test_scene():
+    scene = smurf.load_scene(inputs.NESTED)
+    table = scene.instance("cell/Table")
+    assert table.parent == ("Base", "flange") and table.anchor == ("Base", "flange")
+    assert table.model.links and table.place.file.endswith("cell.smurfs")
+    with pytest.raises(KeyError):
+        scene.instance("Tabel")
+    with pytest.raises(ValueError):
+        table.model.check()
+
+
+def test_lifetimes():
+    """Parts outlive the variables of the wholes."""
+    motor = smurf.load_model(inputs.ARM).motors[0]
+    link = smurf.load_scene(inputs.NESTED).instances[0].model.links[0]
+    entity = smurf.load_scene(inputs.NESTED).flatten(links=True).instances[0]
+    finding = smurf.check(inputs.FIXTURES / "rules/SML3101-unknown-joint/bad/model.smurf")[0]
+    session = smurf.Session()
+    loaded = session.load_model(inputs.ARM)
+    del session
+    for _ in range(3):
+        gc.collect()
+        smurf.check(inputs.ARM)
+    assert motor.joint and motor.places and link.place.line > 0 and entity.links
+    assert "SML3101" in finding.text() and loaded.check().errors == 0
+
+
+def test_no_leaks():
+    gc.collect()
+    resident = lambda: int(pathlib.Path("/proc/self/statm").read_text().split()[1])
+    for round in range(60):
+        model = smurf.load_model(inputs.ARM)
+        model.check(), model.links, model.forward_kinematics(), smurf.check(inputs.ARM)
+        if round == 20:
+            before = resident()
+    assert resident() - before < 1000, "pages"
+
+
+def test_threads():
+    expected = [str(finding) for finding in smurf.check(inputs.ARM)]
+    results = []
+    session = smurf.Session()
+
+    def work():
+        for _ in range(5):
+            results.append([str(finding) for finding in smurf.check(inputs.ARM)])
+            results.append([str(finding) for finding in session.check(inputs.ARM)])
+
+    threads = [threading.Thread(target=work) for _ in range(4)]
+    [thread.start() for thread in threads]
+    [thread.join() for thread in threads]
+    assert results == [expected] * 40
+
+
+def test_unreadable(tmp_path):
+    for path in (tmp_path / "none.smurf", tmp_path, "", "/dev/null", tmp_path / "no/urdf.urdf"):
+        for load in (smurf.check, smurf.load_model, smurf.load_scene):
+            with pytest.raises(smurf.Error):
+                load(path)
+    broken = tmp_path / "broken.urdf"
+    broken.write_text("<robot name='a'")
+    with pytest.raises(smurf.Error) as raised:
+        smurf.load_model(broken)
+    assert raised.value.findings and raised.value.findings[0].place.file == str(broken)
+    assert str(broken) in str(raised.value)
+
+
+@pytest.mark.parametrize("arguments, keywords, error", [
+    ((), {}, TypeError),
+    ((None,), {}, TypeError),
+    ((3,), {}, TypeError),
+    (("a\0b",), {}, ValueError),
+    (("a.smurf", "b"), {}, TypeError),
+    (("a.smurf",), {"colour": True}, TypeError),
+    (("a.smurf",), {"select": "SML99999"}, ValueError),
+    (("a.smurf",), {"select": 3}, TypeError),
+    (("a.smurf",), {"select": [3]}, TypeError),
+    (("a.smurf",), {"severities": {"SML3101": "fatal"}}, ValueError),
+    (("a.smurf",), {"severities": ["SML3101"]}, TypeError),
+    (("a.smurf",), {"targets": "abaqus"}, ValueError),
+    (("a.smurf",), {"packages": {1: "b"}}, TypeError),
+    (("a.smurf",), {"isolated": 1}, TypeError),
+    (("a.smurf",), {"isolated": True, "config": "b"}, ValueError),
+    (("a.smurf",), {"jobs": -1}, ValueError),
+    (("a.smurf",), {"jobs": 10**30}, ValueError),
+    (("a.smurf",), {"jobs": "many"}, TypeError),
+])
+def test_wrong_arguments(arguments, keywords, error):
+    for load in (smurf.check, smurf.load_model, smurf.load_scene, smurf.Session().check):
+        with pytest.raises(error):
+            load(*arguments, **keywords)
+
+
+@pytest.mark.parametrize("positions, error", [
+    ({"no such joint": 0}, ValueError),
+    ({"joint1_waist": "much"}, TypeError),
+    ({"joint1_waist": float("nan")}, ValueError),
+    ({"joint1_waist": float("inf")}, ValueError),
+    ({3: 0}, TypeError),
+    ([0, 1], TypeError),
+    ("no such pose", ValueError),
+])
+def test_wrong_positions(positions, error):
+    with pytest.raises(error):
+        smurf.load_model(inputs.ARM).forward_kinematics(positions)
+
+
+def test_other_mistakes():
+    arm = smurf.load_model(inputs.ARM)
+    with pytest.raises(KeyError):
+        arm.link("no such link")
+    with pytest.raises(TypeError):
+        arm.link(3)
+    with pytest.raises(AttributeError):
+        arm.links[0].name = "other"
+    with pytest.raises(AttributeError):
+        arm.colour
+    with pytest.raises(ValueError):
+        smurf.load_model(inputs.NESTED)
+    with pytest.raises(ValueError):
+        smurf.load_scene(inputs.NESTED).flatten(dialect="none")
+    with pytest.raises(ValueError):
+        smurf.explain("SML99999")
+    with pytest.raises(IndexError):
+        smurf.check(inputs.ARM)[10**30 if False else 100000]
+    for cls in (smurf.Model, smurf.Link, smurf.Finding, smurf.FlatScene):
+        with pytest.raises(TypeError):
+            cls()
+    assert arm.links[0] != arm.joints[0] and arm != None and arm.links[0] != 3  # noqa: E711
+
+
+def test_paths(tmp_path):
+    """Whatever names a file: str, bytes, pathlib; names that are no UTF-8."""
+    urdf = inputs.ARM.parent.parent / "urdf/arm.urdf"
+    names = {str(smurf.load_model(path).path) for path in (urdf, str(urdf), os.fsencode(urdf))}
+    assert names == {str(urdf)}
+    odd = os.path.join(os.fsencode(tmp_path), b"a\xff\xc3.urdf")
+    with open(odd, "wb") as file:
+        file.write(b'<robot name="\xff\xfe"><link name="\xc3"/><link name="\xc3"/></robot>')
+    report = smurf.check(odd)
+    assert report.errors and report.to_json() and report.text() and repr(report[0])
+    assert os.fsencode(report[0].place.file) == odd
+    try:
+        model = smurf.load_model(odd)
+        assert os.fsencode(model.path) == odd and repr(model) and model.to_json() and model.links
+    except smurf.Error as error:
+        assert error.findings
+
+
+def test_docstrings():
+    for name in smurf.__all__:
+        item = getattr(smurf, name)
+        if name == "__version__":
+            continue
+        assert inspect.getdoc(item), name
+        if inspect.isclass(item):
+            for member, value in vars(item).items():
+                if not member.startswith("_"):
+                    assert inspect.getdoc(value), f"{name}.{member}"
+
+
+def test_explain():
+    assert "unknown-joint" in smurf.explain("SML3101") and smurf.explain("unknown-joint") == smurf.explain("SML3101")
+
+
+def python(*arguments, path, **environment):
+    command = [sys.executable, "-m", "smurf", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=60,
+                          env={**os.environ, "PATH": path, **environment})
+
+
+def test_programs(tmp_path):
+    done = python("lint", inputs.ARM, path="/usr/bin:/bin")
+    assert done.returncode == 0 and "no findings" in done.stdout
+    bad = inputs.FIXTURES / "rules/SML3101-unknown-joint/bad/model.smurf"
+    assert python("lint", bad, path="/usr/bin:/bin").returncode == 1
+    assert python("flatten", inputs.NESTED, path="/usr/bin:/bin").stdout.startswith("{")
+    assert python(path="").returncode == 2 and python("--help", path="").returncode == 0
+    assert "no command 'lnit'" in python("lnit", path="").stderr
+    # Somewhere else: on PATH, or said to be missing.
+    copy = tmp_path / "a/b/c/d/smurf"
+    shutil.copytree(pathlib.Path(smurf.__file__).parent, copy)
+    done = python("lint", inputs.ARM, path="/nowhere", PYTHONPATH=str(copy.parent))
+    assert done.returncode == 2 and "neither beside this module nor on PATH" in done.stderr
+    done = python("lint", inputs.ARM, path=str(inputs.BIN), PYTHONPATH=str(copy.parent))
+    assert done.returncode == 0 and "no findings" in done.stdout
+
+
+def test_array_types():
+    arm = smurf.load_model(inputs.ARM)
+    for joint in arm.joints:
+        assert joint.X_PJ.dtype == np.float64 and joint.X_PJ.shape == (4, 4) and joint.X_PJ.flags["C_CONTIGUOUS"]
+        assert np.allclose(joint.X_PJ[:3, :3] @ joint.X_PJ[:3, :3].T, np.eye(3), atol=1e-12)

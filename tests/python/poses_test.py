@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Forward kinematics and flat scenes are those of smurfs-flatten."""
+import json
+import math
+
+import inputs
+import numpy as np
+import pytest
+import smurf
+
+
+def matrix(pose):
+    """Of a pose in JSON."""
+    q = pose["orientation"]
+    w, x, y, z = q["w"], q["x"], q["y"], q["z"]
+    X = np.eye(4)
+    X[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                 [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                 [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    X[:3, 3] = pose["position"]
+    return X
+
+
+def flat_json(path, *options):
+    done = inputs.run("smurfs-flatten", *options, path)
+    return json.loads(done.stdout) if done.returncode == 0 else None
+
+
+def test_link_poses():
+    """A model alone is a scene whose world is its root link."""
+    compared = 0
+    for path in inputs.fixtures():
+        if inputs.is_scene(path) or (flat := flat_json(path, "--links", "--force")) is None:
+            continue
+        links = flat["instances"][0].get("links", {})
+        X_RL = smurf.load_model(path).forward_kinematics()
+        assert set(links) <= set(X_RL), path
+        for name, pose in links.items():
+            assert X_RL[name].shape == (4, 4) and X_RL[name].dtype == np.float64
+            assert np.allclose(X_RL[name], matrix(pose), rtol=1e-12, atol=1e-12), (path, name)
+        compared += len(links)
+    assert compared > 500
+
+
+def test_links_of_scenes():
+    """Each instance has its model's links where its joint positions put them."""
+    compared = 0
+    for path in inputs.fixtures():
+        if not inputs.is_scene(path):
+            continue
+        try:
+            scene = smurf.load_scene(path)
+            flat = scene.flatten(links=True, force=True)
+        except smurf.Error:
+            continue
+        assert len(flat) == len(scene.instances) == len(flat.instances)
+        for instance, entity in zip(scene.instances, flat.instances):
+            assert instance.path == entity.path
+            assert np.array_equal(instance.X_WE, entity.X_WE)
+            if instance.model is None:
+                continue
+            X_RL = instance.model.forward_kinematics(instance.joint_positions)
+            for name, X_WL in entity.links.items():
+                assert np.allclose(X_WL, instance.X_WE @ X_RL[name], rtol=1e-9, atol=1e-9), (path, name)
+                compared += 1
+    assert compared > 100
+
+
+@pytest.mark.parametrize("dialect", ["spec", "mars", "mars2", "phobos"])
+def test_flat_scenes(dialect):
+    compared = 0
+    for path in inputs.fixtures():
+        if not inputs.is_scene(path):
+            continue
+        done = inputs.run("smurfs-flatten", "--dialect", dialect, path)
+        scene = smurf.load_scene(path)
+        before = scene.to_json()
+        if done.returncode != 0:
+            with pytest.raises(smurf.Error):
+                scene.flatten(dialect=dialect)
+            continue
+        flat = scene.flatten(dialect=dialect)
+        assert flat.to_json().encode() == done.stdout, path
+        assert scene.to_json() == before, "a dialect changed the scene"
+        placed = [entity for entity in flat.instances if entity.X_WE is not None]
+        instances = json.loads(done.stdout)["instances"]
+        assert len(placed) == len(instances)
+        for entity, expected in zip(placed, instances):
+            assert entity.position.tolist() == expected["position"]
+            q = expected["orientation"]
+            assert entity.orientation.tolist() == [q["w"], q["x"], q["y"], q["z"]]
+            assert np.allclose(entity.X_WE, matrix(expected), atol=1e-12)
+            assert entity.path == expected["path"] and entity.type == expected["type"]
+            assert entity.properties == expected["properties"]
+            assert entity.joint_positions == expected["joint_positions"]
+            assert entity.model == expected.get("model")
+            compared += 1
+        n = len(flat)
+        assert flat.X_WE.shape == (n, 4, 4) and flat.positions.shape == (n, 3)
+        assert flat.orientations.shape == (n, 4)
+        for i, entity in enumerate(flat.instances):
+            if entity.X_WE is None:
+                assert np.isnan(flat.X_WE[i]).all()
+            else:
+                assert np.array_equal(flat.X_WE[i], entity.X_WE)
+    assert compared > 30
+
+
+def test_positions():
+    arm = smurf.load_model(inputs.ARM)
+    joint = next(joint for joint in arm.joints if joint.type == "revolute")
+    zero = arm.forward_kinematics()
+    assert all(np.array_equal(zero[name], X) for name, X in arm.forward_kinematics({}).items())
+    turned = arm.forward_kinematics({joint.name: 0.3})
+    axis = joint.axis / np.linalg.norm(joint.axis)
+    K = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
+    R = np.eye(3) + math.sin(0.3) * K + (1 - math.cos(0.3)) * K @ K
+    X_JC = np.eye(4)
+    X_JC[:3, :3] = R
+    assert np.allclose(turned[joint.child], zero[joint.parent] @ joint.X_PJ @ X_JC, atol=1e-14)
+    for pose in arm.poses:
+        positions = arm.joint_positions(pose.name)
+        named = arm.forward_kinematics(pose.name)
+        for name, X in arm.forward_kinematics(positions).items():
+            assert np.array_equal(X, named[name])
+
+
+def test_copies():
+    arm = smurf.load_model(inputs.ARM)
+    root = arm.roots[0].name
+    arm.forward_kinematics()[root][:] = 7
+    assert np.array_equal(arm.forward_kinematics()[root], np.eye(4))
+    flat = smurf.load_scene(inputs.NESTED).flatten()
+    flat.X_WE[:] = 7
+    assert not (flat.X_WE == 7).any()
