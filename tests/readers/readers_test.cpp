@@ -103,6 +103,12 @@ TEST_CASE("readers say who they are") {
       CHECK(std::any_of(all_rules().begin(), all_rules().end(),
                         [&](const Rule* rule) { return rule->id.starts_with(family); }));
     }
+    for (const Fact& fact : reader->unread) {
+      check_text(fact);
+      CHECK(fact.reader == reader);
+      CHECK(!fact.where.empty());
+      CHECK(fact.effect == Effect::ignores);
+    }
   }
 }
 
@@ -152,6 +158,14 @@ TEST_CASE("the first fact that fits wins, then those of what a reader is built o
   CHECK(effect_of("ros", at("SML1206", "/robot")) == Effect::changes);
   CHECK(effect_of("mujoco", at("SML1115", "/robot")) == Effect::takes);
   CHECK(effect_of("ros", at("SML1115", "/robot")) == Effect::refuses);
+}
+
+TEST_CASE("what a reader does not look at it takes, unless it cannot read the file") {
+  const std::string size = "/robot/link[@name='a']/visual/geometry/box/@size";
+  CHECK(effect_of("mujoco", at("SML1801", size)) == Effect::ignores);
+  CHECK(effect_of("mujoco", at("SML1007", size)) == Effect::refuses);
+  CHECK(effect_of("mujoco", at("SML1801", size, "#visuals-kept")) == Effect::refuses);
+  CHECK(effect_of("ros", at("SML1801", size)) == Effect::breaks);
 }
 
 TEST_CASE("the severity is that of the worst target") {

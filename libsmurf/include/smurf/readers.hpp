@@ -32,6 +32,8 @@ struct Reader {
   std::span<const FamilyFact> families{};
   bool is_target = true;           ///< false for what other readers are built on
   bool reads_annotations = false;  ///< what is wrong in YAML files beside the URDF concerns it
+  /// Parts of a URDF that it does not look at: whatever is wrong there, it takes the file.
+  std::span<const Fact> unread{};
 };
 
 /// In the order of the table; those that are no target included.

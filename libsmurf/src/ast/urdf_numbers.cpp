@@ -255,6 +255,8 @@ class NumberReader {
                                             "a tab or line break between the numbers of `" +
                                                 std::string(attribute_.name()) + "`");
       diagnostic.help = "separate them by single spaces";
+      const std::string_view rest = text_.substr(tokens.front().begin);
+      if (std::none_of(rest.begin(), rest.end(), is_line_or_tab)) diagnostic.construct = "leading";
       diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
     }
   }

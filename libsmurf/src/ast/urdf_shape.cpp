@@ -145,11 +145,16 @@ class ShapeChecker {
     diagnostic.severity = Severity::error;
     if (is_required) {
       diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
+      diagnostic.construct = owner_of_name(element);
     }
     diagnostic.help = "did you mean " + quoted(meant) + "?";
     diagnostic.fixes.push_back(
         {Applicability::unsafe, {{attribute.name_span(), std::string(meant)}}});
   }
+
+  /// Without a name a link is none, which is worse than what else may be missing in a link; a
+  /// material needs none where its colour stands with it.
+  static std::string owner_of_name(View element) { return element.name() == "link" ? "link" : ""; }
 
   /// True when an attribute is missing; what stands there instead is shown with it.
   bool required_attributes(View element, const ElementSpec& spec,
@@ -167,6 +172,7 @@ class ShapeChecker {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1113_required_attribute_missing, element.name_span(),
                      "the element " + quoted(element.name()) + missing);
+    diagnostic.construct = owner_of_name(element);
     for (const xml::Attribute* attribute : instead) {
       diagnostic.labels.push_back({attribute->name_span(), "no attribute of URDF"});
     }
@@ -220,6 +226,7 @@ class ShapeChecker {
     diagnostic.severity = Severity::error;
     if (is_required) {
       diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
+      diagnostic.construct = owner_of_name(parent);
     }
     diagnostic.notes.push_back("URDF readers ignore it without a word");
     diagnostic.help = "write `<" + std::string(parent.name()) + " " + name + "=\"...\"/>`";
@@ -269,6 +276,7 @@ class ShapeChecker {
         sink_.report(rules::sml1114_tag_case, child.name_span(),
                      "the element " + quoted(child.name()) + " must be written " + quoted(name));
     diagnostic.notes.push_back("URDF readers ignore it and all it holds without a word");
+    diagnostic.construct = name;
     // Our own reader takes it as it is meant, so that no rule misses it.
     const auto missing =
         std::find_if(std::begin(kMissing), std::end(kMissing), [&](const Missing& one) {

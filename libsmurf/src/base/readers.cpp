@@ -57,7 +57,22 @@ const Rule& subject_of(const Diagnostic& diagnostic) {
   return diagnostic.left_out == nullptr ? *diagnostic.rule : *diagnostic.left_out;
 }
 
+/// What is no XML, or no text, is wrong wherever it stands.
+bool is_about_content(const Rule& rule) {
+  if (!rule.id.starts_with("SML1")) return false;
+  return !rule.id.starts_with("SML10") || rule.id == "SML1009" || rule.id == "SML1012";
+}
+
+const Fact* find_unread(const Reader& reader, const Rule& rule, std::string_view path) {
+  if (!is_about_content(rule) || path.find(kVisualsKept) != std::string_view::npos) return nullptr;
+  for (const Fact& fact : reader.unread) {
+    if (path.find(fact.where) != std::string_view::npos) return &fact;
+  }
+  return nullptr;
+}
+
 const Fact* find_fact(const Reader& reader, const Rule& rule, std::string_view path) {
+  if (const Fact* fact = find_unread(reader, rule, path)) return fact;
   for (const Reader* known = &reader; known != nullptr; known = known->like) {
     for (const Fact& fact : rule.facts) {
       if (fact.reader == known && path.find(fact.where) != std::string_view::npos) return &fact;

@@ -12,6 +12,11 @@ bool is_written(const urdf::Inertial& inertial) {
          inertial.iyy.written && inertial.iyz.written && inertial.izz.written;
 }
 
+bool is_diagonal(const urdf::Inertial& inertial) {
+  return inertial.ixy.value_or(1) == 0 && inertial.ixz.value_or(1) == 0 &&
+         inertial.iyz.value_or(1) == 0;
+}
+
 std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& inertial) {
   const Field<double>* const entries[] = {&inertial.ixx, &inertial.ixy, &inertial.ixz,
                                           &inertial.iyy, &inertial.iyz, &inertial.izz};
@@ -20,8 +25,7 @@ std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& ine
     if (!*entry) return std::nullopt;
     scale = std::fmax(scale, std::fabs(**entry));
   }
-  const bool is_diagonal = *inertial.ixy == 0 && *inertial.ixz == 0 && *inertial.iyz == 0;
-  if (is_diagonal) {  // most are, and the solver takes a hundred times as long
+  if (is_diagonal(inertial)) {  // most are, and the solver takes a hundred times as long
     std::array<double, 3> moments = {*inertial.ixx, *inertial.iyy, *inertial.izz};
     std::sort(moments.begin(), moments.end());
     return moments;

@@ -14,6 +14,9 @@ bool is_written(const urdf::Inertial& inertial);
 /// Principal moments, ascending, kg m^2; none unless all six entries are readable.
 std::optional<std::array<double, 3>> principal_moments(const urdf::Inertial& inertial);
 
+/// True when all products of inertia are 0.
+bool is_diagonal(const urdf::Inertial& inertial);
+
 /// True when the smallest of ascending moments is positive beyond rounding.
 bool is_positive_definite(const std::array<double, 3>& moments);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/quoted.hpp"
+#include "base/readers.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf {
@@ -54,6 +55,23 @@ void locate_in(const yaml::Document& document, std::span<Diagnostic> diagnostics
   }
 }
 
+/// MuJoCo discards visuals, unless the file says otherwise.
+bool keeps_visuals(const xml::Document& document) {
+  if (document.root == xml::kNoElement) return false;
+  const xml::View mujoco = xml::View(document, document.root).child("mujoco");
+  const xml::View compiler = mujoco ? mujoco.child("compiler") : xml::View();
+  const xml::Attribute* discards = compiler ? compiler.attribute("discardvisual") : nullptr;
+  return discards != nullptr && discards->value() == "false";
+}
+
+void mark_visuals(std::span<Diagnostic> diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    const bool is_marked = diagnostic.construct.find(kVisualsKept) != std::string::npos;
+    if (is_marked || diagnostic.pointer.find("/visual") == std::string::npos) continue;
+    diagnostic.construct += kVisualsKept;
+  }
+}
+
 }  // namespace
 
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
@@ -68,6 +86,7 @@ void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
       point(diagnostic, model.robot->document, *paths);
     }
   }
+  if (model.robot && keeps_visuals(model.robot->document)) mark_visuals(diagnostics);
 }
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/rigid_bodies.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <numeric>
+
+#include "smurf/pose.hpp"
 
 namespace smurf {
 namespace {
@@ -18,6 +23,51 @@ std::vector<std::size_t> bodies(const LinkedModel& model) {
     if (is_fixed) body[i] = body[to_size(*model.tree.joint_parent[to_size(*above)])];
   }
   return body;
+}
+
+double mass_of(const LinkedModel& model, std::size_t link) {
+  const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
+  return inertial ? std::max(inertial->mass.value_or(0), 0.0) : 0.0;
+}
+
+/// Sums over the inertials of a body, in the frame of its topmost link.
+struct Sums {
+  double mass = 0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();    // m c
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();  // about the origin
+};
+
+/// The inertia of a point mass about the origin.
+Eigen::Matrix3d of_point(double mass, const Eigen::Vector3d& at) {
+  return mass * (at.squaredNorm() * Eigen::Matrix3d::Identity() - at * at.transpose());
+}
+
+/// `X_BL` is the pose of the link in its body. What cannot be read is another finding.
+void add(const urdf::Inertial& inertial, const Pose& X_BL, Sums& sums) {
+  const Pose X_BI = X_BL * to_pose(inertial.origin);
+  const Quaternion& q = X_BI.orientation;
+  const Eigen::Matrix3d R = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+  const Eigen::Vector3d center(X_BI.position[0], X_BI.position[1], X_BI.position[2]);
+  const double xy = inertial.ixy.value_or(0), xz = inertial.ixz.value_or(0),
+               yz = inertial.iyz.value_or(0), mass = inertial.mass.value_or(0);
+  Eigen::Matrix3d tensor;
+  tensor << inertial.ixx.value_or(0), xy, xz,  //
+      xy, inertial.iyy.value_or(0), yz,        //
+      xz, yz, inertial.izz.value_or(0);
+  sums.mass += mass;
+  sums.first += mass * center;
+  sums.moments += R * tensor * R.transpose() + of_point(mass, center);
+}
+
+/// gz-math MassMatrix3::IsValid, which sdformat asks.
+bool is_sound(const Sums& sums) {
+  if (!(sums.mass > 0)) return false;
+  const Eigen::Matrix3d about_center = sums.moments - of_point(sums.mass, sums.first / sums.mass);
+  if (!about_center.allFinite()) return false;
+  const double tolerance = 10 * std::numeric_limits<double>::epsilon() * about_center.trace() / 2;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(about_center, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d moments = solver.eigenvalues();
+  return moments[0] >= -tolerance && moments[0] + moments[1] >= moments[2] - tolerance;
 }
 
 }  // namespace
@@ -56,19 +106,56 @@ bool has_fixed_mass(const LinkedModel& model, LinkIndex start) {
   return false;
 }
 
+std::vector<double> masses_of_bodies(const LinkedModel& model) {
+  const std::vector<std::size_t> body = bodies(model);
+  std::vector<double> mass(body.size(), 0);  // by the topmost link
+  for (std::size_t i = 0; i < body.size(); ++i) mass[body[i]] += mass_of(model, i);
+  std::vector<double> result(body.size());
+  for (std::size_t i = 0; i < body.size(); ++i) result[i] = mass[body[i]];
+  return result;
+}
+
 std::vector<bool> fixed_to_heavier(const LinkedModel& model) {
   const std::vector<std::size_t> body = bodies(model);
-  const auto mass_of = [&](std::size_t link) {
-    const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
-    return inertial ? std::max(inertial->mass.value_or(0), 0.0) : 0.0;
-  };
-  std::vector<double> mass(body.size(), 0);  // by the topmost link
-  for (std::size_t i = 0; i < body.size(); ++i) mass[body[i]] += mass_of(i);
+  const std::vector<double> mass = masses_of_bodies(model);
   std::vector<bool> result(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) {
-    const double beside = mass[body[i]] - mass_of(i);
-    result[i] = body[i] != i && beside > 0 && beside >= mass_of(i);
+    const double beside = mass[i] - mass_of(model, i);
+    result[i] = body[i] != i && beside > 0 && beside >= mass_of(model, i);
   }
+  return result;
+}
+
+std::vector<bool> alone_in_motion(const LinkedModel& model) {
+  const std::vector<std::size_t> body = bodies(model);
+  std::vector<std::size_t> count(body.size(), 0);  // of inertials, by the topmost link
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    count[body[i]] += model.robot->links[i].inertial ? 1 : 0;
+  }
+  std::vector<bool> result(body.size());
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    result[i] = model.tree.parent_joint[body[i]].has_value() && count[body[i]] == 1;
+  }
+  return result;
+}
+
+std::vector<bool> sound_together(const LinkedModel& model) {
+  const std::vector<std::size_t> body = bodies(model);
+  std::vector<Pose> poses(body.size());  // of links in their bodies
+  for (const LinkIndex link : model.tree.order) {
+    const std::size_t i = to_size(link);
+    if (body[i] == i) continue;
+    const std::size_t above = to_size(*model.tree.parent_joint[i]);
+    poses[i] = poses[to_size(*model.tree.joint_parent[above])] *
+               to_pose(model.robot->joints[above].origin);
+  }
+  std::vector<Sums> sums(body.size());  // by the topmost link
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const std::optional<urdf::Inertial>& inertial = model.robot->links[i].inertial;
+    if (inertial) add(*inertial, poses[i], sums[body[i]]);
+  }
+  std::vector<bool> result(body.size());
+  for (std::size_t i = 0; i < body.size(); ++i) result[i] = is_sound(sums[body[i]]);
   return result;
 }
 

@@ -11,6 +11,21 @@ constexpr FamilyFact kFamilies[] = {
     {"SML18", {&mujoco, refuses, "refuses the number", kRun}},
 };
 
+constexpr std::string_view kVisuals = "discards visuals, but for their materials";
+constexpr std::string_view kIgnores = "does not look at it";
+
+constexpr Fact kUnread[] = {
+    {&mujoco, ignores, kVisuals, "MuJoCo (discardvisual), run", "/visual/origin/"},
+    {&mujoco, ignores, kVisuals, "MuJoCo (discardvisual), run", "/visual/geometry/"},
+    {&mujoco, ignores, kIgnores, kRun, "/texture/"},
+    {&mujoco, ignores, kIgnores, kRun, "/calibration/"},
+    {&mujoco, ignores, kIgnores, kRun, "/safety_controller/"},
+    {&mujoco, ignores, kIgnores, kRun, "/limit/@velocity/"},
+    {&mujoco, ignores, kIgnores, kRun, "/robot/@version/"},
+    {&mujoco, ignores, kIgnores, kRun, "/transmission/"},
+    {&mujoco, ignores, kIgnores, kRun, "/gazebo/"},
+};
+
 }  // namespace
 
 extern constinit const Reader mujoco{.name = "mujoco",
@@ -18,6 +33,7 @@ extern constinit const Reader mujoco{.name = "mujoco",
                                      .basis = "3.14.0 (npm), executed; a725507 (about 3.12) read",
                                      .like = &urdf,
                                      .version = "MuJoCo 3.14",
-                                     .families = kFamilies};
+                                     .families = kFamilies,
+                                     .unread = kUnread};
 
 }  // namespace smurf::readers

@@ -12,6 +12,10 @@ constexpr Fact kFacts[] = {
      "/@filename/"},
     {&readers::urdf, Effect::changes, "takes the text literally", "no URDF reader expands xacro",
      "/@name/"},
+    {&readers::urdfdom, Effect::changes, "does not look for the joint; it is left free", kRun,
+     "/mimic/"},
+    {&readers::urdfdom, Effect::ignores, "does not look at it", kRun, "/gazebo/"},
+    {&readers::urdfdom, Effect::loses, "drops the material with a message", kRun, "/material/"},
     {&readers::urdfdom, Effect::loses,
      "ignores the element, and what it would have become is missing", kRun, "/xacro:"},
     {&readers::urdfdom, Effect::changes, "takes the text literally", kRun, "/@filename/"},
@@ -30,7 +34,10 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::mujoco, Effect::loses,
      "ignores the element, and what it would have become is missing", kRun, "/xacro:"},
-    {&readers::mujoco, Effect::changes, "takes the text literally", kRun, "/@filename/"},
+    {&readers::mujoco, Effect::refuses, "takes the text literally, and finds no file", kRun,
+     "/@filename/"},
+    {&readers::mujoco, Effect::changes, "finds no joint of that name; it is left free", kRun,
+     "/mimic/"},
     {&readers::mujoco, Effect::changes, "takes the text literally", kRun, "/@name/"},
     {&readers::mujoco, Effect::refuses, "refuses what is no number and no name", kRun},
     {&readers::drake, Effect::loses,
@@ -42,6 +49,10 @@ constexpr Fact kFacts[] = {
      "/@name/"},
     {&readers::drake, Effect::refuses, "refuses what is left of the number",
      "Drake detail_tinyxml.h:60-73"},
+    {&readers::gazebo, Effect::changes, "takes the text literally, and finds nothing of that name",
+     kRun, "/gazebo/"},
+    {&readers::dart, Effect::refuses,
+     "takes the text literally, finds no file, and refuses the model", kRun, "/@filename/"},
 };
 
 }  // namespace

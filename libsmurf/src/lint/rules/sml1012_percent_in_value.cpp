@@ -5,10 +5,34 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kPrintf =
+    "passes the text to printf as a format, which may end the process";
+constexpr std::string_view kPrintfRun =
+    "urdfdom link.cpp:93 and others, run; fixed in 5.1 (pull request 243)";
+
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::crashes,
-     "passes the text to printf as a format, which may end the process",
-     "urdfdom link.cpp:93 and others, run; fixed in 5.1 (pull request 243)"},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@reference/"},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@filename/"},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@type/"},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@joint/"},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@link/"},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/mass/"},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/sphere/"},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun, "/color/"},
+    {&readers::urdfdom, Effect::takes, "keeps the text", kRun, "/@name/"},
+    {&readers::urdfdom, Effect::refuses, "refuses the number, and with it the file", kRun,
+     "/joint/"},
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow", kRun,
+     "/link/"},
+    {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@reference/"},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@filename/"},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@type/"},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@joint/"},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@link/"},
+    {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@name/"},
+    {&readers::mujoco, Effect::refuses, "refuses the number", kRun},
 };
 
 }  // namespace

@@ -58,6 +58,7 @@ constexpr Fact kFacts[] = {
      "reports an error and drops the visuals and collisions of the link that follow",
      "urdfdom link.cpp:415-486, run"},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+    {&readers::mujoco, Effect::refuses, "refuses a visual without geometry", kRun, "#visuals-kept"},
     {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
      "/visual/"},
     {&readers::mujoco, Effect::refuses, "refuses a collision without geometry", kRun},

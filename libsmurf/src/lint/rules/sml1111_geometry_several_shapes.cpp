@@ -14,6 +14,7 @@ void check_geometry(const LinkedModel& model, const urdf::Geometry& geometry, Fi
     if (first) {
       Diagnostic& diagnostic = findings.report(child.name_span(), "a second shape in one geometry");
       diagnostic.labels.push_back({first.name_span(), "the first one"});
+      if (first.name() == child.name()) diagnostic.construct = "same";
       return;
     }
     first = child;
@@ -28,6 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::changes, "takes the first shape", "urdfdom, Bullet, run"},
     {&readers::phobos, Effect::refuses, "stops with an AssertionError", "Phobos a613e31, run"},
+    {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun, "#same"},
     {&readers::mujoco, Effect::changes,
      "takes a box before a cylinder before a sphere before a mesh", "MuJoCo xml_urdf.cc, run"},
     {&readers::drake, Effect::changes,

@@ -6,6 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "refuses a link without name", kRun, "#link"},
     {&readers::urdfdom, Effect::changes, "reads the axis 0 0 0", "urdfdom joint.cpp, run",
      "/axis/"},
     {&readers::urdfdom, Effect::refuses, "refuses the file", kRun, "/joint/"},
@@ -28,6 +29,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp:1452, run", "/limit/"},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::refuses, "reports error E9, an axis of length 0", kRun, "/axis/"},
+    {&readers::mujoco, Effect::refuses, "needs the name of a material without a colour", kRun,
+     "#colourless"},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun, "/color/"},
     {&readers::mujoco, Effect::takes, "needs no name of a material", kRun, "/material/"},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},

@@ -8,11 +8,12 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses,
      "ignores the element, and then misses the link that joints name", "urdfdom, MuJoCo, run",
-     "/Link/"},
-    {&readers::urdf, Effect::refuses,
-     "ignores the element, and then misses the link that joints name", "urdfdom, MuJoCo, run",
-     "/LINK/"},
+     "#link"},
+    {&readers::urdf, Effect::refuses, "ignores the joint, and then finds several roots",
+     "urdfdom, run", "#joint"},
     {&readers::urdf, Effect::loses, "ignores the element and all it holds", "urdfdom, MuJoCo, run"},
+    {&readers::mujoco, Effect::changes, "ignores the joint, and welds its child to the world", kRun,
+     "#joint"},
 };
 
 }  // namespace

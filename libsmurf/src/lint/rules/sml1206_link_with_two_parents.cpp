@@ -5,6 +5,16 @@
 namespace smurf::rules {
 namespace {
 
+/// Is the link the other one, or does it hang on it?
+bool is_below(const LinkedModel& model, LinkIndex link, LinkIndex other) {
+  for (std::size_t step = 0; step <= model.robot->joints.size() && link != other; ++step) {
+    const auto above = model.tree.parent_joint[to_size(link)];
+    if (!above || !model.tree.joint_parent[to_size(*above)]) return false;
+    link = *model.tree.joint_parent[to_size(*above)];
+  }
+  return link == other;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.empty()) return;  // a loop through the root has its own rule
   const std::vector<urdf::Joint>& joints = model.robot->joints;
@@ -17,6 +27,8 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(joints[i].child.span,
                         title(model.link(*child)) + " is already the child of " + title(other));
+    if (other.type == urdf::JointType::fixed) diagnostic.construct = "fixed";
+    if (is_below(model, *model.tree.joint_parent[i], *child)) diagnostic.construct += "#ring";
     diagnostic.caret = "a second parent";
     diagnostic.help = "keep one of the two joints; URDF has no closed chains";
     diagnostic.labels.push_back({other.child.span, "first made a child here"});
@@ -28,6 +40,7 @@ constexpr Fact kFacts[] = {
      "does not notice, and keeps the joint that is last in the alphabet", kRun},
     {&readers::pybullet, Effect::changes, "keeps the last parent", "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::refuses, "reports a duplicate link", kRun},
+    {&readers::dart, Effect::crashes, "does not come to an end", kRun, "#ring"},
     {&readers::dart, Effect::changes, "builds the link twice or does not come to an end", kRun},
     {&readers::mujoco, Effect::refuses, "refuses several parents", kRun},
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised",

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "base/rules.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
+
+/// To readers the link is no root, for a joint leads to it.
+bool has_other_roots(const LinkedModel& model, std::string_view link) {
+  std::size_t count = 0;
+  for (const LinkIndex root : model.tree.roots) {
+    count += model.link(root).name.value_or("") != link ? 1 : 0;
+  }
+  return count > 1;
+}
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
@@ -13,6 +23,10 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(joint.child.span,
                         title(joint) + " connects the link " + quoted(*joint.child) + " to itself");
     diagnostic.labels.push_back({joint.parent.span, "the same link as parent"});
+    // The link that it should lead to is a root then, which is not reported for itself.
+    if (has_other_roots(model, *joint.child)) {
+      diagnostic.consequences.push_back(&rules::sml1204_several_roots);
+    }
   });
 }
 
@@ -23,6 +37,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::gazebo, Effect::crashes, "crashes", kRun},
     {&readers::dart, Effect::crashes, "does not come to an end", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
 };
 
 }  // namespace

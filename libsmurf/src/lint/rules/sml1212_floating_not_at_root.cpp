@@ -26,6 +26,7 @@ constexpr Fact kFacts[] = {
      "Bullet URDF2Bullet.cpp:491-497"},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file: bodies float in the world only", kRun},
+    {&readers::urdfdom, Effect::takes, "takes a floating joint anywhere", kRun},
 };
 
 }  // namespace

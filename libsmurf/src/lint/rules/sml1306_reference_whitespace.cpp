@@ -20,6 +20,10 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "does not find a link of that name, blank included",
      "urdfdom, run"},
+    {&readers::urdfdom, Effect::changes, "does not look for the joint; it is left free", kRun,
+     "/mimic/"},
+    {&readers::urdfdom, Effect::takes, "keeps the blank in the name", kRun, "/joint/@name/"},
+    {&readers::mujoco, Effect::takes, "keeps the blank in the name", kRun, "/joint/@name/"},
 };
 
 }  // namespace

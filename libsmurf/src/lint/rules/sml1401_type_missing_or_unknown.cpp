@@ -10,6 +10,12 @@ namespace {
 constexpr std::string_view kTypes[] = {"revolute", "continuous", "prismatic",
                                        "fixed",    "floating",   "planar"};
 
+/// With a range that does not begin at 0, as that of a ball joint must.
+bool is_limited(const urdf::Joint& joint) {
+  if (!joint.limit || !joint.limit->lower || !joint.limit->upper) return false;
+  return *joint.limit->lower != 0 && *joint.limit->lower < *joint.limit->upper;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.type != urdf::JointType::unknown) return;
@@ -20,6 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(joint.type_name.span, quoted(*joint.type_name) + " is not a joint type");
     diagnostic.construct = *joint.type_name;
+    if (is_limited(joint)) diagnostic.construct += "#limited";
     diagnostic.help = "use revolute, continuous, prismatic, fixed, floating or planar";
     if (*joint.type_name == "spherical") {
       diagnostic.notes.push_back("only Bullet and MuJoCo know this type");
@@ -41,6 +48,8 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::takes, "loads it and keeps the word", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::takes, "knows a spherical joint", "Bullet UrdfParser.cpp, run",
      "#spherical"},
+    {&readers::mujoco, Effect::refuses, "refuses a ball joint whose range does not begin at 0",
+     kRun, "#spherical#limited"},
     {&readers::mujoco, Effect::takes, "makes it a ball joint", "MuJoCo xml_urdf.cc, run",
      "#spherical"},
 };

@@ -31,6 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "refuses the file", kRun},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+    {&readers::mujoco, Effect::takes, "reads no damping and no friction", kRun},
 };
 
 }  // namespace

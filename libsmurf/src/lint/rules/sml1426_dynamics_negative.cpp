@@ -11,17 +11,21 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.dynamics) return;
     for (const Field<double>* value : {&joint.dynamics->damping, &joint.dynamics->friction}) {
       if (!*value || **value >= 0) continue;
-      findings.report(value->span, std::string(value == &joint.dynamics->damping ? "the damping"
-                                                                                 : "the friction") +
-                                       " of " + title(joint) + " is " + format_number(**value));
+      Diagnostic& diagnostic = findings.report(
+          value->span,
+          std::string(value == &joint.dynamics->damping ? "the damping" : "the friction") + " of " +
+              title(joint) + " is " + format_number(**value));
+      if (joint.has_one_axis()) diagnostic.construct = "one-axis";
     }
   });
 }
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
-    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
+    {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun, "#one-axis"},
+    {&readers::dart, Effect::ignores, "reads the dynamics of joints with one axis only", kRun},
     {&readers::drake, Effect::refuses, "refuses negative damping", "Drake revolute_joint.h:125"},
+    {&readers::mujoco, Effect::changes, "reads the number", kRun},
 };
 
 }  // namespace

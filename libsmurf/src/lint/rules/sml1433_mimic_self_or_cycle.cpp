@@ -32,6 +32,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses,
      "refuses a joint that mimics itself; makes contradictions of a circle", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:791-880"},
+    {&readers::gazebo, Effect::takes, "leaves mimic out before sdformat 14", kRun},
+    {&readers::dart, Effect::changes, "keeps a joint that follows itself", kRun},
 };
 
 }  // namespace

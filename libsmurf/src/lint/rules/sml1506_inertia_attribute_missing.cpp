@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/path.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "lint/inertia.hpp"
@@ -12,7 +13,8 @@ Span find_misspelt(const xml::View element, std::string_view name) {
   const std::string_view known[] = {name};
   for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
     const bool is_other_entry = at->name().size() == 3 && at->name().starts_with('i');
-    if (!is_other_entry && nearest(at->name(), known)) return at->name_span();
+    if (!is_other_entry && (nearest(at->name(), known) || path::to_lower(at->name()) == name))
+      return at->name_span();
   }
   return {};
 }
@@ -53,6 +55,7 @@ constexpr Fact kFacts[] = {
      "urdfdom link.cpp:415-486, run"},
     {&readers::pybullet, Effect::changes, "takes the three others for 0 where a product is missing",
      kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
 };
 
 }  // namespace

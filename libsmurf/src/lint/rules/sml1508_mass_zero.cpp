@@ -7,26 +7,28 @@
 namespace smurf::rules {
 namespace {
 
-/// The root, when nothing that is fixed to it has a mass either.
-bool is_only_root(const LinkedModel& model, const urdf::Link& link) {
-  if (model.tree.roots.size() != 1) return false;
-  const LinkIndex root = model.tree.roots.front();
-  return &model.link(root) == &link && !has_fixed_mass(model, root);
+constexpr double kDropped = 1e-6;  // kg; sdformat drops bodies up to this
+
+bool is_root(const LinkedModel& model, const urdf::Link& link) {
+  return model.tree.roots.size() == 1 && &model.link(model.tree.roots.front()) == &link;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> massless = massless_bodies(model);
   const std::vector<bool> is_carried = fixed_to_heavier(model);
+  const std::vector<double> together = masses_of_bodies(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const bool is_massless_body = massless[index];
+    const bool has_mass = together[index] > kDropped;
     const bool is_frame = is_carried[index++];
     if (!link.inertial || !link.inertial->mass || *link.inertial->mass != 0) return;
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");
     diagnostic.help = "write the mass, or remove the `inertial` of a link that is only a frame";
     if (is_massless_body) diagnostic.construct = "massless-body";
-    if (is_only_root(model, link)) diagnostic.construct += "#root";
+    if (has_mass) diagnostic.construct += "#merged";
+    if (!has_mass && is_root(model, link)) diagnostic.construct += "#root";
     // Mass and inertia both zero: how frames are written on purpose for Bullet.
     const auto moments = principal_moments(*link.inertial);
     const bool is_zero = moments && (*moments)[2] == 0;
@@ -41,6 +43,7 @@ constexpr Fact kFacts[] = {
      "MARS smurf.cpp:719"},
     {&readers::pybullet, Effect::changes, "fixes a base without mass to the world",
      "URDF2Bullet.cpp:382"},
+    {&readers::gazebo, Effect::takes, "adds it to what it is fixed to", kRun, "#merged"},
     {&readers::gazebo, Effect::refuses,
      "drops the root with everything below it: a model without links", kRun, "#root"},
     {&readers::gazebo, Effect::loses, "drops the link with everything below it",

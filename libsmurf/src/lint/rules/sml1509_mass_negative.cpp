@@ -2,15 +2,21 @@
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
+  const std::vector<bool> alone = alone_in_motion(model);
+  std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
+    const bool is_alone = alone[index++];
     if (!link.inertial || !link.inertial->mass || *link.inertial->mass >= 0) return;
-    findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is " +
-                                                  format_number(*link.inertial->mass) + " kg");
+    Diagnostic& diagnostic =
+        findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is " +
+                                                      format_number(*link.inertial->mass) + " kg");
+    if (is_alone) diagnostic.construct = "alone";
   });
 }
 
@@ -21,7 +27,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "keeps the number", kRun},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "warns and goes on", kRun},
-    {&readers::mujoco, Effect::refuses, "refuses the mass", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the mass", kRun, "#alone"},
+    {&readers::mujoco, Effect::changes, "adds it to what it is fixed to", kRun},
     {&readers::drake, Effect::changes, "puts a sphere of water of 1 kg in its place",
      "Drake detail_common.cc:446-515"},
 };

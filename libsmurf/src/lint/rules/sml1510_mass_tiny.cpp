@@ -8,34 +8,48 @@
 namespace smurf::rules {
 namespace {
 
+bool is_root(const LinkedModel& model, const urdf::Link& link) {
+  return model.tree.roots.size() == 1 && &model.link(model.tree.roots.front()) == &link;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kDropped = 1e-6;         // kg
   constexpr double kMujocoMinimum = 1e-15;  // kg; mjMINVAL
   constexpr double kMujocoMoment = 1e-14;   // kg m^2; mjEPS
   const std::vector<bool> is_carried = fixed_to_heavier(model);
+  const std::vector<bool> alone = alone_in_motion(model);
+  const std::vector<double> together = masses_of_bodies(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
+    const bool is_alone = alone[index];
+    const bool is_dropped = together[index] <= kDropped;
     const bool is_frame = is_carried[index++];
     if (!link.inertial || !link.inertial->mass) return;
     const double mass = *link.inertial->mass;
     if (mass <= 0 || mass > kDropped) return;
     Diagnostic& diagnostic = findings.report(
         link.inertial->mass.span, title(link) + " weighs " + format_rounded(mass, 3) + " kg");
+    // MuJoCo looks at every tensor, but at the mass of whole bodies.
+    const auto moments = principal_moments(*link.inertial);
+    const bool is_too_small = moments && (*moments)[0] > 0 && (*moments)[0] < kMujocoMoment;
     if (is_frame) {
-      diagnostic.construct = "fixed";
+      diagnostic.construct = is_too_small ? "fixed#inertia-below-1e-14" : "fixed";
       diagnostic.severity = Severity::info;
       return;
     }
-    diagnostic.notes.push_back("sdformat (Gazebo) up to 12 drops such a link and all below it");
-    const auto moments = principal_moments(*link.inertial);
-    const bool is_too_small = moments && (*moments)[0] > 0 && (*moments)[0] < kMujocoMoment;
-    diagnostic.construct = mass < kMujocoMinimum ? "mass#below-1e-15"
-                           : is_too_small        ? "mass#inertia-below-1e-14"
-                                                 : "mass";
+    if (is_dropped) {
+      diagnostic.notes.push_back("sdformat (Gazebo) up to 12 drops such a link and all below it");
+    }
+    diagnostic.construct = is_dropped ? "mass" : "merged";
+    if (is_dropped && is_root(model, link)) diagnostic.construct = "root";
+    if (is_alone && mass < kMujocoMinimum) diagnostic.construct += "#below-1e-15";
+    if (is_too_small) diagnostic.construct += "#inertia-below-1e-14";
   });
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::refuses,
+     "drops the root with everything below it: a model without links", kRun, "#root"},
     {&readers::gazebo, Effect::loses, "drops the link with everything below it",
      "sdformat, run (issue 199)", "#mass"},
     {&readers::mujoco, Effect::refuses, "refuses a mass below 1e-15 kg", "MuJoCo mjtype.h:27",

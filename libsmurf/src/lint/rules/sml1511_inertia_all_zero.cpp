@@ -9,8 +9,10 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   const std::vector<bool> is_carried = fixed_to_heavier(model);
+  const std::vector<bool> alone = alone_in_motion(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
+    const bool is_alone = alone[index];
     const bool is_frame = is_carried[index++];
     if (!link.inertial || link.inertial->mass.value_or(0) <= 0) return;
     const auto moments = principal_moments(*link.inertial);
@@ -22,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_frame) {
       diagnostic.severity = Severity::info;
     } else {
-      diagnostic.construct = link.collisions.empty() ? "moving#without-collision" : "moving";
+      diagnostic.construct = is_alone ? "moving#alone" : "moving";
     }
   });
 }
@@ -35,10 +37,8 @@ constexpr Fact kFacts[] = {
      "BulletUrdfImporter.cpp:374-411"},
     {&readers::dart, Effect::changes, "goes on with a mass matrix that is singular", kRun,
      "#moving"},
-    {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun,
-     "#without-collision"},
-    {&readers::mujoco, Effect::changes, "computes the inertia from the collisions",
-     "MuJoCo xml_urdf.cc:260-270", "#moving"},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun, "#alone"},
+    {&readers::mujoco, Effect::takes, "adds it to what it is fixed to", kRun},
     {&readers::drake, Effect::changes, "computes with a mass matrix that is singular",
      "Drake, read", "#moving"},
 };

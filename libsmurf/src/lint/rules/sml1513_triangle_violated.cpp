@@ -3,12 +3,16 @@
 #include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
+  std::vector<bool> sound;  // asked for where there is something to report
+  std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
+    const std::size_t at = index++;
     if (!link.inertial) return;
     const auto moments = principal_moments(*link.inertial);
     if (!moments) return;
@@ -17,6 +21,8 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
                         "the inertia of " + title(link) + " is not physically possible");
+    if (sound.empty()) sound = sound_together(model);
+    if (sound[at]) diagnostic.construct = "sound-together";
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4) + ": " +
                        format_rounded(high, 4) + " > " + format_rounded(low, 4) + " + " +
@@ -31,6 +37,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::ignores,
      "computes the inertia from the collisions, unless told otherwise",
      "BulletUrdfImporter.cpp:374-411"},
+    {&readers::gazebo, Effect::takes, "takes the body that fixed joints make of it", kRun,
+     "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it all the same", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the inertia",

@@ -5,6 +5,7 @@
 #include "base/readers.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
+#include "lint/rigid_bodies.hpp"
 
 namespace smurf::rules {
 namespace {
@@ -31,12 +32,17 @@ const Field<double>* largest_of_diagonal(const urdf::Inertial& inertial) {
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kNoise = 1e-14;   // of the eigenvalues
   constexpr double kMargin = 1e-12;  // what the sum is lowered by, relative
+  std::vector<bool> sound;           // asked for where there is something to report
+  std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
+    const std::size_t at = index++;
     if (!link.inertial) return;
     const auto moments = principal_moments(*link.inertial);
     if (!moments || !is_positive_definite(*moments)) return;
     const double excess = triangle_excess(*moments);
-    if (excess <= kNoise || excess > kImpossibleExcess) return;
+    // The moments of a diagonal tensor are those that are written, without noise.
+    const double noise = is_diagonal(*link.inertial) ? 0 : kNoise;
+    if (excess <= noise || excess > kImpossibleExcess) return;
     Diagnostic& diagnostic = findings.report(inertia_place(model, *link.inertial),
                                              "the largest moment of " + title(link) +
                                                  " exceeds the sum of the others by rounding");
@@ -44,6 +50,8 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.notes.push_back("MuJoCo refuses the file");
     const auto& [low, middle, high] = *moments;
     diagnostic.construct = beyond(high - (low + middle), low + middle + high);
+    if (sound.empty()) sound = sound_together(model);
+    if (sound[at]) diagnostic.construct += "#sound-together";
     const Field<double>* entry = largest_of_diagonal(*link.inertial);
     if (entry == nullptr) return;
     const std::string lowered = format_number(((*moments)[0] + (*moments)[1]) * (1 - kMargin));
@@ -53,6 +61,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::takes, "takes the body that fixed joints make of it", kRun,
+     "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia",
      "gz-math MassMatrix3.hh, run", "#sdformat"},
     {&readers::mujoco, Effect::refuses, "refuses the inertia: it tolerates nothing",

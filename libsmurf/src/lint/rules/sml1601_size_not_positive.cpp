@@ -44,8 +44,6 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
      "MARS smurf.cpp:1014-1058, NodePhysics.cpp:626-634"},
     {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
-    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
     {&readers::mujoco, Effect::refuses, "refuses a size that is not positive", kRun},
     {&readers::drake, Effect::takes, "takes a sphere of radius 0",
      "Drake shape_specification.cc:284", "/sphere/@radius/#zero"},

@@ -19,8 +19,11 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::breaks,
      "reports an error and drops the visuals and collisions of the link that follow",
      "urdfdom link.cpp:415-486, run"},
+    {&readers::gazebo, Effect::takes, "needs no texture", kRun, "/texture/"},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun,
+     "/mesh/"},
 };
 
 }  // namespace

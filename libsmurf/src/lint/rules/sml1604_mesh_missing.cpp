@@ -116,8 +116,6 @@ constexpr Fact kFacts[] = {
      "sdformat parser_urdf.cc:2416-2431", "#mesh"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#mesh"},
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun, "#package"},
-    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun,
      "#mesh"},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc", "#mesh"},

@@ -42,8 +42,6 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::loses, "does not look for the file; the link has no such shape",
      "sdformat parser_urdf.cc:2416-2431"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
-    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc"},
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -23,6 +24,15 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
+     "urdfdom stores it unchecked"},
+    {&readers::gazebo, Effect::loses, "does not look into the file; the link has no such shape",
+     "sdformat parser_urdf.cc:2416-2431"},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1606_mesh_backslash{
@@ -34,6 +44,7 @@ extern constinit const Rule sml1606_mesh_backslash{
         "Only Windows takes a backslash for a separator; elsewhere it is part of a name that no file has.",
     .remedy = "Write `/`, which Windows takes too.",
     .sources = "Bullet, MuJoCo and DART, executed on Linux.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

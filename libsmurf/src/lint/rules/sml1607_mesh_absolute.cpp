@@ -41,8 +41,6 @@ constexpr Fact kFacts[] = {
      "sdformat parser_urdf.cc:2416-2431"},
     {&readers::dart, Effect::refuses,
      "where the file is missing, cannot load the shape, and refuses the file", kRun},
-    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
     {&readers::mujoco, Effect::refuses,
      "where the file is missing, cannot open the file, and refuses the model", kRun},
     {&readers::drake, Effect::refuses, "where the file is missing, refuses the file",

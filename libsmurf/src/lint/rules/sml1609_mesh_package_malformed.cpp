@@ -41,11 +41,12 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses, "looks for a folder called `package:`",
      "resource_retriever, read"},
-    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
     {&readers::mujoco, Effect::refuses, "looks for a folder called `package:`", kRun},
     {&readers::drake, Effect::refuses, "refuses the file",
      "Drake detail_urdf_geometry.cc, package URI pattern"},
+    {&readers::gazebo, Effect::loses, "does not look for the file; the link has no such shape",
+     "sdformat parser_urdf.cc:2416-2431"},
+    {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun},
 };
 
 }  // namespace

@@ -32,9 +32,13 @@ constexpr Fact kFacts[] = {
      "MARS misc.cpp:112-131"},
     {&readers::dart, Effect::refuses, "has no retriever for the scheme, and refuses the file", kRun,
      "#model"},
-    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
+    {&readers::dart, Effect::refuses,
+     "finds no file, or no retriever for the scheme, and refuses the model", kRun},
     {&readers::mujoco, Effect::refuses, "takes the scheme for a part of the path", kRun},
+    {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
+     "urdfdom stores it unchecked"},
+    {&readers::gazebo, Effect::loses, "does not look for the file; the link may have no such shape",
+     "sdformat parser_urdf.cc:2416-2431"},
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -35,6 +36,10 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1614_mesh_format{
@@ -46,6 +51,7 @@ extern constinit const Rule sml1614_mesh_format{
         "Readers choose the loader by the extension: STL, OBJ and COLLADA are common, `.bobj` is known to MARS alone, and formats of CAD programs to none.",
     .remedy = "Export an STL, OBJ or COLLADA file.",
     .sources = "Loaders of assimp, Drake, MuJoCo, Bullet, urdf-loader and MARS, read.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -21,10 +21,9 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
      "MARS NodePhysics.cpp:626-634"},
     {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
-    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
     {&readers::mujoco, Effect::refuses, "refuses a scale of 0", kRun},
     {&readers::drake, Effect::refuses, "refuses a scale below 1e-8", "Drake shape_specification.h"},
+    {&readers::urdfdom, Effect::changes, "keeps a shape without volume", kRun},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -11,6 +12,15 @@ void check(const LinkedModel& model, Findings& findings) {
   if (diagnostic != nullptr) diagnostic->help = "run `git lfs pull`";
 }
 
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
+     "urdfdom stores it unchecked"},
+    {&readers::gazebo, Effect::loses, "does not look into the file; the link has no such shape",
+     "sdformat parser_urdf.cc:2416-2431"},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+};
+
 }  // namespace
 
 extern constinit const Rule sml1643_mesh_lfs_pointer{
@@ -22,6 +32,7 @@ extern constinit const Rule sml1643_mesh_lfs_pointer{
         "The file exists, but holds three lines of text: every reader fails to load it, and says nothing of the cause.",
     .remedy = "Run `git lfs pull`.",
     .sources = "Git LFS pointer format; pollen-robotics/reachy_mini issue 760.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

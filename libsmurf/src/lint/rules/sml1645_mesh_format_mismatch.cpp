@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/path.hpp"
+#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -15,9 +16,20 @@ void check(const LinkedModel& model, Findings& findings) {
         "the content of this " + quoted(extension) + " file is " +
             (found == MeshFormat::unknown ? "no mesh format known here"
                                           : std::string(to_string(mesh.facts.format))));
+    diagnostic.construct = extension.empty() ? extension : extension.substr(1);
     if (found != MeshFormat::unknown) diagnostic.help = "give the file the extension of its format";
   }
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
+     "urdfdom stores it unchecked"},
+    {&readers::gazebo, Effect::loses, "does not look into the file; the link has no such shape",
+     "sdformat parser_urdf.cc:2416-2431"},
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+    {&readers::dart, Effect::loses, "finds no triangle in it", kRun, "#obj"},
+    {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+};
 
 }  // namespace
 
@@ -30,6 +42,7 @@ extern constinit const Rule sml1645_mesh_format_mismatch{
     .remedy =
         "Rename the file, or export it again; a page of a web site may have been saved in its place.",
     .sources = "MuJoCo, Bullet, Drake, urdf-loader and MARS choose by the extension.",
-    .check_model = check};
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -24,6 +24,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "takes the first", "Bullet UrdfParser.cpp:2278, run"},
     {&readers::drake, Effect::refuses, "refuses the file, even when both are equal",
      "Drake detail_urdf_geometry.cc:54"},
+    {&readers::mujoco, Effect::takes, "takes the first", kRun},
 };
 
 }  // namespace

@@ -5,8 +5,17 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kAbsent = "reads an empty number as absent";
+
 constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/limit/@lower/#empty"},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/limit/@upper/#empty"},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/limit/@effort/#empty"},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/dynamics/@damping/#empty"},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/dynamics/@friction/#empty"},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/mimic/@multiplier/#empty"},
+    {&readers::mujoco, Effect::changes, kAbsent, kRun, "/mimic/@offset/#empty"},
     {&readers::mujoco, Effect::takes, "reads an empty vector as absent", kRun,
      "/origin/@xyz/#empty"},
     {&readers::mujoco, Effect::takes, "reads an empty vector as absent", kRun,

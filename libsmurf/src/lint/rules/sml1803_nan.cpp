@@ -9,6 +9,13 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "computes with it until nothing has a position",
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
+     "/inertial/origin/@rpy/"},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body of such a mass", kRun, "/mass/"},
+    {&readers::mujoco, Effect::refuses, "refuses the size", kRun, "/sphere/"},
+    {&readers::mujoco, Effect::refuses, "refuses the size", kRun, "/cylinder/"},
+    {&readers::mujoco, Effect::refuses, "refuses the size", kRun, "/box/"},
+    {&readers::mujoco, Effect::changes, "reads it, and computes with it", kRun},
 };
 
 }  // namespace

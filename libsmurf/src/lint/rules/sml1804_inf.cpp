@@ -7,7 +7,11 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "reads infinity", "Bullet UrdfParser.cpp (atof), run"},
-    {&readers::mujoco, Effect::takes, "reads infinity", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
+     "/inertial/origin/@rpy/"},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
+     "/inertia/"},
+    {&readers::mujoco, Effect::changes, "reads infinity", kRun},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
 };
 

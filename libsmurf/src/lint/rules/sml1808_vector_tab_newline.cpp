@@ -10,6 +10,7 @@ constexpr Fact kFacts[] = {
      "Bullet UrdfParser.cpp:49-78, run"},
     {&readers::mujoco, Effect::takes, "skips blanks of every kind", kRun},
     {&readers::drake, Effect::takes, "skips blanks of every kind", "Drake detail_tinyxml.h:60-73"},
+    {&readers::urdfdom, Effect::takes, "skips blanks in front", kRun, "#leading"},
 };
 
 }  // namespace

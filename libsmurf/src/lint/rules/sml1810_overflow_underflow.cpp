@@ -5,7 +5,14 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kAsserts = "reads 0, and ends the process by an assertion";
+
 constexpr Fact kFacts[] = {
+    {&readers::dart, Effect::crashes, kAsserts, kRun, "/box/@size/#underflow"},
+    {&readers::dart, Effect::crashes, kAsserts, kRun, "/sphere/@radius/#underflow"},
+    {&readers::dart, Effect::crashes, kAsserts, kRun, "/cylinder/@radius/#underflow"},
+    {&readers::dart, Effect::crashes, kAsserts, kRun, "/cylinder/@length/#underflow"},
+    {&readers::dart, Effect::crashes, kAsserts, kRun, "/mesh/@scale/#underflow"},
     {&readers::urdfdom, Effect::changes, "reads 0", kRun, "#underflow"},
     {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp (atof), run",
      "#underflow"},

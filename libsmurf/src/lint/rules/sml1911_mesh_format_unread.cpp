@@ -50,8 +50,6 @@ constexpr Fact kFacts[] = {
      "#bobj"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#bobj"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#glb"},
-    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
     {&readers::mujoco, Effect::takes, "reads it", kRun, "#obj"},
     {&readers::mujoco, Effect::takes, "reads it", kRun, "#stl"},
     {&readers::mujoco, Effect::takes, "reads it", kRun, "#msh"},

@@ -35,9 +35,8 @@ constexpr Fact kFacts[] = {
      "MARS misc.cpp:112-131"},
     {&readers::phobos, Effect::changes, "takes the folder above urdf/ for every package",
      "Phobos xml.py:89-98"},
-    {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
-     "/visual/"},
     {&readers::mujoco, Effect::refuses, "takes `package://` for a part of the path", kRun},
+    {&readers::dart, Effect::refuses, "knows no package that it was not told of", kRun},
 };
 
 }  // namespace

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+
+#include "base/readers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kWhole = "maxContacts";
+/// What sdformat hands to std::stod or, that one, to std::stoi, which throw.
+constexpr std::string_view kNumbers[] = {"mu1",
+                                         "mu2",
+                                         "kp",
+                                         "kd",
+                                         "minDepth",
+                                         "maxVel",
+                                         "dampingFactor",
+                                         "stopCfm",
+                                         "stopErp",
+                                         "springStiffness",
+                                         "springReference",
+                                         "fudgeFactor",
+                                         kWhole};
+constexpr std::string_view kFlags[] = {"true", "false", "1", "0", ""};
+
+/// As std::stod and std::stoi read: blanks in front, and a number is enough.
+template <class Number>
+std::optional<Number> leading_number(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number number{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  return read.ec == std::errc() ? std::optional<Number>(number) : std::nullopt;
+}
+
+void report(const xml::View element, const char* construct, Findings& findings) {
+  const bool is_empty = element.text_span().empty();
+  findings
+      .report(is_empty ? element.name_span() : element.text_span(),
+              quoted(element.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"))
+      .construct = construct;
+}
+
+void check_value(const xml::View element, Findings& findings) {
+  const std::string_view name = element.name(), text = element.text();
+  if (std::ranges::count(kNumbers, name) > 0) {
+    const auto number = leading_number<double>(text);
+    const bool is_read =
+        name == kWhole ? leading_number<int>(text).has_value() : number.has_value();
+    if (!is_read) return report(element, "number", findings);
+    if (name.starts_with("mu") && *number < 0) report(element, "friction", findings);
+  } else if (name == "gravity" && std::ranges::count(kFlags, text) == 0) {
+    report(element, "flag", findings);
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() != "gazebo" || gazebo.attribute("reference") == nullptr) continue;
+    for (const xml::View element : gazebo) check_value(element, findings);
+  }
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::gazebo, Effect::crashes, "ends the process with an exception", kRun, "#number"},
+    {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1447_gazebo_value{
+    .id = "SML1447",
+    .name = "gazebo-value",
+    .severity = Severity::warning,
+    .summary = "An element for Gazebo holds a value that Gazebo cannot read.",
+    .why = "An empty `mu1`, or a word in `dampingFactor`, ends the simulator.",
+    .remedy = "Write a number; `gravity` is `true` or `false`.",
+    .check_model = check,
+    .facts = kFacts};
+
+}  // namespace smurf::rules
