@@ -54,6 +54,21 @@ std::string escape_xml(std::string_view text) {
   return escaped;
 }
 
+namespace {
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-' || c == '/' || c == '.' || c == '=';
+}
+
+}  // namespace
+
+bool fits_everywhere(std::string_view text) {
+  if (text.empty() || text.front() == '-' || text.front() == ' ' || text.back() == ' ')
+    return false;
+  return std::all_of(text.begin(), text.end(), [](char c) { return is_plain(c) || c == ' '; });
+}
+
 std::string yaml_like(std::string_view original, std::string_view text) {
   const bool has_control = std::any_of(text.begin(), text.end(), [](char c) {
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
@@ -63,10 +78,6 @@ std::string yaml_like(std::string_view original, std::string_view text) {
     for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
     return quoted + "'";
   }
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-' || c == '/' || c == '.' || c == '=';
-  };
   const bool starts_like_a_word = !text.empty() && is_plain(text.front()) && text.front() != '-';
   if (!original.starts_with('"') && starts_like_a_word &&
       std::all_of(text.begin(), text.end(), is_plain)) {

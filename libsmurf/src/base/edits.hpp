@@ -18,6 +18,10 @@ std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 /// hold at all becomes U+FFFD.
 std::string escape_xml(std::string_view text);
 
+/// Whether a text may take the place of any name as it is: of a plain or quoted one in YAML, and in
+/// XML.
+bool fits_everywhere(std::string_view text);
+
 /// Text as a YAML scalar that takes the place of `original`: quoted as that was, or where a plain
 /// scalar could be misread.
 std::string yaml_like(std::string_view original, std::string_view text);

@@ -42,8 +42,7 @@ class MotorMaker {
     for (const xml::View element : extensions_of(context_, "ros2_control")) ros2_control(element);
     for (const xml::View element : extensions_of(context_, "transmission")) transmission(element);
     if (context_.options.motors == MotorChoice::all) every_joint();
-    while (follow_mimics()) {
-    }
+    follow_mimics();
     std::vector<NewValue> motors;
     for (std::size_t i = 0; i < drives_.size(); ++i) {
       if (drives_[i]) motors.push_back(motor(context_.robot().joints[i], *drives_[i]));
@@ -132,19 +131,27 @@ class MotorMaker {
   }
 
   /// MARS does not read <mimic>: a joint that follows a driven one needs a motor that follows.
-  bool follow_mimics() {
-    bool has_found = false;
+  void follow_mimics() {
+    std::vector<std::vector<std::size_t>> followers(drives_.size());
+    std::vector<std::size_t> driven;
     for (std::size_t i = 0; i < drives_.size(); ++i) {
+      if (drives_[i]) driven.push_back(i);
       const urdf::Joint& joint = context_.robot().joints[i];
-      if (drives_[i] || !joint.name || !joint.has_one_axis() || !joint.mimic) continue;
-      if (!joint.mimic->joint) continue;
+      if (!joint.name || !joint.has_one_axis() || !joint.mimic || !joint.mimic->joint) continue;
       const auto leader = context_.model.joint_names.find(*joint.mimic->joint);
-      if (!leader || *leader == i || !drives_[*leader]) continue;
-      drives_[i] =
-          Drive{"PID", "from <mimic>, " + context_.line_of(joint.mimic->span), {}, {}, {}, {}};
-      has_found = true;
+      if (leader) followers[*leader].push_back(i);
     }
-    return has_found;
+    while (!driven.empty()) {
+      const std::size_t leader = driven.back();
+      driven.pop_back();
+      for (const std::size_t i : followers[leader]) {
+        if (drives_[i]) continue;
+        const urdf::Joint& joint = context_.robot().joints[i];
+        drives_[i] =
+            Drive{"PID", "from <mimic>, " + context_.line_of(joint.mimic->span), {}, {}, {}, {}};
+        driven.push_back(i);
+      }
+    }
   }
 
   NewValue motor(const urdf::Joint& joint, const Drive& drive) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "link/read_file.hpp"
+#include "base/edits.hpp"
 
 #include "base/limits.hpp"
 #include "base/path.hpp"
@@ -54,7 +55,8 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
     const std::string_view written =
         is_named ? context.sources.text(reference) : std::string_view{};
     const std::string_view name = path::file_name(path);
-    if (const std::size_t at = written.rfind(name); at != std::string_view::npos) {
+    const std::size_t at = written.rfind(name);
+    if (at != std::string_view::npos && fits_everywhere(*similar)) {
       const auto begin = static_cast<std::uint32_t>(reference.begin + at);
       const auto end = static_cast<std::uint32_t>(begin + name.size());
       diagnostic.fixes.push_back(

@@ -64,8 +64,9 @@ bool keeps_visuals(const xml::Document& document) {
   return discards != nullptr && discards->value() == "false";
 }
 
-void mark_visuals(std::span<Diagnostic> diagnostics) {
+void mark_visuals(const xml::Document& document, std::span<Diagnostic> diagnostics) {
   for (Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.span.source != document.source) continue;
     const bool is_marked = diagnostic.construct.find(kVisualsKept) != std::string::npos;
     if (is_marked || diagnostic.pointer.find("/visual") == std::string::npos) continue;
     diagnostic.construct += kVisualsKept;
@@ -86,7 +87,9 @@ void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
       point(diagnostic, model.robot->document, *paths);
     }
   }
-  if (model.robot && keeps_visuals(model.robot->document)) mark_visuals(diagnostics);
+  if (model.robot && keeps_visuals(model.robot->document)) {
+    mark_visuals(model.robot->document, diagnostics);
+  }
 }
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {

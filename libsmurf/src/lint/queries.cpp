@@ -6,6 +6,7 @@
 #include "ast/sections.hpp"
 #include "ast/urdf_numbers.hpp"
 #include "ast/urdf_schema.hpp"
+#include "base/edits.hpp"
 #include "base/numbers.hpp"
 #include "base/suggest.hpp"
 #include "base/words.hpp"
@@ -106,8 +107,10 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
   const auto near = findings.suggest(name, names(model, kind).names());
   if (!near || differ_only_in_digits(name, *near)) return &diagnostic;
   diagnostic.help = "did you mean " + quoted(*near) + "?";
-  diagnostic.fixes.push_back(
-      {Applicability::unsafe, {{within_quotes(model, place), std::string(*near)}}});
+  if (fits_everywhere(*near)) {
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{within_quotes(model, place), std::string(*near)}}});
+  }
   const Span defined = definition(model, kind, *near);
   if (!defined.empty()) diagnostic.labels.push_back({defined, quoted(*near) + " is defined here"});
   return &diagnostic;

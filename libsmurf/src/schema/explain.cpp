@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "ast/keys.hpp"
+#include "base/edits.hpp"
 #include "base/quoted.hpp"
 #include "base/suggest.hpp"
 #include "schema/checked_schema.hpp"
@@ -369,6 +370,7 @@ class Explainer {
 
   static void suggest(Violation& violation, std::string_view text, Span place) {
     violation.help = "did you mean " + quoted(text) + "?";
+    if (!fits_everywhere(text)) return;
     violation.fixes.push_back({Applicability::unsafe, {{place, std::string(text)}}});
   }
 

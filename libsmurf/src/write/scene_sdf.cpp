@@ -15,24 +15,32 @@
 namespace smurf {
 namespace {
 
-/// SDF keeps `world`, names like `__this__` and the separator `::` for itself.
-std::string sdf_name(const LinkedModel& model, std::size_t link) {
-  std::string name = link_name(model, link);
-  const bool is_reserved = name == "world" || (name.starts_with("__") && name.ends_with("__"));
-  if (!is_reserved && name.find("::") == std::string::npos) return name;
-  std::string plain;
-  for (std::size_t at = 0; at < name.size(); ++at) {
-    const bool is_separator = name.compare(at, 2, "::") == 0;
-    plain += is_separator ? '_' : name[at];
-    if (is_separator) ++at;
+/// The names of the links of a model. SDF keeps `world`, names like `__this__` and the separator
+/// `::` for itself.
+std::vector<std::string> sdf_names(const LinkedModel& model) {
+  std::vector<std::string> names;
+  std::vector<std::size_t> changed;
+  UniqueNames unique;
+  for (std::size_t link = 0; link < model.robot->links.size(); ++link) {
+    const std::string& name = names.emplace_back(link_name(model, link));
+    const bool is_reserved = name == "world" || (name.starts_with("__") && name.ends_with("__"));
+    if (is_reserved || name.find("::") != std::string::npos) {
+      changed.push_back(link);
+    } else {
+      unique.take(name);
+    }
   }
-  name = plain + "_link";
-  while (model.link_names.contains(name)) name += "_";
-  return name;
-}
-
-std::string sdf_root_name(const LinkedModel& model) {
-  return sdf_name(model, to_size(model.tree.roots.front()));
+  for (const std::size_t link : changed) {
+    const std::string& name = names[link];
+    std::string plain;
+    for (std::size_t at = 0; at < name.size(); ++at) {
+      const bool is_separator = name.compare(at, 2, "::") == 0;
+      plain += is_separator ? '_' : name[at];
+      if (is_separator) ++at;
+    }
+    names[link] = unique.add(plain + "_link");
+  }
+  return names;
 }
 
 class SdfWriter {
@@ -61,6 +69,15 @@ class SdfWriter {
   const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
   bool is_written(std::size_t i) const {
     return flat(i).X_WE && (robot_of(i) != nullptr || !flat(i).shapes.empty());
+  }
+
+  const std::vector<std::string>& links_of(const LinkedModel& model) const {
+    const auto [known, is_new] = links_.try_emplace(&model);
+    if (is_new) known->second = sdf_names(model);
+    return known->second;
+  }
+  const std::string& root_name(const LinkedModel& model) const {
+    return links_of(model)[to_size(model.tree.roots.front())];
   }
 
   void add_pose(const Pose& pose) {
@@ -168,13 +185,13 @@ class SdfWriter {
     if (is_new) known->second = bodies_of(*parent, refers(*parent));
     const std::vector<std::size_t>& bodies = known->second;
     add_fixed_joint("anchor_of_" + names_[i],
-                    names_[other] + "::" + sdf_name(*parent, bodies[*link]),
+                    names_[other] + "::" + links_of(*parent)[bodies[*link]],
                     names_[i] + "::" + root_name(i));
   }
 
   std::string root_name(std::size_t i) const {
     const LinkedModel* model = robot_of(i);
-    return model != nullptr ? sdf_root_name(*model) : "link";
+    return model != nullptr ? root_name(*model) : "link";
   }
 
   void add_fixed_joint(const std::string& name, const std::string& parent,
@@ -212,7 +229,7 @@ class SdfWriter {
       xml_.open("include", {{"merge", "true"}});
       xml_.leaf("uri", uri);
       xml_.close();
-      add_fixed_joint("anchor_to_world", "world", sdf_root_name(model));
+      add_fixed_joint("anchor_to_world", "world", root_name(model));
     } else {
       xml_.open("include");
       xml_.leaf("name", names_[i]);
@@ -254,7 +271,7 @@ class SdfWriter {
         add_link(i, model, at, parts[at], X_EL);
       } else if (!is_old_) {
         xml_.open("frame",
-                  {{"name", sdf_name(model, at)}, {"attached_to", sdf_name(model, bodies[at])}});
+                  {{"name", links_of(model)[at]}, {"attached_to", links_of(model)[bodies[at]]}});
         add_pose(inverse(*X_EL[bodies[at]]) * *X_EL[at]);
         xml_.close();
       }
@@ -264,7 +281,7 @@ class SdfWriter {
       const auto& above = model.tree.parent_joint[at];
       if (!above || bodies[at] != at || !X_EL[at]) continue;
       const std::size_t parent = bodies[to_size(*model.tree.joint_parent[to_size(*above)])];
-      add_joint(i, model, model.joint(*above), sdf_name(model, parent), sdf_name(model, at));
+      add_joint(i, model, model.joint(*above), links_of(model)[parent], links_of(model)[at]);
     }
     if (flat(i).anchor.kind == Attachment::Kind::world) {
       add_fixed_joint("anchor_to_world", "world", root_name(i));
@@ -275,7 +292,7 @@ class SdfWriter {
   void add_link(std::size_t i, const LinkedModel& model, std::size_t body,
                 const std::vector<std::size_t>& parts,
                 const std::vector<std::optional<Pose>>& X_EL) {
-    xml_.open("link", {{"name", sdf_name(model, body)}});
+    xml_.open("link", {{"name", links_of(model)[body]}});
     add_pose(*X_EL[body]);
     add_inertial(inertial_of(model.robot->links[body]).value_or(smallest_mass()));
     const FlatModel& flat_model = scene_.flat.models[*flat(i).model];
@@ -460,6 +477,7 @@ class SdfWriter {
   bool is_old_;
   SceneLosses losses_;
   std::vector<std::string> names_;
+  mutable std::map<const LinkedModel*, std::vector<std::string>> links_;  ///< names, by model
   LinkFrames frames_;
   /// By model that another is anchored to: the bodies of its links.
   std::map<const LinkedModel*, std::vector<std::size_t>> bodies_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 
+#include "base/edits.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
@@ -45,7 +46,7 @@ class MaterialCheck {
     }
     if (const auto near = findings_.suggest(*name, defined_.names())) {
       diagnostic.help = "did you mean " + quoted(*near) + "?";
-      diagnostic.fixes.push_back({Applicability::unsafe, {{name.span, std::string(*near)}}});
+      diagnostic.fixes.push_back({Applicability::unsafe, {{name.span, escape_xml(*near)}}});
     }
   }
 

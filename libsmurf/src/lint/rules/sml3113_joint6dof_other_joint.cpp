@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/edits.hpp"
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
@@ -21,6 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.labels.push_back({sensor.link.span, "MARS goes by the link"});
     if (!measured.name) continue;
     diagnostic.help = "did you mean " + quoted(*measured.name) + "?";
+    if (!fits_everywhere(*measured.name)) continue;
     diagnostic.fixes.push_back(
         {Applicability::unsafe, {{within_quotes(model, sensor.joint.span), *measured.name}}});
   }

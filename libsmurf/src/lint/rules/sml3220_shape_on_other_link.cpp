@@ -2,6 +2,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "base/edits.hpp"
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
 
@@ -45,8 +46,10 @@ void check_entries(const LinkedModel& model, const Entries& entries, NameKind ki
         entry.link.span, "the " + shape + " " + quoted(*entry.name) + " belongs to " +
                              title(other) + ", not to " + quoted(*entry.link));
     diagnostic.labels.push_back({definition(model, kind, *entry.name), "the " + shape});
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{within_quotes(model, entry.link.span), *other.name}}});
+    if (fits_everywhere(*other.name)) {
+      diagnostic.fixes.push_back(
+          {Applicability::unsafe, {{within_quotes(model, entry.link.span), *other.name}}});
+    }
     diagnostic.help = "did you mean " + quoted(*other.name) + "?";
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vector>
 
+#include "base/edits.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "link/scene_link.hpp"
@@ -33,7 +34,7 @@ void check(const LinkedScene& scene, Findings& findings) {
         findings.report(place, "the type of " + title(entity) + " is " + quoted(type) +
                                    ", which MARS does not know");
     diagnostic.help = "did you mean " + quoted(*near) + "?";
-    if (is_written) {
+    if (is_written && fits_everywhere(*near)) {
       diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
     }
   });
