@@ -435,6 +435,34 @@ class Inputs(StrangerTest):
         self.assertEqual((self.project / "in.urdf").read_text(), urdf())
 
 
+class Fixes(StrangerTest):
+    """A name that a suggestion writes is chosen by the stranger, and must not become more than a name."""
+
+    def test_suggested_names(self):
+        links = ("ba'se", "ba&quot;se", "ba]se", "*base", "ba#se", "ba: se", "ba&#10;se: {x", "ba&lt;se")
+        for link in links:
+            for place in ("link: base", "link: 'base'", 'link: "base"', "{name: x, link: base}"):
+                with self.subTest(link=link, place=place):
+                    self.write("r.urdf", f'<robot name="r"><link name="{link}"/></robot>')
+                    entry = place if place.startswith("{") else f"name: x\n  {place}"
+                    self.write("s.yml", f"sensors:\n- {entry}\n")
+                    self.write("m.smurf", "modelname: r\nfiles: [r.urdf, s.yml]\n")
+                    self.run_tool("smurf-lint", "--fix", "--unsafe-fixes", "-q", "m.smurf")
+                    done = self.run_tool("smurf-lint", "--format", "concise", "--no-ignores", "m.smurf")
+                    self.assertNotRegex(done.stdout, r"SML00\d\d|SML100\d")
+
+    def test_names_of_files(self):
+        for name in ("mod'l.urdf", 'mod"l.urdf', "mod #l.urdf", "mod]l.urdf"):
+            for place in ("[modl.urdf]", "['modl.urdf']", '["modl.urdf"]'):
+                with self.subTest(name=name, place=place):
+                    shutil.rmtree(self.project)
+                    self.write(name, urdf())
+                    self.write("m.smurf", f"modelname: r\nfiles: {place}\n")
+                    self.run_tool("smurf-lint", "--fix", "--unsafe-fixes", "-q", "m.smurf")
+                    done = self.run_tool("smurf-lint", "--format", "concise", "m.smurf")
+                    self.assertNotIn("SML001", done.stdout)
+
+
 class Permissions(StrangerTest):
     def test_mode_and_owner_without_privileges(self):
         self.write("r.urdf", urdf())

@@ -380,3 +380,29 @@ def missing_meshes_beside_many_files(n, write):
         write(f"m/{'f' * 100}{i}.stl", "")
     shapes = "".join(f'<visual><geometry><mesh filename="m/g{i}.stl"/></geometry></visual>' for i in range(n))
     write("a.urdf", f'<robot name="a"><link name="l">{shapes}</link></robot>')
+
+
+@grows(300, "smurf-lint", "-q", "a.smurf")
+def findings_below_a_long_key(n, write):
+    write("a.yml", f"? {'k' * 100 * n}\n: {{" + "a: 1, " * n + "}\n")
+    write("a.smurf", "modelname: a\nfiles: [a.yml]\n")
+
+
+@grows(300, "smurf-lint", "-q", "a.urdf")
+def findings_in_a_link_of_a_long_name(n, write):
+    write("a.urdf", f'<robot name="a"><link name="{"l" * 100 * n}">' + '<visual a="1"/>' * n + "</link></robot>")
+
+
+@grows(500, "smurf-lint", "-q", "a.urdf")
+def baseline_of_a_long_file_name(n, write):
+    write(".smurf-lint.yaml", "baseline: b.yaml\n")
+    write("b.yaml", f"? {'f' * 100 * n}\n:\n  SML3101: [" + ", ".join(f"p{i}" for i in range(n)) + "]\n")
+    write("a.urdf", '<robot name="a"><link name="l"/></robot>')
+
+
+@grows(500, "urdf2smurf", "-q", "--dry-run", "--force", "-o", "out", "--motors", "all", "a.urdf")
+def mimics_against_the_order(n, write):
+    joint = ('<joint name="j{0}" type="revolute"><parent link="l{0}"/><child link="l{1}"/><axis xyz="0 0 1"/>'
+             '<limit lower="-1" upper="1" effort="1" velocity="1"/>{2}</joint>')
+    write("a.urdf", '<robot name="a">' + "".join(f'<link name="l{i}"/>' for i in range(n + 1)) + "".join(
+        joint.format(i, i + 1, f'<mimic joint="j{i + 1}"/>' if i < n - 1 else "") for i in range(n)) + "</robot>")
