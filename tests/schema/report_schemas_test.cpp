@@ -25,7 +25,7 @@ struct Miss {
 };
 
 void check(const std::string& schema, const Json& sound, std::initializer_list<Miss> misses) {
-  std::vector<Instance> instances{{schema, sound.dump()}};
+  std::vector<test::Instance> instances{{schema, sound.dump()}};
   for (const Miss& miss : misses) {
     Json changed = sound;
     changed.at(Json::json_pointer(miss.pointer)).merge_patch(Json::parse(miss.patch));
@@ -55,7 +55,7 @@ TEST_CASE("the report of diagnostics") {
   diagnostics[0].pointer = "/motors/0/p";
   const TargetVerdict refused{.reader = find_target("mars"),
                               .refusals = 1,
-                              .fact = &find_rule("SML1012")->facts.front(),
+                              .fact = &find_rule("SML1012")->facts.back(),
                               .rule = diagnostics[0].rule,
                               .span = diagnostics[0].span};
   const TargetVerdict taken{
@@ -170,7 +170,7 @@ TEST_CASE("the dump of a model") {
 TEST_CASE("the dump of a scene") {
   const Json dump = dump_of_scene(SMURF_FIXTURES "/scenes/nested/outer.smurfs");
   const Json& scene = dump.at("scene");
-  CHECK(scene.at("files").size() == 2);
+  CHECK(scene.at("files").size() == 3);
   CHECK(scene.at("instances").size() == 5);
   check("model-dump.schema.json", dump,
         {{"/scene", R"({"models": null})"},
@@ -183,7 +183,7 @@ TEST_CASE("the dump of a scene") {
 }
 
 TEST_CASE("the dumps of all fixtures, whatever is wrong in them") {
-  std::vector<Instance> instances;
+  std::vector<test::Instance> instances;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(SMURF_FIXTURES)) {
     const std::string extension = entry.path().extension().string();
     const std::string path = entry.path().string();

@@ -60,7 +60,7 @@ TEST_CASE("the summary counts in English") {
 TEST_CASE("the page of a rule says what readers make of it") {
   const std::string page = render_rule(*find_rule("SML1604"), {});
   CHECK(page.find("\nWhat readers make of it\n") != std::string::npos);
-  CHECK(page.find("\n  MuJoCo (visual): discards visuals\n") != std::string::npos);
+  CHECK(page.find("\n  Drake (mesh): refuses the file\n") != std::string::npos);
   CHECK(render_rule(*find_rule("SML1912"), {})
             .starts_with("SML1912 mesh-package-uri-unread (error, with --target)\n"));
 }
