@@ -162,13 +162,14 @@ bool ReferenceFinder::add_known(NameKinds kinds, std::string_view name, const Na
 void ReferenceFinder::read_key(const KeySpec& row, yaml::View value, yaml::View entry) {
   const Naming naming = row.names_in != nullptr ? row.names_in(entry) : row.names;
   if (naming.kinds.empty()) return read_members(row.members, value);
-  if (value.is_scalar()) {
+  const bool is_map = row.type == ValueType::number_map;
+  if (value.is_scalar() && !is_map) {
     add(naming, value.text(), place_of_name(value));
-  } else if (value.is_sequence()) {
+  } else if (value.is_sequence() && !is_map) {
     for (const yaml::View item : value) {
       if (item.is_scalar()) add(naming, item.text(), place_of_name(item));
     }
-  } else if (value.is_mapping() && row.type == ValueType::number_map) {
+  } else if (value.is_mapping() && is_map) {
     for (const yaml::View member : value) {
       if (!member.is_null() && !member.is_repeated()) {
         add(naming, member.key(), place_of_key(member));
