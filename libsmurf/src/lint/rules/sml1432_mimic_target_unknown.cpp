@@ -5,7 +5,17 @@
 namespace smurf::rules {
 namespace {
 
+/// An empty name is no reference to anything.
+void check_empty(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.mimic || !joint.mimic->joint || !joint.mimic->joint->empty()) return;
+    check_reference(model, NameKind::joint, {}, joint.mimic->joint.span,
+                    ("the mimic of " + title(joint)).c_str(), findings);
+  });
+}
+
 void check(const LinkedModel& model, Findings& findings) {
+  check_empty(model, findings);
   for (const Reference& one : findings.doubtful_references()) {
     const xml::View mimic = element_of(model, one);
     if (!mimic || mimic.name() != "mimic") continue;
