@@ -48,7 +48,8 @@ endif()
 
 # The Python module, and the tools beside it.
 if(PYTHON)
-  file(GLOB_RECURSE package ${WORK}/prefix/smurf/__init__.py)
+  file(GLOB_RECURSE package ${WORK}/prefix/__init__.py)
+  list(GET package 0 package)
   cmake_path(GET package PARENT_PATH folder)
   cmake_path(GET folder PARENT_PATH folder)
   set(python ${CMAKE_COMMAND} -E env PYTHONPATH=${folder} PYTHONDONTWRITEBYTECODE=1 PATH=/nowhere ${PYTHON})
