@@ -10,6 +10,9 @@ if not FILES:
 
 
 def test_corpus():
-    faults, found = findings_test.differences(FILES)
-    print(f"compared {len(FILES)} files with {found} findings")
-    assert not faults, f"{len(faults)} of {len(FILES)}\n" + "\n\n".join(faults[:3])
+    # smurf-lint looks for models around a URDF that is named alone; the library checks the file.
+    alone = [path for path in FILES if path.suffix != ".urdf" or not list(path.parent.glob("../smurf/*.smurf"))]
+    assert len(alone) > 400
+    faults, found = findings_test.differences(alone)
+    print(f"compared {len(alone)} files with {found} findings")
+    assert not faults, f"{len(faults)} of {len(alone)}\n" + "\n\n".join(faults[:3])

@@ -38,15 +38,20 @@ std::optional<Number> leading_number(std::string_view text) {
 }
 
 void report(const xml::View element, const char* construct, Findings& findings) {
-  const bool is_empty = element.text_span().empty();
+  const xml::Attribute* value = element.attribute("value");
+  const Span place = value != nullptr ? value->span() : element.text_span();
+  const bool is_empty = place.empty();
   findings
-      .report(is_empty ? element.name_span() : element.text_span(),
+      .report(is_empty ? element.name_span() : place,
               quoted(element.name()) + (is_empty ? " is empty" : " cannot be read by Gazebo"))
       .construct = construct;
 }
 
 void check_value(const xml::View element, Findings& findings) {
-  const std::string_view name = element.name(), text = element.text();
+  // sdformat reads the attribute `value` where there is one.
+  const xml::Attribute* value = element.attribute("value");
+  const std::string_view name = element.name();
+  const std::string_view text = value != nullptr ? value->value() : element.text();
   if (std::ranges::count(kNumbers, name) > 0) {
     const auto number = leading_number<double>(text);
     const bool is_read =
