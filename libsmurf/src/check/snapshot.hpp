@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,9 @@ class Recorder final : public FileReader {
   struct Question {
     Kind kind;
     std::string path;
-    friend auto operator<=>(const Question&, const Question&) = default;
+    friend bool operator<(const Question& a, const Question& b) {
+      return std::tie(a.kind, a.path) < std::tie(b.kind, b.path);
+    }
   };
   struct Answer {
     std::string text;

@@ -25,7 +25,10 @@ using Loaded = std::span<const std::vector<Reference>>;
 struct Owner {
   std::size_t loaded = 0;
   ModelIndex model{};
-  friend auto operator<=>(const Owner&, const Owner&) = default;
+  friend bool operator<(const Owner& a, const Owner& b) {
+    return std::tie(a.loaded, a.model) < std::tie(b.loaded, b.model);
+  }
+  friend bool operator==(const Owner&, const Owner&) = default;
 };
 
 /// A name as one model knows it.
@@ -33,7 +36,9 @@ struct OwnedName {
   Owner owner;
   NameKind kind{};
   std::string_view name;
-  friend auto operator<=>(const OwnedName&, const OwnedName&) = default;
+  friend bool operator<(const OwnedName& a, const OwnedName& b) {
+    return std::tie(a.owner, a.kind, a.name) < std::tie(b.owner, b.kind, b.name);
+  }
 };
 
 std::string place_text(const SourceMap& sources, Span span) {
