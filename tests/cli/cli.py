@@ -15,6 +15,19 @@ TOOL = None
 FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
 
 
+def is_sanitized(program):
+    """Whether it was built with AddressSanitizer, which takes a multiple of the memory."""
+    word = b"__asan_init"
+    before = b""
+    # Read in parts: what takes memory here would count as that of the tools.
+    with open(program, "rb") as file:
+        while part := file.read(1 << 20):
+            if word in before + part:
+                return True
+            before = part[-len(word):]
+    return False
+
+
 class CliTest(unittest.TestCase):
     """Each test has an empty current folder, self.folder."""
 

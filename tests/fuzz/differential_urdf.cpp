@@ -36,6 +36,7 @@ constexpr Refusal kRefusals[] = {
     {"SML1001", "is never closed", true, true,
      "a quote, tag or instruction ends at one behind it, and what is between is lost"},
     {"SML1001", "this end tag is not closed by `>`", true, true, "both skip to the next `>`"},
+    {"SML1001", "closes nothing", true, false, "tinyxml2 stops at such an end tag behind the root"},
     {"SML1001", "begins no element here", true, true, "both take such a `<` for text"},
     {"SML1001", "this is no attribute of the XML declaration", true, true,
      "neither looks for attributes it does not know there"},

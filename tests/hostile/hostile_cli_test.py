@@ -17,6 +17,9 @@ import tempfile
 
 import inputs
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
+import cli  # noqa: E402
+
 SECONDS = 2
 MEGABYTES = 300
 # What each tool is asked for; {} is the input. What is written goes to `out`.
@@ -67,23 +70,11 @@ def faults(case, run, folder, has_sanitizer):
         yield f"took {run.megabytes:.0f} MB"
 
 
-def is_sanitized(program):
-    """Read in parts: what takes memory here would count as that of the tools."""
-    word = b"__asan_init"
-    before = b""
-    with open(program, "rb") as file:
-        while part := file.read(1 << 20):
-            if word in before + part:
-                return True
-            before = part[-len(word):]
-    return False
-
-
 def main():
     arguments = [argument for argument in sys.argv[1:] if argument != "--quick"]
     step = 61 if len(arguments) < len(sys.argv) - 1 else 1
     tools = pathlib.Path(arguments[0]).resolve()
-    has_sanitizer = {tool: is_sanitized(tools / tool) for tool in COMMANDS}
+    has_sanitizer = {tool: cli.is_sanitized(tools / tool) for tool in COMMANDS}
     count = 0
     failures = []
     slowest = largest = ("", 0)
