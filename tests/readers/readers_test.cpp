@@ -96,7 +96,9 @@ TEST_CASE("readers say who they are") {
     CHECK(names.insert(reader->name).second);
     CHECK(!reader->title.empty());
     CHECK(!reader->basis.empty());
-    for (const auto& [family, fact] : reader->families) {
+    for (const FamilyFact& one : reader->families) {
+      const std::string_view family = one.family;
+      const Fact& fact = one.fact;
       CAPTURE(family);
       check_text(fact);
       CHECK(fact.reader == reader);

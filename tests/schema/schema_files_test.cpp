@@ -26,7 +26,8 @@ std::string read(const fs::path& path) {
 }  // namespace
 
 TEST_CASE("the schemas are up to date") {
-  for (const auto& [name, text] : smurf::test::write_schemas()) {
+  for (const auto& file : smurf::test::write_schemas()) {
+    const std::string &name = file.first, &text = file.second;
     CAPTURE(name);
     if (std::getenv("SMURF_UPDATE_SNAPSHOTS") != nullptr) {
       std::ofstream(kSchemas / name, std::ios::binary) << text;

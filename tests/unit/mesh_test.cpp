@@ -333,7 +333,8 @@ TEST_CASE("mesh: files cut short and bytes changed at random") {
                                                         {obj(), ".obj"},
                                                         {bobj(), ".bobj"},
                                                         {collada(), ".dae"}};
-  for (const auto& [whole, extension] : meshes) {
+  for (const auto& mesh : meshes) {
+    const std::string &whole = mesh.first, &extension = mesh.second;
     CAPTURE(extension);
     const auto check = [&](const std::string& bytes) {
       const MeshFacts facts = read_mesh(bytes, extension);

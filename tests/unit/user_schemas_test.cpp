@@ -114,7 +114,7 @@ TEST_CASE("every keyword has its words") {
 }
 
 TEST_CASE("values that fit raise nothing, and names that YAML types are names") {
-  for (const auto& [schema, section] : std::vector<std::pair<std::string, std::string>>{
+  for (const auto& one : std::vector<std::pair<std::string, std::string>>{
            {R"({"type": "integer"})", "3.0"},
            {R"({"type": "number"})", "3"},
            {R"({"type": "string", "pattern": "^[a-z]+(_[a-z]+)*$"})", "left_upper_arm"},
@@ -128,8 +128,8 @@ TEST_CASE("values that fit raise nothing, and names that YAML types are names") 
             "{a/b: 1}"},
            {"true", "anything"},
            {"type: number\nminimum: 0\n", "2"}}) {
-    CAPTURE(schema);
-    const Rainbow rainbow(schema, section);
+    CAPTURE(one.first);
+    const Rainbow rainbow(one.first, one.second);
     CHECK(rainbow.is_registered);
     CHECK(rainbow.messages() == "");
   }
@@ -171,11 +171,11 @@ TEST_CASE("a broken schema is reported in the schema, and checks nothing") {
        "this schema applies itself to the same value again, without end"},
       {R"({"propertes": {}})", "`propertes` is no keyword of JSON Schema draft-07"},
   };
-  for (const auto& [schema, message] : cases) {
-    CAPTURE(schema);
-    const Rainbow rainbow(schema, "3");
+  for (const auto& one : cases) {
+    CAPTURE(one.first);
+    const Rainbow rainbow(one.first, "3");
     CHECK(!rainbow.is_registered);
-    CHECK(rainbow.messages() == message + "\n");
+    CHECK(rainbow.messages() == one.second + "\n");
     REQUIRE(!rainbow.found.empty());
     CHECK(rainbow.found[0].rule->id == "SML9011");
     CHECK(rainbow.sources.path(rainbow.found[0].span.source) == "rainbow.json");

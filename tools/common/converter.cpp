@@ -66,15 +66,8 @@ std::optional<LoadedModel> Conversion::load_model(const std::string& path) {
 
 std::optional<LoadedScene> Conversion::load_scene(const std::string& path) {
   auto name = open(path);
+  if (name) name = find_main_file(tool_, *name, files());
   if (!name) return std::nullopt;
-  if (is_archive(*name)) {
-    ArchivedMain main = main_file_of_archive(*name, files());
-    if (main.path.empty()) {
-      complain(tool_, "cannot read '" + path + "': it " + main.reason);
-      return std::nullopt;
-    }
-    name = std::move(main.path);
-  }
   return session_.load_scene(*name, settings());
 }
 

@@ -14,6 +14,7 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/output.hpp"
+#include "smurf/archive_files.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -71,6 +72,19 @@ std::optional<std::string> why_unreadable(const std::string& path, const FileRea
   return content.reason;
 }
 
+std::optional<std::string> find_main_file(std::string_view tool, const std::string& path,
+                                          const FileReader& files) {
+  std::optional<std::string> reason = why_unreadable(path, files);
+  if (!reason && is_archive(path)) {
+    ArchivedMain main = main_file_of_archive(path, files);
+    if (!main.path.empty()) return std::move(main.path);
+    reason = "it " + main.reason;
+  }
+  if (!reason) return path;
+  complain(tool, "cannot read '" + path + "': " + *reason);
+  return std::nullopt;
+}
+
 std::optional<std::string> current_folder(std::string_view tool) {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::current_path(error);
@@ -123,9 +137,11 @@ bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
   return true;
 }
 
-std::string identity(const std::string& path) {
-  static const CanonicalPaths canonical;
-  return canonical.of(path).value_or(path::normalize(path));
+const CanonicalPaths& canonical_paths() {
+  static const CanonicalPaths paths;
+  return paths;
 }
+
+std::string identity(const std::string& path) { return smurf::identity(path, canonical_paths()); }
 
 }  // namespace smurf::tools

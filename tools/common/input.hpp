@@ -26,6 +26,11 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
 /// None when it can be read.
 std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files);
 
+/// What is loaded for the user's path: itself, or what an archive holds. Complains and returns none
+/// when it cannot be read.
+std::optional<std::string> find_main_file(std::string_view tool, const std::string& path,
+                                          const FileReader& files);
+
 /// Where the run was started. Complains when that folder is gone.
 std::optional<std::string> current_folder(std::string_view tool);
 
@@ -59,6 +64,8 @@ class InputFiles final : public FileReader {
 bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
                   std::span<const std::string> outputs);
 
+/// Those of the run.
+const CanonicalPaths& canonical_paths();
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path);
 

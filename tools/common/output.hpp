@@ -44,8 +44,8 @@ std::string safe_name(std::string_view name);
 OutputFile named_by_user(const std::string& path, std::string_view text);
 
 /// Writes all files or none, and complains if it cannot. Folders that are missing are made.
-/// Existing files are an error unless `overwrite`. `last_step`, when given, is what goes with the
-/// files: when it is false, which it says itself, they are taken back.
+/// Existing files are an error unless `overwrite`. `last_step`, if given, is called after the files
+/// are written; when it returns false (it complains itself), they are removed again.
 bool write_files(std::string_view tool, const std::vector<OutputFile>& files, bool overwrite,
                  const std::function<bool()>& last_step = {});
 

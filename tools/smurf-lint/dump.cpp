@@ -9,7 +9,6 @@
 #include "base/limits.hpp"
 #include "common/input.hpp"
 #include "smurf-lint/settings.hpp"
-#include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/write.hpp"
@@ -22,18 +21,10 @@ constexpr std::string_view kTool = "smurf-lint";
 /// What is loaded for a path, which may be that of an archive. None when that cannot be; it has
 /// been said.
 std::optional<std::string> main_file(const std::string& path, const FileReader& files) {
-  if (const auto reason = why_unreadable(path, files)) {
-    complain(kTool, "cannot read '" + path + "': " + *reason);
-    return std::nullopt;
-  }
-  if (is_archive(path)) {
-    ArchivedMain main = main_file_of_archive(path, files);
-    if (!main.path.empty()) return std::move(main.path);
-    complain(kTool, "cannot read '" + path + "': it " + main.reason);
-    return std::nullopt;
-  }
+  std::optional<std::string> main = find_main_file(kTool, path, files);
+  if (!main || *main != path) return main;
   const InputKind kind = input_kind(path);
-  if (kind != InputKind::resource && kind != InputKind::other) return path;
+  if (kind != InputKind::resource && kind != InputKind::other) return main;
   complain(kTool, "'" + path + "' is no model, scene, URDF or annotation file");
   return std::nullopt;
 }

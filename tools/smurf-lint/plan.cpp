@@ -29,19 +29,6 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path, ignored);
 }
 
-/// In `folder` or the nearest above it; the text "..", not links, leads upwards.
-std::string nearest_config(std::string folder, const FileReader& files) {
-  if (folder.empty()) folder = ".";
-  std::error_code ignored;
-  const auto absolute = std::filesystem::absolute(folder, ignored);
-  for (auto level = std::distance(absolute.begin(), absolute.end()); level > 0; --level) {
-    std::string config = path::join(folder, kConfigName);
-    if (files.is_file(config)) return config;
-    folder = path::join(folder, "..");
-  }
-  return {};
-}
-
 /// What a configuration says of the files it leaves out.
 struct Exclusions {
   struct Patterns {
@@ -74,7 +61,7 @@ struct Exclusions {
   template <class Judge>
   bool any(const std::string& path, const Judge& judge) const {
     return std::any_of(all.begin(), all.end(), [&](const Patterns& one) {
-      const std::string inside = path_inside(path, one.folder);
+      const std::string inside = path_inside(path, one.folder, canonical_paths());
       return !inside.empty() && judge(one.patterns, inside);
     });
   }
@@ -301,7 +288,7 @@ std::string find_config(const std::string& path, const LintOptions& options,
                         const FileReader& files) {
   if (options.isolated) return {};
   if (!options.config.empty()) return options.config;
-  return nearest_config(is_folder(path) ? path : std::string(path::parent(path)), files);
+  return nearest_config(path, files);
 }
 
 void confine_to_inputs(ConfinedFiles& files, const LintOptions& options) {

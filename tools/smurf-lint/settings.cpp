@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-lint/settings.hpp"
 
-#include "common/input.hpp"
-
 namespace smurf::tools {
 
 CheckSettings check_settings(const LintOptions& options) {
@@ -32,13 +30,6 @@ RunSettings merge_run(const ReportWishes& wishes, const LintOptions& options) {
     settings.threshold.max_warnings = wishes.max_warnings;
   }
   return settings;
-}
-
-std::string path_inside(const std::string& path, const std::string& folder) {
-  const std::string whole = identity(path);
-  std::string above = identity(folder);
-  if (!above.ends_with('/')) above += '/';
-  return whole.starts_with(above) ? whole.substr(above.size()) : std::string();
 }
 
 }  // namespace smurf::tools

@@ -21,7 +21,4 @@ struct RunSettings {
 };
 RunSettings merge_run(const ReportWishes& wishes, const LintOptions& options);
 
-/// `path` as seen from `folder`, both looked up in the file system; "" when it lies elsewhere.
-std::string path_inside(const std::string& path, const std::string& folder);
-
 }  // namespace smurf::tools

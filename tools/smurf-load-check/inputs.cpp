@@ -10,6 +10,7 @@
 #include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/output.hpp"
+#include "smurf/archive_files.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/lint.hpp"
 
@@ -91,12 +92,10 @@ class Loader {
         fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + path + "'");
       }
       files.insert(files.end(), found.files.begin(), found.files.end());
-    } else if (const auto reason = why_unreadable(path, inputs_.files)) {
-      fail("cannot read '" + path + "': " + *reason);
+    } else if (const auto main = find_main_file(kTool, path, inputs_.files); !main) {
+      inputs_.has_failed = true;
     } else if (is_archive(path)) {
-      const ArchivedMain main = main_file_of_archive(path, inputs_.files);
-      if (main.path.empty()) return fail("cannot read '" + path + "': it " + main.reason);
-      files.push_back(main.path);
+      files.push_back(*main);
     } else if (input_kind(path) == InputKind::annotation || input_kind(path) == InputKind::other) {
       fail("cannot check '" + path + "': it is no .smurf, .smurfs, .smurfa, .svg or .urdf file");
     } else {

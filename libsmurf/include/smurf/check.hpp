@@ -52,8 +52,8 @@ struct CheckSettings {
   std::map<std::string, std::string> packages;  ///< package:// names to folders
   std::vector<std::string> package_folders = ros_package_folders();
   bool opens_meshes = true;
-  /// Read what models name wherever it lies; for a session that reads the disk by itself. Without
-  /// it: what confine() of confine.hpp allows.
+  /// For a session that reads from the disk: read what models name, wherever it is. When false,
+  /// only what confine() (smurf/confine.hpp) allows is read.
   bool allows_outside = false;
 
   bool heeds_comments = true;  ///< comments let findings pass

@@ -18,6 +18,10 @@ namespace smurf {
 
 inline constexpr std::string_view kConfigName = ".smurf-lint.yaml";
 
+/// The configuration file in the folder `path`, or beside the file `path`, or in the nearest folder
+/// above; "" when there is none.
+std::string nearest_config(const std::string& path, const FileReader& files);
+
 /// A pattern as in .gitignore, and the folder it is relative to.
 struct ConfigPattern {
   Spanned<std::string> text;

@@ -108,7 +108,7 @@ class Baseline {
   void read_file(yaml::View rules, DiagnosticSink& sink);
 
   BaselinePath name_of_;
-  /// By file, id of the rule, and named pointer. Of the two former there are few.
+  /// By file, then id of the rule, then named pointer: a long name of a file is kept once.
   ByName<ByName<ByName<std::vector<Entry>>>> entries_;
 };
 

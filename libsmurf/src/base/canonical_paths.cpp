@@ -85,4 +85,14 @@ std::optional<std::string> CanonicalPaths::follow(const std::string& folder,
   return at;
 }
 
+std::string identity(const std::string& path, const CanonicalPaths& paths) {
+  return paths.of(path).value_or(path::normalize(path));
+}
+
+std::string path_inside(const std::string& path, std::string folder, const CanonicalPaths& paths) {
+  const std::string whole = identity(path, paths);
+  if (!folder.ends_with('/')) folder += '/';
+  return whole.starts_with(folder) ? whole.substr(folder.size()) : std::string();
+}
+
 }  // namespace smurf

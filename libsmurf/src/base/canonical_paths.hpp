@@ -36,4 +36,10 @@ class CanonicalPaths {
   mutable std::unordered_map<std::string, std::string> known_;
 };
 
+/// Equal for two spellings of one file; links are resolved.
+std::string identity(const std::string& path, const CanonicalPaths& paths);
+
+/// `path` as seen from `folder`, which is an identity; "" when it lies elsewhere.
+std::string path_inside(const std::string& path, std::string folder, const CanonicalPaths& paths);
+
 }  // namespace smurf

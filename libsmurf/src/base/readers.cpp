@@ -47,7 +47,8 @@ bool is_about_annotations(const Rule& rule) {
   return rule.id.starts_with("SML3") || rule.id.starts_with("SML4");
 }
 
-/// What the tools find in their own files, and what they cannot write, concerns no reader.
+/// No reader is affected by what is wrong with a configuration, or by what a converter cannot
+/// write.
 bool is_about_robots(const Rule& rule) {
   return rule.reported_by == Tool::lint && !rule.id.starts_with("SML9");
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/canonical_paths.hpp"
 #include "base/path_patterns.hpp"
-#include "check/identity.hpp"
 
 namespace smurf {
 namespace {
@@ -24,15 +24,14 @@ PathRules rules_of(const ConfigPath& path, const CanonicalPaths& paths,
                    const std::shared_ptr<PathChecks>& checks) {
   PathPatterns patterns;
   patterns.add(path.pattern.text.value);
-  std::string folder = identity(path.pattern.folder, paths);
-  if (!folder.ends_with('/')) folder += '/';
+  const std::string folder = identity(path.pattern.folder, paths);
   PathRules rules;
   rules.covers = [patterns, &paths, checks, folder](const std::string& file) {
     if (!checks->take(1)) return false;
-    const std::string whole = identity(file, paths);
-    if (!whole.starts_with(folder) || whole.size() == folder.size()) return false;
+    const std::string inside = path_inside(file, folder, paths);
+    if (inside.empty()) return false;
     std::uint64_t steps = 0;
-    const bool is_covered = patterns.excludes(whole.substr(folder.size()), &steps);
+    const bool is_covered = patterns.excludes(inside, &steps);
     return checks->take(steps / PathPatterns::kStepsOfCheck) && is_covered;
   };
   append(path.ignore, rules.ignore);

@@ -79,7 +79,7 @@ inline void for_each_in_order(std::size_t count, std::size_t jobs,
       work(worker, index);
       end(index);
     } catch (...) {
-      // Nobody is to wait for a file that is never done.
+      // Wake the threads that wait for this file: it will never be done.
       const std::lock_guard lock(mutex);
       is_over = true;
       has_room.notify_all();

@@ -8,19 +8,15 @@
 #include <system_error>
 #include <utility>
 
+#include "base/canonical_paths.hpp"
 #include "base/limits.hpp"
 #include "base/rules.hpp"
-#include "check/identity.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {
 namespace {
 
 namespace fs = std::filesystem;
-
-void append(std::vector<Diagnostic>&& from, std::vector<Diagnostic>& to) {
-  std::move(from.begin(), from.end(), std::back_inserter(to));
-}
 
 template <class Linked>
 Judged take(const Linked& linked, const SourceMap& sources, DiagnosticSink& sink) {

@@ -3,7 +3,9 @@
 // place.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,10 @@
 #include "smurf/suppress.hpp"
 
 namespace smurf {
+
+inline void append(std::vector<Diagnostic>&& from, std::vector<Diagnostic>& to) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
+}
 
 /// What was found in a model or scene, with the names of the places, and the comments there.
 struct Judged {

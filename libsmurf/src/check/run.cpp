@@ -8,18 +8,14 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/canonical_paths.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
-#include "check/identity.hpp"
 #include "check/parallel.hpp"
 
 namespace smurf {
 namespace {
-
-void append(std::vector<Diagnostic>&& from, std::vector<Diagnostic>& to) {
-  std::move(from.begin(), from.end(), std::back_inserter(to));
-}
 
 void shift(Diagnostic& diagnostic, const SourceShift& by) {
   diagnostic.span = by(diagnostic.span);

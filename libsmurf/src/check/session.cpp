@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/path.hpp"
-#include "check/find_config.hpp"
 #include "check/group.hpp"
 #include "check/pipeline.hpp"
 #include "check/run.hpp"
@@ -45,10 +44,10 @@ bool is_readable(const std::string& path, const FileReader& files) {
 /// The configuration for a file. One that was only found, and cannot be read, is none.
 std::string config_for(const std::string& path, const CheckSettings& settings,
                        const FileReader& files) {
-  std::string config = find_config(path, settings, files);
-  const bool is_found = settings.config.empty() && !config.empty();
-  if (is_found && !is_readable(config, files)) config.clear();
-  return config;
+  if (settings.is_isolated) return {};
+  if (!settings.config.empty()) return settings.config;
+  std::string config = nearest_config(path, files);
+  return config.empty() || is_readable(config, files) ? config : std::string();
 }
 
 }  // namespace
@@ -96,6 +95,7 @@ struct Session::State {
     if (given == nullptr) {
       disk.emplace();
       confine(*disk, asked_for, asked_packages, allows_outside);
+      disk->allow(baseline);
     }
     archives.emplace(given == nullptr ? *disk : *given, limits);
     files.emplace(&*archives);
@@ -107,11 +107,11 @@ struct Session::State {
   void open(std::span<const std::string> inputs, const CheckSettings& settings) {
     asked_for.insert(asked_for.end(), inputs.begin(), inputs.end());
     if (!settings.config.empty()) asked_for.push_back(settings.config);
-    if (!settings.baseline.empty()) asked_for.push_back(settings.baseline);
     std::sort(asked_for.begin(), asked_for.end());
     asked_for.erase(std::unique(asked_for.begin(), asked_for.end()), asked_for.end());
     for (const auto& [name, folder] : settings.packages) asked_packages[name] = folder;
     allows_outside = settings.allows_outside;
+    baseline = settings.baseline;
     open();
   }
 
@@ -134,6 +134,20 @@ struct Session::State {
     return {&loaded_sources, DiagnosticSink(limits.findings, limits.suggestions), &with};
   }
 
+  /// After open().
+  Report run(const Plan& plan, const CheckSettings& settings) {
+    if (!settings.remembers) {
+      snapshot.reset();
+      memory = {};
+    } else if (!snapshot) {
+      snapshot.emplace(*files, [this](const std::string& path) { return stamp_of(path); });
+    } else {
+      snapshot->begin();
+    }
+    const Workshop workshop{desk(), snapshot ? &*snapshot : nullptr, memory};
+    return run_check(plan, settings, workshop, sources);
+  }
+
   Report report(Judged&& judged, Loaded& loaded) {
     std::vector<Judged> found;
     found.push_back(std::move(judged));
@@ -147,6 +161,7 @@ struct Session::State {
   std::vector<std::string> asked_for;
   std::map<std::string, std::string> asked_packages;
   bool allows_outside = false;
+  std::string baseline;  ///< "": none was named
   StampOf stamp_of_file;
   std::optional<ArchiveFiles> archives;
   std::optional<MemoryFiles> files;
@@ -179,23 +194,12 @@ void Session::clear_text(const std::string& path) {
 }
 
 Report Session::check(const Plan& plan, const CheckSettings& settings) {
-  State& state = *state_;
   std::vector<std::string> inputs = plan.configs;
   for (const auto* files : {&plan.scenes, &plan.models, &plan.strays}) {
     for (const PlannedFile& file : *files) inputs.push_back(file.path);
   }
-  state.open(inputs, settings);
-  if (!settings.remembers) {
-    state.snapshot.reset();
-    state.memory = {};
-  } else if (!state.snapshot) {
-    state.snapshot.emplace(*state.files,
-                           [&state](const std::string& path) { return state.stamp_of(path); });
-  } else {
-    state.snapshot->begin();
-  }
-  const Workshop workshop{state.desk(), state.snapshot ? &*state.snapshot : nullptr, state.memory};
-  return run_check(plan, settings, workshop, state.sources);
+  state_->open(inputs, settings);
+  return state_->run(plan, settings);
 }
 
 Report Session::check(const std::string& path, const CheckSettings& settings) {
@@ -204,13 +208,13 @@ Report Session::check(const std::string& path, const CheckSettings& settings) {
   if (!is_readable(path, *state_->files)) {
     const std::string reason = state_->files->read(path, 0).reason;
     plan.problems.push_back("cannot read '" + path + "': " + reason);
-    return check(plan, settings);
+    return state_->run(plan, settings);
   }
   plan.configs.push_back(config_for(path, settings, *state_->files));
   const InputKind kind = input_kind(path);
   const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
   (is_scene ? plan.scenes : plan.models).push_back({path, 0});
-  return check(plan, settings);
+  return state_->run(plan, settings);
 }
 
 const SourceMap& Session::sources() const { return state_->sources; }

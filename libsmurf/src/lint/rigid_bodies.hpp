@@ -19,7 +19,7 @@ bool has_fixed_mass(const LinkedModel& model, LinkIndex link);
 /// them for one body then, whatever its own mass and inertia are.
 std::vector<bool> fixed_to_heavier(const LinkedModel& model);
 
-/// By link: the mass of all that fixed joints hold together with it, kg.
+/// By link: the mass (kg) of the body that fixed joints make of it and other links.
 std::vector<double> masses_of_bodies(const LinkedModel& model);
 
 /// By link: is it the only one with an inertial in a body that moves?

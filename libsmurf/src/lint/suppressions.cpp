@@ -157,7 +157,8 @@ class Suppressions::Reader {
     const auto& nodes = document.nodes;  // in document order
     auto next = std::partition_point(nodes.begin(), nodes.end(),
                                      [&](const yaml::Node& node) { return begin_of(node) < end; });
-    if (next != nodes.end() && yaml::NodeId{offset(next - nodes.begin())} == document.root) ++next;
+    const auto number = static_cast<std::size_t>(next - nodes.begin());
+    if (next != nodes.end() && yaml::NodeId{offset(number)} == document.root) ++next;
     if (next == nodes.end()) return {end, end};
     return {begin_of(*next), std::max(next->key_span().end, next->span.end)};
   }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check/find_config.hpp"
-
 #include <filesystem>
 #include <system_error>
 
@@ -9,10 +7,7 @@
 
 namespace smurf {
 
-std::string find_config(const std::string& path, const CheckSettings& settings,
-                        const FileReader& files) {
-  if (settings.is_isolated) return {};
-  if (!settings.config.empty()) return settings.config;
+std::string nearest_config(const std::string& path, const FileReader& files) {
   std::error_code ignored;
   const bool is_folder = std::filesystem::is_directory(path, ignored);
   std::string folder = is_folder ? path : std::string(path::parent(path));
