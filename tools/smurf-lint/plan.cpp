@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "base/canonical_paths.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/path_patterns.hpp"
