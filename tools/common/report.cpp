@@ -9,6 +9,34 @@
 namespace smurf::tools {
 namespace {
 
+/// Which rules most findings are of, when they are many.
+std::string most_frequent(const Results& results, const TextStyle& style) {
+  constexpr std::size_t kMany = 50;
+  constexpr std::size_t kRules = 10;
+  if (results.diagnostics.size() <= kMany) return {};
+  return "The most frequent findings:\n" + render_statistics(results.diagnostics, style, kRules) +
+         "\n";
+}
+
+/// That findings are not shown because they matter less.
+std::string hidden(const Results& results) {
+  const Severity least = results.overview.least;
+  const std::size_t infos = results.summary.infos;
+  if (results.counts_only || least == Severity::info || infos == 0) return {};
+  return std::to_string(infos) + (infos == 1 ? " info is" : " infos are") +
+         " not shown; --min-severity info shows " + (infos == 1 ? "it" : "them") + "\n";
+}
+
+/// Where one reads more about the worst finding.
+std::string pointer_to_page(const Results& results) {
+  const auto worst = std::max_element(
+      results.diagnostics.begin(), results.diagnostics.end(),
+      [](const Diagnostic& a, const Diagnostic& b) { return a.severity < b.severity; });
+  if (worst == results.diagnostics.end() || worst->severity < results.overview.least) return {};
+  return "\nsmurf-lint --explain " + std::string(worst->rule->id) + ", or " +
+         rule_address(*worst->rule, kHomepage) + "\n";
+}
+
 /// With the summary and the verdicts of the targets; the only format that ends with them.
 std::string full(const Results& results, const TextStyle& style) {
   std::string out;
@@ -16,14 +44,14 @@ std::string full(const Results& results, const TextStyle& style) {
     out = render_statistics(results.diagnostics, style);
     if (!out.empty()) out += "\n";
   } else {
-    for (const Diagnostic& diagnostic : results.diagnostics) {
-      out += render_full(diagnostic, results.sources, style);
-    }
+    out = render_overview(results.diagnostics, results.sources, results.overview, style);
   }
   if (results.quiet) return out;
-  out += render_summary(results.summary, style) + results.remarks;
+  if (!results.counts_only) out += most_frequent(results, style);
+  out += render_summary(results.summary, style) + hidden(results) + results.remarks;
   if (!results.targets.empty()) out += "\n";
-  return out + render_targets(results.targets, results.sources, style);
+  out += render_targets(results.targets, results.sources, style);
+  return results.counts_only ? out : out + pointer_to_page(results);
 }
 
 std::string concise(const Results& results, const TextStyle& style) {

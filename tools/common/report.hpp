@@ -21,9 +21,10 @@ struct Results {
   Summary summary;
   std::span<const TargetVerdict> targets = {};
   std::string_view tool;
-  std::string remarks{};     ///< for people: lines after the summary
-  bool quiet = false;        ///< no summary
-  bool counts_only = false;  ///< for people: how often each rule, instead of every finding
+  std::string remarks{};       ///< for people: lines after the summary
+  bool quiet = false;          ///< no summary
+  bool counts_only = false;    ///< for people: how often each rule, instead of every finding
+  OverviewOptions overview{};  ///< for people
 };
 
 struct ReportFormat {

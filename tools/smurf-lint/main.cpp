@@ -59,6 +59,14 @@ ExitCode list_rules(const LintOptions& options) {
   return write_text(options, render_rule_list(all_rules(), style_of(options, options.output)));
 }
 
+/// What a report for a person shows: infos only when they were asked for.
+OverviewOptions overview(const LintOptions& options, const Threshold& threshold) {
+  const bool is_asked_for =
+      options.shows_all || !options.selection.select.empty() || threshold.fail_on == Severity::info;
+  const Severity least = is_asked_for ? Severity::info : Severity::warning;
+  return {options.min_severity.value_or(least), options.shows_all};
+}
+
 /// A report, and what it points into.
 struct Checked {
   const Report& report;
@@ -69,6 +77,7 @@ struct Checked {
 ExitCode write_reports(const LintOptions& options, const std::string& place, const Checked& checked,
                        std::string remarks) {
   const Report& report = checked.report;
+  const RunSettings settings = merge_run(report.wishes, options);
   const Results results{.diagnostics = report.diagnostics,
                         .sources = checked.sources,
                         .summary = report.summary,
@@ -76,9 +85,10 @@ ExitCode write_reports(const LintOptions& options, const std::string& place, con
                         .tool = kTool,
                         .remarks = std::move(remarks),
                         .quiet = options.quiet,
-                        .counts_only = options.statistics};
+                        .counts_only = options.statistics,
+                        .overview = overview(options, settings.threshold)};
   ExitCode code = kDone;
-  for (const ReportRequest& request : merge_run(report.wishes, options).reports) {
+  for (const ReportRequest& request : settings.reports) {
     const std::string& file = request.file.empty() ? place : request.file;
     const std::string text = request.format->render(results, style_of(options, file));
     if (!write_output(kTool, file, text)) code = kFailed;
@@ -237,7 +247,15 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
     if (done == 0) progress.emplace("checked", of, options.quiet);
     progress->set(done);
   };
-  return session.check(plan, settings);
+  Report report = session.check(plan, settings);
+  if (options.min_severity) {
+    std::erase_if(report.diagnostics,
+                  [&](const Diagnostic& one) { return one.severity < *options.min_severity; });
+    const Summary left = summarize(report.diagnostics);
+    report.summary.warnings = left.warnings;
+    report.summary.infos = left.infos;
+  }
+  return report;
 }
 
 ExitCode run(const LintOptions& options) {

@@ -238,6 +238,10 @@ std::vector<Option> output_options(LintOptions& options) {
                "and check nothing.",
        .set = set_flag(options.merge_reports)},
       {.group = "Output",
+       .name = "all",
+       .help = "Show every finding (full): infos too, and more than three of one rule in a file.",
+       .set = set_flag(options.shows_all)},
+      {.group = "Output",
        .name = "statistics",
        .help = "Count the findings of each rule instead of listing them (full, concise).",
        .set = set_flag(options.statistics)},
@@ -250,7 +254,16 @@ std::vector<Option> verdict_options(LintOptions& options) {
     options.has_fail_on = true;
     return set(value);
   };
+  using Level = std::optional<Severity>;
   return {
+      {.group = "Verdict",
+       .name = "min-severity",
+       .metavar = "LEVEL",
+       .help = "Leave out what is less severe than this: error, warning or info.",
+       .values = {"error", "warning", "info"},
+       .set = choose<Level>(
+           options.min_severity,
+           {{"error", Severity::error}, {"warning", Severity::warning}, {"info", Severity::info}})},
       fail_on,
       {.group = "Verdict",
        .name = "max-warnings",

@@ -35,6 +35,7 @@ struct LintOptions {
   std::string show_config;  ///< a path: show what holds for it and do nothing else
   RuleSelection selection;
   Threshold threshold;
+  std::optional<Severity> min_severity;  ///< what is below is left out of every report
   bool has_fail_on = false;  ///< the threshold's severity was given
 
   bool force_exclude = false;    ///< leave excluded files out even when they are named
@@ -56,6 +57,7 @@ struct LintOptions {
   std::vector<ReportRequest> reports;
   std::string output;  ///< for reports without a file of their own
   bool statistics = false;
+  bool shows_all = false;  ///< every finding in a report for people, however many there are
   bool quiet = false;
   ColorChoice color = ColorChoice::automatic;
   std::optional<int> jobs;

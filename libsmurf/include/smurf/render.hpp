@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,8 +50,21 @@ std::string render_summary(const Summary& summary, const TextStyle& style);
 /// Two columns: what becomes of the files in each reader, and the first reason with its place.
 std::string render_targets(std::span<const TargetVerdict> targets, const SourceMap& sources,
                            const TextStyle& style);
-/// One line a rule, the most frequent first: "  12  error    SML3101 unknown-joint".
-std::string render_statistics(std::span<const Diagnostic> diagnostics, const TextStyle& style);
+/// One line a rule, the most frequent first: "  12  error    SML3101 unknown-joint". At most `most`
+/// lines.
+std::string render_statistics(std::span<const Diagnostic> diagnostics, const TextStyle& style,
+                              std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// What an overview shows.
+struct OverviewOptions {
+  Severity least = Severity::warning;
+  bool shows_all = false;  ///< every finding, whatever the number
+};
+/// Findings for a person: errors first, then by file. Of one rule, three in a file; of one message,
+/// that of the first file; when some 150 lines are full, the names of the other files. Lines say
+/// how many findings were left out. `diagnostics` are sorted by file.
+std::string render_overview(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                            const OverviewOptions& options, const TextStyle& style);
 /// The JSON report of schemas/lint-report.schema.json.
 std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                         const Summary& summary, const ToolName& tool,
@@ -89,6 +103,8 @@ std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceM
 std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          const ToolName& tool);
 
+/// Where the page of a rule is.
+std::string rule_address(const Rule& rule, std::string_view homepage);
 /// The page of one rule, for `--explain`.
 std::string render_rule(const Rule& rule, const TextStyle& style);
 /// One line a rule, for `--list-rules`.

@@ -33,6 +33,14 @@ std::string tolerance_of(const Rule& rule) {
 
 }  // namespace
 
+std::string rule_address(const Rule& rule, std::string_view homepage) {
+  std::string address = std::string(homepage) + "/blob/main/docs/rules.md#";
+  for (const char c : std::string(rule.id) + "-" + std::string(rule.name)) {
+    address += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return address;
+}
+
 std::string render_rule(const Rule& rule, const TextStyle& style) {
   const Painter paint(style.color);
   const std::size_t columns =

@@ -96,19 +96,18 @@ class Log {
   Json driver(const ToolName& tool, std::string_view homepage) const {
     Json rules = Json::array();
     for (const Rule* rule : rules_) {
-      rules.push_back(
-          {{"id", text(rule->id)},
-           {"name", pascal_case(rule->name)},
-           {"shortDescription", {{"text", cut(rule->summary)}}},
-           {"fullDescription", {{"text", cut(full_description(*rule))}}},
-           {"help", {{"text", text(rule->remedy)}}},
-           {"helpUri", std::string(homepage) + "/blob/main/docs/rules.md#" + anchor(*rule)},
-           {"defaultConfiguration", {{"level", text(level(rule->severity))}}},
-           {"properties",
-            {{"tags", {"robotics", "smurf"}},
-             {"problem.severity", rule->severity == Severity::info
-                                      ? Json("recommendation")
-                                      : text(to_string(rule->severity))}}}});
+      rules.push_back({{"id", text(rule->id)},
+                       {"name", pascal_case(rule->name)},
+                       {"shortDescription", {{"text", cut(rule->summary)}}},
+                       {"fullDescription", {{"text", cut(full_description(*rule))}}},
+                       {"help", {{"text", text(rule->remedy)}}},
+                       {"helpUri", rule_address(*rule, homepage)},
+                       {"defaultConfiguration", {{"level", text(level(rule->severity))}}},
+                       {"properties",
+                        {{"tags", {"robotics", "smurf"}},
+                         {"problem.severity", rule->severity == Severity::info
+                                                  ? Json("recommendation")
+                                                  : text(to_string(rule->severity))}}}});
     }
     return {{"name", text(tool.name)},
             {"version", text(tool.version)},
@@ -145,14 +144,6 @@ class Log {
   }
 
  private:
-  static std::string anchor(const Rule& rule) {
-    std::string anchor;
-    for (const char c : std::string(rule.id) + "-" + std::string(rule.name)) {
-      anchor += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return anchor;
-  }
-
   Json artifact(Span span) const {
     return {{"uri", to_uri(in_repository_(render::path_of(span, sources_)))}};
   }

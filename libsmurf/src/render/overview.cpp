@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The findings of a report for a person: the worst first, and no more than a person reads.
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/quoted.hpp"
+#include "render/paint.hpp"
+#include "render/printable.hpp"
+#include "smurf/render.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::size_t kMostOfRule = 3;  ///< in a file
+constexpr std::size_t kMostLines = 150;
+constexpr std::size_t kMostNames = 15;  ///< of files, when the lines are full
+
+/// The findings of one severity in one file.
+struct Section {
+  Severity severity;
+  SourceId file;
+  std::vector<const Diagnostic*> findings;
+};
+
+class Overview {
+ public:
+  Overview(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+           const OverviewOptions& options, const TextStyle& style)
+      : sources_(sources), options_(options), style_(style), paint_(style.color) {
+    std::array<std::vector<Section>, 3> by_severity;
+    for (const Diagnostic& one : diagnostics) {
+      if (one.severity < options.least) continue;
+      const SourceId file = one.span.source;
+      auto& sections = by_severity[static_cast<std::size_t>(one.severity)];
+      if (sections.empty() || sections.back().file != file) {
+        sections.push_back({one.severity, file, {}});
+      }
+      sections.back().findings.push_back(&one);
+      Repeated& repeated = repeated_[{one.rule, one.message}];
+      if (repeated.files == 0) repeated.first = file;
+      if (repeated.files == 0 || repeated.last != file) ++repeated.files;
+      repeated.last = file;
+    }
+    std::for_each(by_severity.rbegin(), by_severity.rend(), [&](std::vector<Section>& sections) {
+      std::move(sections.begin(), sections.end(), std::back_inserter(sections_));
+    });
+    has_titles_ = std::any_of(sections_.begin(), sections_.end(), [&](const Section& section) {
+      return section.file != sections_.front().file;
+    });
+  }
+
+  std::string text() {
+    std::size_t next = 0;
+    while (next < sections_.size() && (options_.shows_all || lines_ < kMostLines)) {
+      add(sections_[next++]);
+    }
+    add_names(std::span(sections_).subspan(next));
+    return std::move(out_);
+  }
+
+ private:
+  /// A message that several files may have.
+  struct Repeated {
+    SourceId first{};
+    SourceId last{};
+    std::size_t files = 0;
+    bool is_told = false;
+  };
+
+  /// How often a rule is in a section.
+  struct Tally {
+    std::size_t all = 0;
+    std::size_t shown = 0;
+  };
+
+  void write(const std::string& text) {
+    lines_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    out_ += text;
+  }
+
+  /// "arm.urdf: 3 errors"
+  std::string title(const Section& section) const {
+    return render::escape(sources_.path(section.file)) + ": " +
+           counted(section.findings.size(), to_string(section.severity));
+  }
+
+  void add(const Section& section) {
+    std::map<std::string_view, Tally> of_rule;
+    bool is_titled = !has_titles_;
+    for (const Diagnostic* one : section.findings) {
+      Repeated& repeated = repeated_[{one->rule, one->message}];
+      if (!options_.shows_all && repeated.first != section.file) continue;
+      Tally& tally = of_rule[one->rule->id];
+      ++tally.all;
+      if (!options_.shows_all && (tally.shown == kMostOfRule || lines_ >= kMostLines)) continue;
+      if (!is_titled) write(paint_(render::Ink::strong, title(section)) + "\n\n");
+      is_titled = true;
+      ++tally.shown;
+      write(render_full(*one, sources_, style_) + same_elsewhere(repeated));
+    }
+    write(cut(of_rule));
+  }
+
+  std::string same_elsewhere(Repeated& repeated) const {
+    if (options_.shows_all || repeated.files == 1 || repeated.is_told) return {};
+    repeated.is_told = true;
+    return "... and the same in " + counted(repeated.files - 1, "more file") + "\n\n";
+  }
+
+  /// "... and 12 more of SML1501, 3 more of SML1502 in this file"
+  static std::string cut(const std::map<std::string_view, Tally>& of_rule) {
+    std::string text;
+    for (const auto& [id, tally] : of_rule) {
+      if (tally.shown == tally.all) continue;
+      text += (text.empty() ? "... and " : ", ") + std::to_string(tally.all - tally.shown) +
+              " more of " + std::string(id);
+    }
+    return text.empty() ? text : text + " in this file\n\n";
+  }
+
+  /// The files for whose findings no line is left.
+  void add_names(std::span<const Section> rest) {
+    if (rest.empty()) return;
+    const std::size_t named = std::min(rest.size(), kMostNames);
+    for (const Section& section : rest.first(named)) write(title(section) + "\n");
+    std::size_t findings = 0;
+    for (const Section& section : rest.subspan(named)) findings += section.findings.size();
+    if (findings > 0) {
+      write("... and " + counted(findings, "finding") + " in " +
+            counted(rest.size() - named, "more file") + "\n");
+    }
+    write("\n");
+  }
+
+  const SourceMap& sources_;
+  const OverviewOptions& options_;
+  const TextStyle& style_;
+  render::Painter paint_;
+  std::vector<Section> sections_;
+  std::map<std::pair<const Rule*, std::string_view>, Repeated> repeated_;
+  bool has_titles_ = false;
+  std::size_t lines_ = 0;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string render_overview(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                            const OverviewOptions& options, const TextStyle& style) {
+  return Overview(diagnostics, sources, options, style).text();
+}
+
+}  // namespace smurf
