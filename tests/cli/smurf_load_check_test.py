@@ -341,13 +341,31 @@ class Options(LoadCheckTest):
         self.write("many.urdf", self.read("ball.urdf").replace("</robot>", links + "</robot>"))
         done = self.run_tool("many.urdf", "--stages", "drop", "--trace", "trace.csv", "--time", "2")
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn("the trace of 'many.urdf' ends after 64000000 bytes; ask for less with --stages or --time",
+        self.assertIn("the trace ends after 64000000 bytes, in 'many.urdf'; ask for less with --stages or --time",
                       done.stderr)
         self.assertIn("DROP", done.stdout)
         rows = self.read("trace.csv").splitlines()
         self.assertLess(sum(map(len, rows)), 64_000_100)
         self.assertEqual((len(rows) - 1) % 501, 0)
         self.assertEqual(rows[-1].count(","), 10)
+        if not cli.is_sanitized(cli.TOOL):
+            self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 300 * 1024)
+
+    def test_the_traces_of_a_run_have_a_limit(self):
+        """Ten URDFs of 60 kB had traces of 450 MB, which took 1.4 GB of memory."""
+        for i in range(10):
+            self.write(f"{i}.urdf", self.read("ball.urdf").replace('"ball"', '"' + "n" * 60_000 + '"'))
+        models = [f"{i}.urdf" for i in range(10)]
+        runs = [self.run_tool(*models, "--stages", "drop", "--time", "0.75", "--trace", f"{jobs}.csv", "--jobs", str(jobs))
+                for jobs in (1, 3)]
+        for done in runs:
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.count("the trace ends after 64000000 bytes, in '1.urdf'"), 1, done.stderr)
+            self.assertEqual(done.stderr.count("trace"), 1, done.stderr)
+        self.assertEqual(self.read("1.csv"), self.read("3.csv"))
+        rows = self.read("1.csv").splitlines()
+        self.assertLess(sum(map(len, rows)), 64_000_000)
+        self.assertEqual([sum(row.startswith(f"{i}.urdf,") for row in rows) for i in range(3)], [751, 315, 0])
         if not cli.is_sanitized(cli.TOOL):
             self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 300 * 1024)
 

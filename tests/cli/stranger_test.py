@@ -463,6 +463,36 @@ class Fixes(StrangerTest):
                     self.assertNotIn("SML001", done.stdout)
 
 
+class Searches(StrangerTest):
+    """A link in a folder that is searched tells nothing of what lies outside of it."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("r.urdf", urdf())
+        self.write(".hidden/in.urdf", urdf())
+        (self.project / "inside.urdf").symlink_to(".hidden/../r.urdf")
+
+    def said(self):
+        """By each tool, when the folder outside is missing, and when it is there."""
+        for arguments in (["smurf-lint", "."], ["smurf-lint", "--list-files", "."], ["smurf-load-check", "--time", "0.01", "."]):
+            runs = [self.run_tool(*arguments)]
+            (self.folder / "out/deep").mkdir(parents=True)
+            runs.append(self.run_tool(*arguments))
+            shutil.rmtree(self.folder / "out")
+            yield arguments, [(run.returncode, run.stdout, run.stderr) for run in runs]
+
+    def test_ways_through_a_folder_outside(self):
+        for way in ("../out/deep/../../project", self.folder / "out/deep/../../project",
+                    "/proc/self/cwd/../out/deep/../../project"):
+            for name, target in (("link.urdf", "r.urdf"), ("link.urdf", "gone.urdf"), ("link", ".hidden")):
+                link = self.project / name
+                link.symlink_to(f"{way}/{target}")
+                for arguments, (missing, there) in self.said():
+                    with self.subTest(arguments=arguments, way=way, name=name, target=target):
+                        self.assertEqual(missing, there)
+                link.unlink()
+
+
 class Permissions(StrangerTest):
     def test_mode_and_owner_without_privileges(self):
         self.write("r.urdf", urdf())

@@ -406,3 +406,13 @@ def mimics_against_the_order(n, write):
              '<limit lower="-1" upper="1" effort="1" velocity="1"/>{2}</joint>')
     write("a.urdf", '<robot name="a">' + "".join(f'<link name="l{i}"/>' for i in range(n + 1)) + "".join(
         joint.format(i, i + 1, f'<mimic joint="j{i + 1}"/>' if i < n - 1 else "") for i in range(n)) + "</robot>")
+
+
+# Scenes of many models
+
+
+@grows(400, "smurf-lint", "-q", "s.smurfs")
+def models_of_a_scene_in_a_folder(n, write):
+    for i in range(n):
+        write(f"m{i}.smurf", "modelname: r\nfiles: []\n")
+    write("s.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: smurf, file: m{i}.smurf}}\n" for i in range(n)))

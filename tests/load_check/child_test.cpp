@@ -13,6 +13,7 @@
 #include <fstream>
 #include <functional>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "support/temporary_folder.hpp"
@@ -35,6 +36,18 @@ void forget_handlers() {
   while (true) all.emplace_back(1U << 20U, 'x');
 }
 
+std::vector<ChildOutcome> outcomes_of(std::size_t count, int jobs, const ChildLimits& limits,
+                                      const ChildTask& task) {
+  std::vector<ChildOutcome> outcomes(count);
+  std::size_t finished = 0;
+  run_in_children(count, jobs, limits, task, [&](std::size_t one, ChildOutcome outcome) {
+    outcomes[one] = std::move(outcome);
+    ++finished;
+  });
+  CHECK(finished == count);
+  return outcomes;
+}
+
 }  // namespace
 
 TEST_CASE("the end of a child is an outcome") {
@@ -55,16 +68,12 @@ TEST_CASE("the end of a child is an outcome") {
                                    {[] { throw std::bad_alloc(); }, End::out_of_memory},
                                    {[] { end_child(); }, End::finished}};
   for (const int jobs : {1, 3}) {
-    std::vector<std::size_t> progress;
-    const std::vector<ChildOutcome> outcomes = run_in_children(
-        cases.size(), jobs, kLimits,
-        [&](std::size_t task, const Write& write) {
+    const std::vector<ChildOutcome> outcomes =
+        outcomes_of(cases.size(), jobs, kLimits, [&](std::size_t task, const Write& write) {
           write("task " + std::to_string(task));
           forget_handlers();
           cases[task].act();
-        },
-        [&](std::size_t done) { progress.push_back(done); });
-    REQUIRE(outcomes.size() == cases.size());
+        });
     for (std::size_t i = 0; i < cases.size(); ++i) {
       CAPTURE(i);
       CHECK(outcomes[i].end == cases[i].end);
@@ -72,15 +81,14 @@ TEST_CASE("the end of a child is an outcome") {
     }
     CHECK(outcomes[1].signal == SIGABRT);
     CHECK(outcomes[2].signal == SIGSEGV);
-    CHECK(progress.back() == cases.size());
   }
 }
 
 // A sanitizer reserves more than any limit, so that there is none.
 #if !defined(__SANITIZE_ADDRESS__)
 TEST_CASE("a child that takes all memory is told from one that crashes") {
-  const std::vector<ChildOutcome> outcomes = run_in_children(
-      1, 1, kLimits, [](std::size_t, const Write&) { take_all_memory(); }, [](std::size_t) {});
+  const std::vector<ChildOutcome> outcomes =
+      outcomes_of(1, 1, kLimits, [](std::size_t, const Write&) { take_all_memory(); });
   CHECK(outcomes[0].end == End::out_of_memory);
 }
 
@@ -93,13 +101,11 @@ TEST_CASE("what the parent keeps in its heap for later is no memory for the chil
   const std::vector<char> block(16U << 20U, 'x');  // more than the heap has left
   mallopt(M_TOP_PAD, 1 << 20);
   const ChildLimits limits{.seconds = 10, .memory_bytes = 32ULL << 20U};
-  const std::vector<ChildOutcome> outcomes = run_in_children(
-      1, 1, limits,
-      [](std::size_t, const Write&) {
+  const std::vector<ChildOutcome> outcomes =
+      outcomes_of(1, 1, limits, [](std::size_t, const Write&) {
         std::vector<std::vector<char>> all;
         while (all.size() < 64) all.emplace_back(1U << 20U, 'x');
-      },
-      [](std::size_t) {});
+      });
   CHECK(outcomes[0].end == End::out_of_memory);
 }
 #endif
@@ -108,15 +114,13 @@ TEST_CASE("what the parent keeps in its heap for later is no memory for the chil
 TEST_CASE("a child writes to no file") {
   const smurf::test::TemporaryFolder folder;
   const std::string path = folder / "written.txt";
-  const std::vector<ChildOutcome> outcomes = run_in_children(
-      1, 1, kLimits,
-      [&](std::size_t, const Write& write) {
+  const std::vector<ChildOutcome> outcomes =
+      outcomes_of(1, 1, kLimits, [&](std::size_t, const Write& write) {
         write("to the parent");
         std::signal(SIGXFSZ, SIG_DFL);
         std::ofstream(path) << "text" << std::flush;
         write("never");
-      },
-      [](std::size_t) {});
+      });
   CHECK(outcomes[0].end == End::crashed);
   CHECK(outcomes[0].signal == SIGXFSZ);
   CHECK(outcomes[0].output == "to the parent");
@@ -125,11 +129,9 @@ TEST_CASE("a child writes to no file") {
 
 TEST_CASE("a long output arrives whole") {
   const std::string part(100'000, 'x');
-  const std::vector<ChildOutcome> outcomes = run_in_children(
-      2, 2, kLimits,
-      [&](std::size_t, const Write& write) {
+  const std::vector<ChildOutcome> outcomes =
+      outcomes_of(2, 2, kLimits, [&](std::size_t, const Write& write) {
         for (int i = 0; i < 10; ++i) write(part);
-      },
-      [](std::size_t) {});
+      });
   for (const ChildOutcome& outcome : outcomes) CHECK(outcome.output.size() == 1'000'000);
 }

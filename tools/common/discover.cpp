@@ -18,6 +18,7 @@
 #include "base/path.hpp"
 #include "common/input.hpp"
 #include "smurf/check.hpp"
+#include "smurf/file_reader.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -44,6 +45,7 @@ class Search {
 
   Found run(const std::string& folder) {
     root_ = identity(folder);
+    inside_.allow(folder);
     walk(folder);
     // Links come last, so that a file is known by its own path if that is inside the folder.
     for (std::size_t i = 0; i < links_.size(); ++i) follow(std::string(links_[i]));
@@ -108,17 +110,12 @@ class Search {
     }
   }
 
-  bool is_outside(const std::string& link) const {
-    const std::string place = identity(link);
-    if (root_ == "/" || place == root_ || place.starts_with(root_ + "/")) return false;
-    return place != path::normalize(link);  // then it cannot be told, as in a loop
-  }
-
-  /// What lies outside of the folder is not looked at, not even to see whether it is there. A link
-  /// that is called like a model may lead to one elsewhere in the project: whoever reads it tells.
+  /// What lies outside of the folder is not looked at, not even to see whether it is there, and
+  /// neither is a link that goes out and comes back. A link that is called like a model may lead to
+  /// one elsewhere in the project: whoever reads it tells.
   void follow(const std::string& link) {
     struct stat status {};
-    if (is_outside(link)) {
+    if (inside_.is_denied(link)) {
       if (is_sought(link) && ::lstat(link.c_str(), &status) == 0) add(link, status);
     } else if (::stat(link.c_str(), &status) != 0) {
       if (is_sought(link)) fail(link, errno);
@@ -138,6 +135,7 @@ class Search {
   const std::uint64_t most_entries_;
   std::uint64_t entries_ = 0;
   std::string root_;  ///< with all links followed
+  ConfinedFiles inside_;
   Found found_;
   std::vector<std::string> links_;
   std::set<std::pair<dev_t, ino_t>> seen_;

@@ -15,6 +15,8 @@
 #include <fstream>
 #include <limits>
 #include <new>
+#include <utility>
+#include <vector>
 
 namespace smurf::load_check {
 namespace {
@@ -80,30 +82,24 @@ struct Child {
   pid_t process = -1;
   int pipe = -1;
   std::size_t task = 0;
+  ChildOutcome outcome = {};
 };
 
 class Pool {
  public:
-  Pool(std::size_t count, const ChildLimits& limits, const ChildTask& task)
-      : limits_(limits), task_(task), outcomes_(count) {}
+  Pool(const ChildLimits& limits, const ChildTask& task, const OnFinished& on_finished)
+      : limits_(limits), task_(task), on_finished_(on_finished) {}
 
-  std::vector<ChildOutcome> run(int jobs, const std::function<void(std::size_t)>& on_finished) {
+  void run(std::size_t count, int jobs) {
     std::size_t next = 0;
-    std::size_t finished = 0;
-    while (finished < outcomes_.size()) {
-      while (next < outcomes_.size() && running_.size() < static_cast<std::size_t>(jobs)) {
-        if (!start(next++)) ++finished;
-      }
-      const std::size_t before = running_.size();
-      read_some();
-      finished += before - running_.size();
-      if (before != running_.size()) on_finished(finished);
+    while (next < count || !running_.empty()) {
+      while (next < count && running_.size() < static_cast<std::size_t>(jobs)) start(next++);
+      if (!running_.empty()) read_some();
     }
-    return std::move(outcomes_);
   }
 
  private:
-  bool start(std::size_t task) {
+  void start(std::size_t task) {
     int ends[2];
     const bool has_pipe = ::pipe(ends) == 0;
     const pid_t process = has_pipe ? ::fork() : -1;
@@ -115,11 +111,11 @@ class Pool {
     if (has_pipe) ::close(ends[1]);
     if (process < 0) {
       if (has_pipe) ::close(ends[0]);
-      outcomes_[task].end = ChildOutcome::End::not_started;
-      return false;
+      ChildOutcome outcome;
+      outcome.end = ChildOutcome::End::not_started;
+      return on_finished_(task, std::move(outcome));
     }
     running_.push_back({process, ends[0], task});
-    return true;
   }
 
   void read_some() {
@@ -128,25 +124,27 @@ class Pool {
     if (::poll(waiting.data(), waiting.size(), -1) < 0) return;
     for (std::size_t i = waiting.size(); i-- > 0;) {
       if (waiting[i].revents == 0 || read_from(running_[i])) continue;
-      finish(running_[i]);
+      Child child = std::move(running_[i]);
       running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
+      finish(child);
+      on_finished_(child.task, std::move(child.outcome));
     }
   }
 
   /// False at the end of the child's output.
-  bool read_from(const Child& child) {
+  static bool read_from(Child& child) {
     char buffer[65536];
     const ssize_t count = ::read(child.pipe, buffer, sizeof buffer);
-    if (count > 0) outcomes_[child.task].output.append(buffer, static_cast<std::size_t>(count));
+    if (count > 0) child.outcome.output.append(buffer, static_cast<std::size_t>(count));
     return count > 0 || (count < 0 && errno == EINTR);
   }
 
-  void finish(const Child& child) {
+  static void finish(Child& child) {
     ::close(child.pipe);
     int status = 0;
     while (::waitpid(child.process, &status, 0) < 0 && errno == EINTR) {
     }
-    ChildOutcome& outcome = outcomes_[child.task];
+    ChildOutcome& outcome = child.outcome;
     if (WIFEXITED(status)) {
       if (WEXITSTATUS(status) == kOutOfMemory) outcome.end = ChildOutcome::End::out_of_memory;
       return;
@@ -166,16 +164,15 @@ class Pool {
 
   const ChildLimits& limits_;
   const ChildTask& task_;
-  std::vector<ChildOutcome> outcomes_;
+  const OnFinished& on_finished_;
   std::vector<Child> running_;
 };
 
 }  // namespace
 
-std::vector<ChildOutcome> run_in_children(std::size_t count, int jobs, const ChildLimits& limits,
-                                          const ChildTask& task,
-                                          const std::function<void(std::size_t)>& on_finished) {
-  return Pool(count, limits, task).run(jobs, on_finished);
+void run_in_children(std::size_t count, int jobs, const ChildLimits& limits, const ChildTask& task,
+                     const OnFinished& on_finished) {
+  Pool(limits, task, on_finished).run(count, jobs);
 }
 
 void end_child() { ::_exit(0); }

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <vector>
 
 namespace smurf::load_check {
 
@@ -27,12 +26,13 @@ struct ChildOutcome {
 using ChildTask =
     std::function<void(std::size_t task, const std::function<void(const std::string&)>& write)>;
 
+using OnFinished = std::function<void(std::size_t task, ChildOutcome outcome)>;
+
 /// Runs tasks 0..count-1, each in a child process, at most `jobs` at a time. `on_finished` is
-/// called in this process with the number of tasks that are done. Precondition: this process has
-/// one thread.
-std::vector<ChildOutcome> run_in_children(std::size_t count, int jobs, const ChildLimits& limits,
-                                          const ChildTask& task,
-                                          const std::function<void(std::size_t)>& on_finished);
+/// called in this process when one is done, before another one starts in its place. Precondition:
+/// this process has one thread.
+void run_in_children(std::size_t count, int jobs, const ChildLimits& limits, const ChildTask& task,
+                     const OnFinished& on_finished);
 
 /// Ends this child at once, with what was written so far.
 [[noreturn]] void end_child();

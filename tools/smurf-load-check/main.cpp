@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-load-check: whether models and scenes stand, hang and drop in ODE.
+#include <algorithm>
 #include <iterator>
 
 #include "base/suggest.hpp"
@@ -49,27 +50,24 @@ bool have_pose(const Inputs& inputs, const std::string& name) {
   return has_all;
 }
 
-/// False when there are any.
-bool tell_cut_traces(std::span<const Checked> checked) {
-  bool is_whole = true;
-  for (const Checked& one : checked) {
-    if (!one.result.is_trace_cut) continue;
-    complain(kTool, "the trace of '" + one.job->path + "' ends after " +
-                        std::to_string(kMostTraceBytes) +
-                        " bytes; ask for less with --stages or --time");
-    is_whole = false;
-  }
-  return is_whole;
+/// False when it was cut.
+bool is_whole_trace(std::span<const Checked> checked) {
+  const auto cut = std::find_if(checked.begin(), checked.end(),
+                                [](const Checked& one) { return one.result.is_trace_cut; });
+  if (cut == checked.end()) return true;
+  complain(kTool, "the trace ends after " + std::to_string(kMostTraceBytes) + " bytes, in '" +
+                      cut->job->path + "'; ask for less with --stages or --time");
+  return false;
 }
 
-bool write_curves(const Options& options, std::span<const Checked> checked) {
+bool write_curves(const Options& options, const Run& run) {
   bool is_written = true;
   if (!options.trace.empty()) {
-    is_written = write_output(kTool, options.trace, render_trace(checked));
-    is_written = tell_cut_traces(checked) && is_written;
+    is_written = write_output(kTool, options.trace, run.trace);
+    is_written = is_whole_trace(run.checked) && is_written;
   }
   if (!options.plot.empty()) {
-    const std::string svg = render_plot(checked.front(), options.check.bounds);
+    const std::string svg = render_plot(run.checked.front(), options.check.bounds);
     is_written = write_output(kTool, options.plot, svg) && is_written;
   }
   return is_written;
@@ -127,20 +125,20 @@ int main(int argc, char** argv) {
   if (!keeps_inputs(kTool, inputs.read, outputs_of(options))) return kFailed;
   options.check.trace = !options.trace.empty();
   options.check.samples = !options.plot.empty();
-  const RunOptions run{options.check, options.limits, options.jobs.value_or(1)};
-  const std::vector<Checked> checked = [&] {
+  const RunOptions how{options.check, options.limits, options.jobs.value_or(1)};
+  const Run run = [&] {
     Progress progress("checked", inputs.jobs.size(), options.quiet);
-    return run_checks(inputs, run, [&](std::size_t done) { progress.set(done); });
+    return run_checks(inputs, how, [&](std::size_t done) { progress.set(done); });
   }();
 
   load_check::Report report{
-      checked, all_diagnostics(checked, inputs.sources), inputs.sources, {}, options.quiet};
+      run.checked, all_diagnostics(run.checked, inputs.sources), inputs.sources, {}, options.quiet};
   report.summary = summary_of(inputs, report.diagnostics);
   const std::string text = options.format == "json"
                                ? render_json(report)
                                : render_text(report, style_for(Stream::output, options.color));
-  const bool is_written = write_output(kTool, options.output, text) &&
-                          write_curves(options, checked) && write_reports(options, report);
+  const bool is_written = write_output(kTool, options.output, text) && write_curves(options, run) &&
+                          write_reports(options, report);
   if (!is_written || inputs.has_failed) return kFailed;
   return judge(report.summary, options.threshold);
 }

@@ -138,7 +138,8 @@ std::vector<Option> output_options(Options& options) {
        .name = "trace",
        .metavar = "FILE",
        .help =
-           "Write the pose of every link after every step, as CSV; at most 64 MB for a model or scene.",
+           "Write the pose of every link after every step, as CSV; at most 64 MB. The checks are run "
+           "one after the other.",
        .set = tools::set_text(options.trace)},
       {.group = "Output",
        .name = "plot",

@@ -2,6 +2,7 @@
 #include "smurf-load-check/run.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/rules.hpp"
 #include "smurf-load-check/bodies.hpp"
@@ -84,9 +85,9 @@ CheckResult broken_off(const Job& job, const ChildOutcome& outcome, const Messag
   return result;
 }
 
-CheckResult result_of(const Job& job, const ChildOutcome& outcome, const ChildLimits& limits,
+CheckResult result_of(const Job& job, ChildOutcome outcome, const ChildLimits& limits,
                       const Session& session) {
-  Message message = decode(outcome.output);
+  Message message = decode(std::move(outcome.output));
   CheckResult result =
       message.result ? std::move(*message.result) : broken_off(job, outcome, message, limits);
   result.diagnostics = session.finish(*job.loaded, std::move(result.diagnostics));
@@ -118,27 +119,31 @@ Tally tally_of(std::span<const Checked> checked) {
   return tally;
 }
 
-std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,
-                                const std::function<void(std::size_t)>& on_finished) {
-  std::vector<Checked> checked;
+Run run_checks(const Inputs& inputs, const RunOptions& options,
+               const std::function<void(std::size_t)>& on_finished) {
+  Run run;
+  run.trace = kTraceHeading;
   std::vector<std::size_t> to_run;
   for (const Job& job : inputs.jobs) {
-    if (job.obstacles.empty()) to_run.push_back(checked.size());
-    checked.push_back({&job, {}});
-    checked.back().result.diagnostics = job.obstacles;
+    if (job.obstacles.empty()) to_run.push_back(run.checked.size());
+    run.checked.push_back({&job, {}});
+    run.checked.back().result.diagnostics = job.obstacles;
   }
-  std::vector<ChildOutcome> outcomes = run_in_children(
-      to_run.size(), options.jobs, options.limits,
-      [&](std::size_t task, const Write& write) {
-        run_job(*checked[to_run[task]].job, inputs, options.check, write);
-      },
-      on_finished);
-  for (std::size_t i = 0; i < to_run.size(); ++i) {
-    Checked& one = checked[to_run[i]];
-    one.result = result_of(*one.job, outcomes[i], options.limits, inputs.session);
-    outcomes[i] = {};  // the text of a trace need not be there twice
-  }
-  return checked;
+  const auto task = [&](std::size_t i, const Write& write) {
+    CheckOptions check = options.check;
+    check.most_trace_bytes = kMostTraceBytes - run.trace.size();
+    run_job(*run.checked[to_run[i]].job, inputs, std::move(check), write);
+  };
+  std::size_t finished = 0;
+  const auto keep = [&](std::size_t i, ChildOutcome outcome) {
+    Checked& one = run.checked[to_run[i]];
+    one.result = result_of(*one.job, std::move(outcome), options.limits, inputs.session);
+    run.trace += std::exchange(one.result.trace, {});
+    on_finished(++finished);
+  };
+  const int jobs = options.check.trace ? 1 : options.jobs;
+  run_in_children(to_run.size(), jobs, options.limits, task, keep);
+  return run;
 }
 
 }  // namespace smurf::load_check

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "smurf-load-check/check.hpp"
 #include "smurf-load-check/child.hpp"
@@ -29,11 +31,16 @@ Tally tally_of(std::span<const Checked> checked);
 struct RunOptions {
   CheckOptions check;
   ChildLimits limits;
-  int jobs = 1;
+  int jobs = 1;  ///< at a time; with a trace it is always one, which leaves its room to the next
 };
 
-/// In the order of the jobs. `on_finished` gets the number of those done.
-std::vector<Checked> run_checks(const Inputs& inputs, const RunOptions& options,
-                                const std::function<void(std::size_t)>& on_finished);
+struct Run {
+  std::vector<Checked> checked;  ///< in the order of the jobs
+  std::string trace;             ///< CSV of all, in the same order; without rows unless asked for
+};
+
+/// `on_finished` gets the number of those done.
+Run run_checks(const Inputs& inputs, const RunOptions& options,
+               const std::function<void(std::size_t)>& on_finished);
 
 }  // namespace smurf::load_check

@@ -158,7 +158,7 @@ void StageRun::sample(const World& world, const Plan& plan, double start_energy)
 /// A step is in the trace as a whole or not at all.
 void StageRun::trace(const World& world, const Plan& plan) {
   if (traced_links_.empty()) {
-    result_.trace.reserve(kMostTraceBytes);  // to grow, it would be in memory thrice
+    result_.trace.reserve(options_.most_trace_bytes);  // to grow, it would be in memory thrice
     for (const LinkPlan& link : plan.links) {
       const std::string& entity = plan.models[link.instance].name;
       traced_links_.push_back(
@@ -169,7 +169,7 @@ void StageRun::trace(const World& world, const Plan& plan) {
   constexpr std::size_t kStageAndNumbers = 256;
   for (std::size_t i = 0; i < plan.links.size() && !result_.is_trace_cut; ++i) {
     const std::size_t row = options_.traced_as.size() + traced_links_[i].size() + kStageAndNumbers;
-    result_.is_trace_cut = result_.trace.size() + row > kMostTraceBytes;
+    result_.is_trace_cut = result_.trace.size() + row > options_.most_trace_bytes;
     if (result_.is_trace_cut) break;
     append_row(result_.trace, options_.traced_as, current_, world.time(), traced_links_[i],
                world.link_pose(plan.links[i]));

@@ -40,10 +40,4 @@ void append_row(std::string& rows, std::string_view file, Stage stage, double ti
   rows += "\n";
 }
 
-std::string render_trace(std::span<const Checked> checked) {
-  std::string out = "file,stage,time,link,x,y,z,qw,qx,qy,qz\n";
-  for (const Checked& one : checked) out += one.result.trace;
-  return out;
-}
-
 }  // namespace smurf::load_check

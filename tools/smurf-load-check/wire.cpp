@@ -174,17 +174,19 @@ std::string encode_trace_begin(std::size_t size) {
   return std::string(kTrace) + std::to_string(size) + "\n";
 }
 
-Message decode(const std::string& output) {
+Message decode(std::string output) {
   Message message;
-  std::string trace;
+  std::size_t trace_begin = 0;
+  std::size_t trace_size = 0;
   for (std::size_t begin = 0; begin < output.size();) {
     const std::size_t end = std::min(output.find('\n', begin), output.size());
     if (output.compare(begin, kTrace.size(), kTrace) == 0) {
       const std::string_view line(output.data() + begin, end - begin);
       const auto size = parse_integer(line.substr(kTrace.size()));
       if (!size || end == output.size()) break;
-      trace = output.substr(end + 1, static_cast<std::size_t>(*size));
-      begin = end + 1 + trace.size();
+      trace_begin = end + 1;
+      trace_size = std::min(output.size() - trace_begin, static_cast<std::size_t>(*size));
+      begin = trace_begin + trace_size;
       continue;
     }
     const Json json =
@@ -201,9 +203,12 @@ Message decode(const std::string& output) {
       message.fault = json["fault"];
     } else {
       message.result = to_result(json);
-      message.result->trace = std::move(trace);
     }
   }
+  if (!message.result) return message;
+  output.resize(trace_begin + trace_size);
+  output.erase(0, trace_begin);
+  message.result->trace = std::move(output);
   return message;
 }
 

@@ -24,6 +24,7 @@ struct Message {
   std::string fault;                ///< what ODE says of why it gives up
   std::optional<CheckResult> result;
 };
-Message decode(const std::string& output);
+/// The output is taken apart, as a trace in it is long.
+Message decode(std::string output);
 
 }  // namespace smurf::load_check

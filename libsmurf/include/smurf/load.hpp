@@ -39,6 +39,8 @@ struct LoadContext {
   const UserSchemas* schemas = nullptr;  ///< of the user's own sections and entity types
   /// Shared by all that is kept at the same time.
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();
+  /// Names in the folders of models, sorted: thousands of models may lie in one.
+  std::map<std::string, std::vector<std::string>> lists = {};
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Everything wrong is reported; what could

@@ -292,6 +292,7 @@ std::string MemoryFiles::identity(const std::string& path) const {
 std::vector<std::string> MemoryFiles::list(const std::string& folder) const {
   std::vector<std::string> names;
   if (behind_ != nullptr) names = behind_->list(folder);
+  const std::size_t behind = names.size();
   const std::string wanted = path::normalize(folder);
   const std::string prefix = wanted == "." ? "" : wanted == "/" ? wanted : wanted + "/";
   for (auto file = files_.lower_bound(prefix); file != files_.end(); ++file) {
@@ -301,6 +302,7 @@ std::vector<std::string> MemoryFiles::list(const std::string& folder) const {
     const std::string_view rest = std::string_view(path).substr(prefix.size());
     names.emplace_back(rest.substr(0, rest.find('/')));
   }
+  if (names.size() == behind) return names;  // nearly always, and sorted
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;

@@ -3,6 +3,7 @@
 // by name.
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "ast/model_reader.hpp"
 #include "ast/sections.hpp"
@@ -204,13 +205,24 @@ class ModelLoader {
     }
   }
 
+  std::span<const std::string> names_starting_with(const std::string& prefix,
+                                                   const std::string& folder) {
+    const auto [list, is_new] = context_.lists.try_emplace(folder);
+    std::vector<std::string>& names = list->second;
+    if (is_new) names = context_.files.list(folder);
+    const auto begin = std::lower_bound(names.begin(), names.end(), prefix);
+    const auto end = std::find_if(
+        begin, names.end(), [&](const std::string& name) { return !name.starts_with(prefix); });
+    return {begin, end};
+  }
+
   /// "arm_motors.yml" beside "arm.smurf": a name that Phobos gives to a section's file.
   void find_unlisted(const std::string& main_path) {
     if (!model_.main.files) return;
     const std::string folder(path::parent(main_path));
     const std::string prefix = std::string(path::stem(main_path)) + "_";
-    for (const std::string& name : context_.files.list(folder)) {
-      if (!name.starts_with(prefix) || path::extension(name) != ".yml") continue;
+    for (const std::string& name : names_starting_with(prefix, folder)) {
+      if (path::extension(name) != ".yml") continue;
       if (!utf8::is_printable(name)) continue;  // no text can list it
       const std::string_view section = path::stem(name).substr(prefix.size());
       if (find_section(section) == nullptr) continue;

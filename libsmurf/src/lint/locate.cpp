@@ -2,6 +2,9 @@
 // From byte spans back to YAML pointers and XPaths: rules report places, people and programs want
 // names of places too.
 #include <algorithm>
+#include <span>
+#include <unordered_map>
+#include <vector>
 
 #include "base/quoted.hpp"
 #include "base/readers.hpp"
@@ -40,19 +43,32 @@ void point(Diagnostic& diagnostic, const xml::Document& document, xml::XPaths& p
   diagnostic.named_pointer = diagnostic.pointer;
 }
 
-void locate_in(const xml::Document& document, std::span<Diagnostic> diagnostics) {
-  xml::XPaths paths(document);
-  for (Diagnostic& diagnostic : diagnostics) {
-    if (!diagnostic.named_pointer.empty() || diagnostic.span.source != document.source) continue;
-    point(diagnostic, document, paths);
+/// Findings that were not located yet, by their source: a scene may have thousands of both.
+class BySource {
+ public:
+  explicit BySource(std::span<Diagnostic> diagnostics) {
+    for (Diagnostic& diagnostic : diagnostics) {
+      if (diagnostic.named_pointer.empty()) found_[diagnostic.span.source].push_back(&diagnostic);
+    }
   }
+
+  std::span<Diagnostic* const> of(SourceId source) const {
+    const auto found = found_.find(source);
+    if (found == found_.end()) return {};
+    return found->second;
+  }
+
+ private:
+  std::unordered_map<SourceId, std::vector<Diagnostic*>> found_;
+};
+
+void locate_in(const yaml::Document& document, const BySource& found) {
+  for (Diagnostic* diagnostic : found.of(document.source)) point(*diagnostic, document);
 }
 
-void locate_in(const yaml::Document& document, std::span<Diagnostic> diagnostics) {
-  for (Diagnostic& diagnostic : diagnostics) {
-    if (!diagnostic.named_pointer.empty() || diagnostic.span.source != document.source) continue;
-    point(diagnostic, document);
-  }
+void locate_in(const xml::Document& document, const BySource& found) {
+  xml::XPaths paths(document);
+  for (Diagnostic* diagnostic : found.of(document.source)) point(*diagnostic, document, paths);
 }
 
 /// MuJoCo discards visuals, unless the file says otherwise.
@@ -64,44 +80,39 @@ bool keeps_visuals(const xml::Document& document) {
   return discards != nullptr && discards->value() == "false";
 }
 
-void mark_visuals(const xml::Document& document, std::span<Diagnostic> diagnostics) {
-  for (Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.span.source != document.source) continue;
-    const bool is_marked = diagnostic.construct.find(kVisualsKept) != std::string::npos;
-    if (is_marked || diagnostic.pointer.find("/visual") == std::string::npos) continue;
-    diagnostic.construct += kVisualsKept;
+void locate_in(const urdf::Robot& robot, const BySource& found) {
+  locate_in(robot.document, found);
+  if (!keeps_visuals(robot.document)) return;
+  for (Diagnostic* diagnostic : found.of(robot.document.source)) {
+    const bool is_in_visual = diagnostic->pointer.find("/visual") != std::string::npos;
+    if (is_in_visual) diagnostic->construct += kVisualsKept;
   }
+}
+
+void locate_in(const LinkedModel& model, const BySource& found) {
+  for (const ModelFile& file : model.files) {
+    if (file.document) locate_in(*file.document, found);
+  }
+  if (model.robot) locate_in(*model.robot, found);
 }
 
 }  // namespace
 
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
-  std::optional<xml::XPaths> paths;
-  if (model.robot) paths.emplace(model.robot->document);
-  for (Diagnostic& diagnostic : diagnostics) {
-    if (!diagnostic.named_pointer.empty()) continue;
-    const SourceId source = diagnostic.span.source;
-    if (const yaml::Document* document = model.document(source)) {
-      point(diagnostic, *document);
-    } else if (model.robot && model.robot->document.source == source) {
-      point(diagnostic, model.robot->document, *paths);
-    }
-  }
-  if (model.robot && keeps_visuals(model.robot->document)) {
-    mark_visuals(model.robot->document, diagnostics);
-  }
+  locate_in(model, BySource(diagnostics));
 }
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
+  const BySource found(diagnostics);
   for (const SceneFile& file : scene.scenes) {
     if (file.drawing) {
-      locate_in(*file.drawing, diagnostics);
+      locate_in(*file.drawing, found);
     } else if (file.document) {
-      locate_in(*file.document, diagnostics);
+      locate_in(*file.document, found);
     }
   }
-  for (const DataFile& file : scene.data_files) locate_in(file.document, diagnostics);
-  for (const LinkedModel& model : scene.models) locate(model, diagnostics);
+  for (const DataFile& file : scene.data_files) locate_in(file.document, found);
+  for (const LinkedModel& model : scene.models) locate_in(model, found);
 }
 
 }  // namespace smurf

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A picture of the scene from above: footprints, axes, names, and what is fixed to what.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
@@ -28,14 +32,27 @@ double start_angle(const Quaternion& orientation) {
   return std::atan2(along[1], along[0]);
 }
 
-/// A ball is a circle from above. Its points are as high as its top.
-void add_ball(const Pose& X_WS, double radius, double z, std::vector<Vector3>& points) {
-  const Vector3 center = (X_WS * Pose{{0, 0, z}, {}}).position;
-  const double start = start_angle(X_WS.orientation);
+using Circle = std::array<Point2, kSegments>;  ///< points around the origin
+
+Circle circle(double radius, double start) {
+  Circle points;
   for (int i = 0; i < kSegments; ++i) {
     const double angle = start + 2 * std::numbers::pi * i / kSegments;
-    points.push_back({center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle),
-                      center[2] + radius});
+    points[static_cast<std::size_t>(i)] = {radius * std::cos(angle), radius * std::sin(angle)};
+  }
+  return points;
+}
+
+/// Balls of one radius on the axis of a shape: circles from above, whose points are as high as the
+/// top.
+void add_balls(const Pose& X_WS, double radius, std::initializer_list<double> heights,
+               std::vector<Vector3>& points) {
+  const Circle around = circle(radius, start_angle(X_WS.orientation));
+  for (const double z : heights) {
+    const Vector3 center = (X_WS * Pose{{0, 0, z}, {}}).position;
+    for (const Point2& p : around) {
+      points.push_back({center[0] + p[0], center[1] + p[1], center[2] + radius});
+    }
   }
 }
 
@@ -51,12 +68,6 @@ std::vector<Vector3> corners(const FlatGeometry& geometry) {
       }
     }
   };
-  const auto add_circle = [&](double radius, double z) {
-    for (int i = 0; i < kSegments; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kSegments;
-      points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
-    }
-  };
   if (const auto* plane = std::get_if<FlatPlane>(&geometry)) {
     add_corners({plane->length, plane->width, 0});
   } else if (const auto* box = std::get_if<FlatBox>(&geometry)) {
@@ -64,8 +75,10 @@ std::vector<Vector3> corners(const FlatGeometry& geometry) {
   } else if (const auto* map = std::get_if<FlatHeightmap>(&geometry)) {
     add_corners({map->length, map->width, 0});
   } else if (const auto* cylinder = std::get_if<FlatCylinder>(&geometry)) {
-    add_circle(cylinder->radius, cylinder->length / 2);
-    add_circle(cylinder->radius, -cylinder->length / 2);
+    const Circle around = circle(cylinder->radius, 0);
+    for (const double end : {0.5, -0.5}) {
+      for (const Point2& p : around) points.push_back({p[0], p[1], end * cylinder->length});
+    }
   }
   return points;  // nothing is known of a mesh: files are not read here
 }
@@ -74,11 +87,10 @@ std::vector<Vector3> corners(const FlatGeometry& geometry) {
 std::vector<Vector3> outline(const PlacedShape& shape) {
   std::vector<Vector3> points;
   if (const auto* sphere = std::get_if<FlatSphere>(&shape.geometry)) {
-    add_ball(shape.X_WS, sphere->radius, 0, points);
+    add_balls(shape.X_WS, sphere->radius, {0}, points);
   } else if (const auto* capsule = std::get_if<FlatCapsule>(&shape.geometry)) {
-    for (const double end : {0.5, -0.5}) {
-      add_ball(shape.X_WS, capsule->radius, end * capsule->length, points);
-    }
+    const double end = capsule->length / 2;
+    add_balls(shape.X_WS, capsule->radius, {end, -end}, points);
   } else {
     points = corners(shape.geometry);
     for (Vector3& point : points) point = (shape.X_WS * Pose{point, {}}).position;
@@ -88,12 +100,13 @@ std::vector<Vector3> outline(const PlacedShape& shape) {
 
 Point2 from_above(const Vector3& point) { return {point[0], point[1]}; }
 
-/// One shape seen from above.
+/// One shape seen from above. There may be hundreds of thousands: outlines are not kept.
 struct Footprint {
-  std::vector<Point2> hull;  ///< m
-  double top = 0;            ///< m; what is higher is drawn later
+  PlacedShape shape;
+  double top = 0;  ///< m; what is higher is drawn later
   std::size_t instance = 0;
-  bool is_ground = false;
+
+  bool is_ground() const { return std::holds_alternative<FlatPlane>(shape.geometry); }
 };
 
 class TopView {
@@ -101,21 +114,11 @@ class TopView {
   explicit TopView(const SceneExport& scene) : scene_(scene) {}
 
   std::string run() {
-    collect_footprints();
     find_far_instances();
-    Box2 world;
-    for (std::size_t i = 0; i < count(); ++i) {
-      if (is_shown(i)) world.add(position(i));
-    }
-    // The ground does not decide what is worth looking at, as long as something stands on it.
-    for (const bool with_ground : {false, true}) {
-      for (const Footprint& footprint : footprints_) {
-        if (!is_shown(footprint.instance)) continue;
-        if (footprint.is_ground && (!with_ground || world.size(0) + world.size(1) > 0)) continue;
-        for (const Point2& point : footprint.hull) world.add(point);
-      }
-    }
-    SvgCanvas canvas(world);
+    collect_footprints();
+    widen_to_ground();
+    SvgCanvas canvas(extent_,
+                     std::string(path::file_name(scene_.flat.scene)) + " from above, metres");
     canvas.add_grid();
     add_footprints(canvas);
     add_fixings(canvas);
@@ -128,8 +131,7 @@ class TopView {
     for (std::size_t i = 0; i < count(); ++i) {
       if (has_pose(i) && is_far_[i]) add_pointer(canvas, i);
     }
-    return canvas.finish(std::string(path::file_name(scene_.flat.scene)) + " from above, metres",
-                         legend());
+    return canvas.finish(legend());
   }
 
  private:
@@ -145,24 +147,34 @@ class TopView {
     return kModelColors[*at(i).model % std::size(kModelColors)];
   }
 
+  /// Of what is shown, the higher ones later.
   void collect_footprints() {
     LinkFrames frames;
     for (std::size_t i = 0; i < count(); ++i) {
-      for (const PlacedShape& shape : placed_shapes(scene_, i, frames)) {
-        Footprint footprint{.hull = {},
-                            .top = -1e300,
-                            .instance = i,
-                            .is_ground = std::holds_alternative<FlatPlane>(shape.geometry)};
-        for (const Vector3& p_W : outline(shape)) {
-          footprint.hull.push_back(from_above(p_W));
+      if (!is_shown(i)) continue;
+      extent_.add(position(i));
+      for (PlacedShape& shape : placed_shapes(scene_, i, frames)) {
+        const std::vector<Vector3> points = outline(shape);
+        if (points.empty()) continue;
+        Footprint footprint{std::move(shape), points.front()[2], i};
+        for (const Vector3& p_W : points) {
           footprint.top = std::max(footprint.top, p_W[2]);
+          if (!footprint.is_ground()) extent_.add(from_above(p_W));
         }
-        footprint.hull = convex_hull(std::move(footprint.hull));
-        if (!footprint.hull.empty()) footprints_.push_back(std::move(footprint));
+        footprints_.push_back(std::move(footprint));
       }
     }
     std::stable_sort(footprints_.begin(), footprints_.end(),
                      [](const Footprint& a, const Footprint& b) { return a.top < b.top; });
+  }
+
+  /// The ground does not decide what is worth looking at, as long as something stands on it.
+  void widen_to_ground() {
+    for (const Footprint& footprint : footprints_) {
+      if (extent_.size(0) + extent_.size(1) > 0) return;
+      if (!footprint.is_ground()) continue;
+      for (const Vector3& p_W : outline(footprint.shape)) extent_.add(from_above(p_W));
+    }
   }
 
   /// One rainbow on the horizon must not shrink everything else to a dot: what is far beyond the
@@ -202,15 +214,17 @@ class TopView {
                "\"/></clipPath>\n<g clip-path=\"url(#sheet)\" "
                "fill-opacity=\"0.28\" stroke-width=\"1\" stroke-opacity=\"0.8\">\n");
     for (const Footprint& footprint : footprints_) {
-      if (!is_shown(footprint.instance)) continue;
+      std::vector<Point2> points;
+      for (const Vector3& p_W : outline(footprint.shape)) points.push_back(from_above(p_W));
       std::string path;
-      for (const Point2& point : footprint.hull) {
+      for (const Point2& point : convex_hull(std::move(points))) {
         path += (path.empty() ? "M" : "L") + pixels(canvas.to_pixels(point));
       }
-      const std::string style =
-          footprint.is_ground ? "fill=\"#b9a98a\" fill-opacity=\"0.15\" stroke=\"#b9a98a\""
-                              : "fill=\"" + std::string(color(footprint.instance)) +
-                                    "\" stroke=\"" + std::string(color(footprint.instance)) + "\"";
+      const std::string style = footprint.is_ground()
+                                    ? "fill=\"#b9a98a\" fill-opacity=\"0.15\" stroke=\"#b9a98a\""
+                                    : "fill=\"" + std::string(color(footprint.instance)) +
+                                          "\" stroke=\"" + std::string(color(footprint.instance)) +
+                                          "\"";
       canvas.add("<path d=\"" + path + "Z\" " + style + "/>\n");
     }
     canvas.add("</g>\n");
@@ -357,8 +371,9 @@ class TopView {
   }
 
   const SceneExport& scene_;
-  std::vector<Footprint> footprints_;
   std::vector<bool> is_far_;
+  std::vector<Footprint> footprints_;
+  Box2 extent_;  ///< what has to be on the sheet; m
 };
 
 std::string write(const SceneExport& scene) { return TopView(scene).run(); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
@@ -61,7 +62,7 @@ std::vector<Point2> convex_hull(std::vector<Point2> points) {
   return hull;
 }
 
-SvgCanvas::SvgCanvas(const Box2& world) {
+SvgCanvas::SvgCanvas(const Box2& world, std::string_view title) {
   constexpr double kLongSide = 860;
   constexpr double kShortSide = 420;
   Box2 shown = world;
@@ -83,6 +84,20 @@ SvgCanvas::SvgCanvas(const Box2& world) {
   columns_ = static_cast<std::size_t>(width_ / kCell) + 1;
   rows_ = static_cast<std::size_t>(height_ / kCell) + 1;
   cells_.resize(columns_ * rows_);
+  add_head(title);
+}
+
+void SvgCanvas::add_head(std::string_view title) {
+  const std::string width = pixels(width_);
+  const std::string height = pixels(height_ + kLegendHeight);
+  text_ += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+           "\" viewBox=\"0 0 " + width + " " + height +
+           "\" font-family=\"sans-serif\" font-size=\"" + pixels(kFontSize) + "\">\n<title>" +
+           escape_xml(title) +
+           "</title>\n<style>.name{fill:#111;stroke:#fff;stroke-width:3;stroke-linejoin:round;"
+           "paint-order:stroke}</style>\n<rect width=\"" +
+           width + "\" height=\"" + height + "\" fill=\"#fff\"/>\n<text x=\"" + pixels(kMargin) +
+           "\" y=\"26\" font-size=\"15\" font-weight=\"bold\">" + escape_xml(title) + "</text>\n";
 }
 
 template <class Visit>
@@ -146,8 +161,8 @@ void SvgCanvas::add_grid() {
                  format_rounded(is_zero ? 0 : value) + "</text>\n";
     }
   }
-  body_ += "<g stroke=\"#e2e2e2\" fill=\"none\">\n" + lines + "</g>\n";
-  body_ += "<g fill=\"#777\" font-size=\"11\">\n" + numbers + "</g>\n";
+  text_ += "<g stroke=\"#e2e2e2\" fill=\"none\">\n" + lines + "</g>\n";
+  text_ += "<g fill=\"#777\" font-size=\"11\">\n" + numbers + "</g>\n";
 }
 
 void SvgCanvas::add_label(const Point2& at, std::string_view text) {
@@ -173,26 +188,18 @@ void SvgCanvas::add_label(const Point2& at, std::string_view text) {
     }
   }
   occupy(chosen);
-  body_ += "<text class=\"name\" x=\"" + pixels(chosen.low[0]) + "\" y=\"" +
+  text_ += "<text class=\"name\" x=\"" + pixels(chosen.low[0]) + "\" y=\"" +
            pixels(chosen.high[1] - 3) + "\">" + escape_xml(text) + "</text>\n";
 }
 
-std::string SvgCanvas::finish(std::string_view title, std::string_view legend) const {
-  const std::string width = pixels(width_);
-  const std::string height = pixels(height_ + kLegendHeight);
+std::string SvgCanvas::finish(std::string_view legend) {
   const Box2 area = sheet();
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-         "\" viewBox=\"0 0 " + width + " " + height + "\" font-family=\"sans-serif\" font-size=\"" +
-         pixels(kFontSize) + "\">\n<title>" + escape_xml(title) +
-         "</title>\n<style>.name{fill:#111;stroke:#fff;stroke-width:3;stroke-linejoin:round;"
-         "paint-order:stroke}</style>\n<rect width=\"" +
-         width + "\" height=\"" + height + "\" fill=\"#fff\"/>\n<text x=\"" + pixels(kMargin) +
-         "\" y=\"26\" font-size=\"15\" font-weight=\"bold\">" + escape_xml(title) + "</text>\n" +
-         body_ + "<rect x=\"" + pixels(area.low[0]) + "\" y=\"" + pixels(area.low[1]) +
-         "\" width=\"" + pixels(area.size(0)) + "\" height=\"" + pixels(area.size(1)) +
-         "\" fill=\"none\" stroke=\"#999\"/>\n<g transform=\"translate(" + pixels(kMargin) + " " +
-         pixels(height_ + 6) + ")\" font-size=\"12\" fill=\"#444\">\n" + std::string(legend) +
-         "</g>\n</svg>\n";
+  text_ += "<rect x=\"" + pixels(area.low[0]) + "\" y=\"" + pixels(area.low[1]) + "\" width=\"" +
+           pixels(area.size(0)) + "\" height=\"" + pixels(area.size(1)) +
+           "\" fill=\"none\" stroke=\"#999\"/>\n<g transform=\"translate(" + pixels(kMargin) + " " +
+           pixels(height_ + 6) + ")\" font-size=\"12\" fill=\"#444\">\n" + std::string(legend) +
+           "</g>\n</svg>\n";
+  return std::move(text_);
 }
 
 std::string pixels(double value) {

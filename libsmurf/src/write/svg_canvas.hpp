@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "write/long_text.hpp"
+
 namespace smurf {
 
 using Point2 = std::array<double, 2>;
@@ -29,25 +31,30 @@ std::vector<Point2> convex_hull(std::vector<Point2> points);
 class SvgCanvas {
  public:
   /// `world` is what has to be on the sheet, in metres.
-  explicit SvgCanvas(const Box2& world);
+  SvgCanvas(const Box2& world, std::string_view title);
 
   Point2 to_pixels(const Point2& world) const;
   double scale() const { return scale_; }  ///< pixels per metre
   Box2 sheet() const { return {{kMargin, kMargin}, {width_ - kMargin, height_ - kMargin}}; }
 
-  void add(std::string_view markup) { body_ += markup; }
+  void add(std::string_view markup) {
+    make_room(text_);
+    text_ += markup;
+  }
   /// Grid lines at round numbers of metres, with their numbers at the border.
   void add_grid();
   /// Keeps labels out of a place.
   void occupy(const Box2& pixels);
   /// A label beside a point, where it covers no other one.
   void add_label(const Point2& pixels, std::string_view text);
-  std::string finish(std::string_view title, std::string_view legend) const;
+  /// The whole picture. It may be long, and is given away.
+  std::string finish(std::string_view legend);
 
  private:
   static constexpr double kMargin = 48;
   static constexpr double kCell = 16;
 
+  void add_head(std::string_view title);
   bool is_free(const Box2& pixels) const;
   /// Calls `visit(cell)` for the cells that a box covers, until it returns false.
   template <class Visit>
@@ -57,7 +64,7 @@ class SvgCanvas {
   double scale_ = 1;
   double width_ = 0;
   double height_ = 0;
-  std::string body_;
+  std::string text_;
   std::size_t columns_ = 0, rows_ = 0;
   /// What is occupied, by squares of kCell pixels of the sheet: a label is compared with what is
   /// near it only.

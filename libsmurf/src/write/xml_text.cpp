@@ -5,10 +5,12 @@
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
+#include "write/long_text.hpp"
 
 namespace smurf {
 
 void XmlText::indent() {
+  make_room(out_);
   // Bodies of MuJoCo lie in each other: a long chain would be mostly blanks.
   constexpr std::size_t kDeepest = 50;
   out_.append(2 * std::min(open_.size(), kDeepest), ' ');
