@@ -406,3 +406,22 @@ def mimics_against_the_order(n, write):
              '<limit lower="-1" upper="1" effort="1" velocity="1"/>{2}</joint>')
     write("a.urdf", '<robot name="a">' + "".join(f'<link name="l{i}"/>' for i in range(n + 1)) + "".join(
         joint.format(i, i + 1, f'<mimic joint="j{i + 1}"/>' if i < n - 1 else "") for i in range(n)) + "</robot>")
+
+
+# Keys that are renamed
+
+
+@grows(300, "smurf-lint", "-q", "a.smurfs")
+def slips_in_one_mapping(n, write):
+    write("a.smurfs", "entities: []\n" + "lihgts: [1]\n" * n * 4)
+
+
+@grows(300, "smurf-lint", "-q", "a.smurf")
+def slips_of_settings(n, write):
+    write(".smurf-lint.yaml", "selct: [SML]\n" * n * 4)
+    write("a.smurf", MODEL)
+
+
+@grows(300, "smurf-lint", "-q", "a.smurf")
+def sections_of_other_readers(n, write):
+    write("a.smurf", MODEL + "joints: [1]\n" * n * 4)
