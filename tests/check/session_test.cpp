@@ -187,6 +187,37 @@ TEST_CASE(
   CHECK(session.check(plan, settings).diagnostics.empty());
 }
 
+TEST_CASE("models are checked until there are too many findings, on any number of threads") {
+  MemoryFiles files;
+  files.add("/r.urdf", "<robot name=\"r\"><link name=\"a\"/></robot>\n");
+  std::vector<std::string> models;
+  for (int i = 0; i < 9; ++i) {
+    models.push_back("/m" + std::to_string(i) + ".smurf");
+    files.add(models.back(), "modelname: r\nfiles: [r.urdf]\nmotors: 1\n");
+  }
+  const Plan plan = plan_of(models);
+  CheckSettings settings;
+  Session whole(files, {});
+  const std::size_t each = whole.check(plan, settings).diagnostics.size() / models.size();
+  REQUIRE(each > 0);
+  Limits limits;
+  limits.all_findings = 3 * each;
+  for (const unsigned jobs : {1U, 7U}) {
+    CAPTURE(jobs);
+    settings.jobs = jobs;
+    Session session(files, limits);
+    const Report report = session.check(plan, settings);
+    REQUIRE(report.diagnostics.size() == 3 * each + 1);
+    CHECK(report.summary.models == 3);
+    const Diagnostic& told = report.diagnostics.back();
+    CHECK(session.sources().path(told.span.source) == "/m3.smurf");
+    CHECK(told.help == "raise the limit with `--limit all-findings=N`");
+  }
+  limits.all_findings = models.size() * each;
+  Session enough(files, limits);
+  CHECK(enough.check(plan, settings).diagnostics.size() == limits.all_findings);
+}
+
 TEST_CASE("patterns of paths are compared until there were too many") {
   MemoryFiles files;
   files.add("/.smurf-lint.yaml", "paths: {a*: {ignore: SML}, b*: {ignore: SML}}\n");

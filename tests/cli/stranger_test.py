@@ -462,6 +462,36 @@ class Fixes(StrangerTest):
                     done = self.run_tool("smurf-lint", "--format", "concise", "m.smurf")
                     self.assertNotIn("SML001", done.stdout)
 
+    def test_keys_that_are_there(self):
+        """No key is renamed to one that its mapping has, though without a value, or gets by another fix."""
+        urdf_of_one_joint = ('<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous">'
+                             '<parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint></robot>')
+        motor = "motors:\n- {{name: j, joint: j, type: PID, maxEffort: 1, {}}}\n"
+        sensor = "sensors:\n- {{name: s, type: NodePosition, link: a, {}}}\n"
+        for name, text in (("m.smurf", "modelname: r\nfiles:\n-files:\n- r.urdf\n- s.yml\n"),
+                           ("m.smurf", "modelname: r\nfiles:\nfile: [r.urdf, s.yml]\n"),
+                           ("s.yml", motor.format("maxSpeed: , maxSped: 1")),
+                           ("s.yml", motor.format("maxSped: 1, maxSpeeed: 1")),
+                           ("s.yml", motor.format("maxSpeed: 1, minVale: 0, minValu: 1")),
+                           ("s.yml", sensor.format("id: , targets: [a]")),
+                           ("s.yml", sensor.format("id: [], targets: [a]")),
+                           ("s.yml", "joint:\n- {name: j}\njoints:\n- {name: j}\n"),
+                           ("s.yml", "motor:\n- {name: j, joint: j}\nmotors:\n- {name: k, joint: j}\n"),
+                           (".smurf-lint.yaml", "select: \nselct: [SML]\nignor: []\nignre: []\n"),
+                           ("s.smurfs", "lights: \nlihgts: []\nentites: []\nentitis: []\n"),
+                           ("s.smurfs", "entities:\n- {name: e, type: urdf, file: , fiel: r.urdf}\n"),
+                           ("s.smurfs", "entities:\n- {name: e, type: urdf, file: , URI: r.urdf}\n"),
+                           ("s.smurfs", "entities:\n- {name: e, file: r.urdf, rpy: {x: 0}, orientation: {x: 0}}\n")):
+            with self.subTest(text=text):
+                shutil.rmtree(self.project)
+                self.write("r.urdf", urdf_of_one_joint)
+                self.write("s.yml", "motors: []\n")
+                self.write("m.smurf", "modelname: r\nfiles: [r.urdf, s.yml]\n")
+                self.write(name, text)
+                self.run_tool("smurf-lint", "--fix", "--unsafe-fixes", "-q", ".")
+                done = self.run_tool("smurf-lint", "--format", "concise", "--no-ignores", ".")
+                self.assertNotIn("SML0011", done.stdout)
+
 
 class Searches(StrangerTest):
     """A link in a folder that is searched tells nothing of what lies outside of it."""

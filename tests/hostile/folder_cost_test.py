@@ -124,6 +124,34 @@ def many_scenes_of_one_large_robot(write):
         write(f"s{i}.smurfs", f"smurfs:\n- {{name: e, type: smurf, file: m{i}.smurf}}\n")
 
 
+TARGETS = "mars,mars2,envire,phobos,pybullet,ros,gazebo,dart,mujoco,drake"
+REPORTS = tuple(("smurf-lint", "--target", TARGETS, "--format", name, ".")
+                for name in ("full", "json", "sarif", "gitlab", "junit"))
+
+
+@folder(*REPORTS)
+def findings_of_many_rules(write):
+    """Each rule has fewer than its limit."""
+    motors = repeat("- {nam: 1, joint: 2, type: x, maxSpeed: a, maxEffort: -1, minValue: 5, maxValue: 1, q: }\n", 560_000)
+    write("s.yml", "motors:\n" + motors + "sensors:\n" + repeat("- {nam: 1, link: 2, type: x, rate: a}\n", 350_000))
+    write("r.urdf", '<robot name="r"><link name="b"/></robot>')
+    write("m.smurf", "modelname: r\nfiles: [r.urdf, s.yml]\n")
+
+
+@folder(*REPORTS)
+def findings_of_many_models(write):
+    """None has more than a file may have."""
+    for i in range(20):
+        write(f"s{i}.yml", "motors:\n" + repeat("- {nam: 1, joint: 2, type: x, maxSpeed: a}\n", MEGABYTE // 20))
+        write(f"m{i}.smurf", f"modelname: r\nfiles: [s{i}.yml]\n")
+
+
+@folder(*(("smurf-lint", *words, "--unsafe-fixes", "m.smurf") for words in (("--fix",), ("--diff",))))
+def slips_of_many_rounds(write):
+    write("s.yml", "motors:\n" + repeat("- {nam: a, jont: b}\n", MEGABYTE))
+    write("m.smurf", "modelname: r\nfiles: [s.yml]\n")
+
+
 def faults(tools, make, command):
     with tempfile.TemporaryDirectory(prefix="smurf-folder-cost-") as name:
         place = pathlib.Path(name)

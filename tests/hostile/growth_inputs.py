@@ -416,3 +416,21 @@ def models_of_a_scene_in_a_folder(n, write):
     for i in range(n):
         write(f"m{i}.smurf", "modelname: r\nfiles: []\n")
     write("s.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: smurf, file: m{i}.smurf}}\n" for i in range(n)))
+
+# Keys that are renamed
+
+
+@grows(300, "smurf-lint", "-q", "a.smurfs")
+def slips_in_one_mapping(n, write):
+    write("a.smurfs", "entities: []\n" + "lihgts: [1]\n" * n * 4)
+
+
+@grows(300, "smurf-lint", "-q", "a.smurf")
+def slips_of_settings(n, write):
+    write(".smurf-lint.yaml", "selct: [SML]\n" * n * 4)
+    write("a.smurf", MODEL)
+
+
+@grows(300, "smurf-lint", "-q", "a.smurf")
+def sections_of_other_readers(n, write):
+    write("a.smurf", MODEL + "joints: [1]\n" * n * 4)

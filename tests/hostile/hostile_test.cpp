@@ -6,6 +6,7 @@
 #include <ctime>
 #include <functional>
 
+#include "base/sanitizer.hpp"
 #include "support/exercise.hpp"
 #include "unit/random.hpp"
 
@@ -13,11 +14,7 @@ using namespace smurf;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr double kSeconds = 20;
-#else
-constexpr double kSeconds = 2;
-#endif
+constexpr double kSeconds = SMURF_HAS_ADDRESS_SANITIZER ? 20 : 2;
 
 const std::string kArm = SMURF_FIXTURES "/models/arm/";
 constexpr const char* kUrdf = "<robot name='r'><link name='a'/></robot>";

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sanitizer.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace smurf::load_check;
@@ -85,7 +86,7 @@ TEST_CASE("the end of a child is an outcome") {
 }
 
 // A sanitizer reserves more than any limit, so that there is none.
-#if !defined(__SANITIZE_ADDRESS__)
+#if !SMURF_HAS_ADDRESS_SANITIZER
 TEST_CASE("a child that takes all memory is told from one that crashes") {
   const std::vector<ChildOutcome> outcomes =
       outcomes_of(1, 1, kLimits, [](std::size_t, const Write&) { take_all_memory(); });

@@ -128,6 +128,11 @@ Demand of_scene_bytes(std::uint64_t bytes) {
 
 Demand of_findings(std::uint64_t findings) { return {"r.smurf", repeat("x: y\n", findings + 1)}; }
 
+/// A scene, in which nothing else is found.
+Demand of_all_findings(std::uint64_t findings) {
+  return {"s.smurfs", "entities: []\n" + repeat("x: y\n", findings + 1)};
+}
+
 struct LimitCase {
   std::string_view name;
   std::uint64_t amount;  ///< a small limit to try
@@ -149,12 +154,13 @@ const LimitCase kCases[] = {{"file-bytes", 100, of_file},
                             {"include-depth", 20, of_include_depth},
                             {"instances", 20, of_instances},
                             {"scene-bytes", 100, of_scene_bytes},
-                            {"findings", 20, of_findings}};
+                            {"findings", 20, of_findings},
+                            {"all-findings", 20, of_all_findings}};
 
 /// The findings of a rule.
 std::vector<Diagnostic> found(const Demand& demand, const Limits& limits, std::string_view rule) {
   SourceMap sources;
-  DiagnosticSink sink(limits.findings);
+  DiagnosticSink sink(limits);
   MeshLibrary meshes;
   LoadContext context{sources, demand.files, sink, limits, {}, {}, &meshes};
   if (demand.entry.ends_with(".smurfs")) {

@@ -201,3 +201,25 @@ TEST_CASE("the JSON report keeps the order of the contract and leaves out what i
         R"({"applicability":"safe","edits":[{"file":"a.yml","begin":4,"end":5,"text":"c"}]})");
   CHECK(render_json({}, sources, {}, tool).find("\"diagnostics\": []") != std::string::npos);
 }
+
+TEST_CASE("reports that are written finding by finding look as if they were printed as a whole") {
+  SourceMap sources;
+  const SourceId id = sources.add("a.yml", "a: b\nc: d\n");
+  const ToolName tool{"smurf-lint", "0.1.0"};
+  const std::vector<const Rule*> rules{&kRule};
+  const RepositoryPath in_repository = [](const std::string& path) { return path; };
+  std::vector<Diagnostic> found;
+  for (std::size_t count = 0; count < 4; ++count) {
+    CAPTURE(count);
+    const std::string texts[] = {render_json(found, sources, {}, tool),
+                                 render_losses_json(found, sources, tool),
+                                 render_gitlab(found, sources, in_repository),
+                                 render_sarif(found, sources, rules, tool, "home", in_repository)};
+    for (const std::string& text : texts) {
+      CHECK(nlohmann::ordered_json::parse(text).dump(2) + "\n" == text);
+    }
+    found.push_back(diagnose({id, 0, 1}, "\n  \"diagnostics\": []\n  \"results\": [\"losses\": ["));
+    found.back().labels.push_back({{id, 5, 6}, "here"});
+    found.back().fixes.push_back({Applicability::safe, {{{id, 0, 1}, "x"}}});
+  }
+}

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "base/limits.hpp"
 #include "base/path.hpp"
 #include "render/printable.hpp"
 #include "smurf/confine.hpp"
@@ -71,6 +73,20 @@ std::string diff_of(const std::string& path, const Change& change) {
   return text;
 }
 
+/// What a check has taken, as `rechecked-bytes` counts it.
+std::uint64_t cost_of(const Report& report, const SourceMap& sources) {
+  std::uint64_t cost = report.diagnostics.size() * kBytesOfFinding;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    cost += sources.text(SourceId{static_cast<std::uint32_t>(i)}).size();
+  }
+  return cost;
+}
+
+bool has_left_out(const Report& report) {
+  return std::any_of(report.diagnostics.begin(), report.diagnostics.end(),
+                     [](const Diagnostic& one) { return one.left_out != nullptr; });
+}
+
 /// A link that comes with the files does not choose what is written.
 bool leads_outside(const std::string& path, const LintOptions& options) {
   const std::string folder(path::parent(path));
@@ -87,14 +103,22 @@ Fixed fix_all(const LintOptions& options, Session& session, Report report,
   const Applicability most = options.unsafe_fixes ? Applicability::unsafe : Applicability::safe;
   Fixed fixed;
   fixed.report = std::move(report);
+  std::uint64_t total = 0;
   int counted = 0;
-  for (int round = 0; counted < kRounds && round < kMostRounds; ++round) {
-    const auto& all = fixed.report.diagnostics;
-    const bool is_partial = std::any_of(
-        all.begin(), all.end(), [](const Diagnostic& one) { return one.left_out != nullptr; });
-    if (!is_partial) ++counted;
+  for (int round = 0;; ++round) {
     AppliedFixes applied = apply_fixes(fixed.report.diagnostics, session.sources(), most);
     if (applied.texts.empty()) return fixed;
+    if (counted == kRounds) {
+      fixed.end = FixEnd::no_end;
+      return fixed;
+    }
+    const std::uint64_t cost = cost_of(fixed.report, session.sources());
+    total += cost;
+    if (round > 0 && (total + cost > options.limits.rechecked_bytes || round == kMostRounds)) {
+      fixed.end = FixEnd::limit;
+      return fixed;
+    }
+    if (!has_left_out(fixed.report)) ++counted;
     fixed.count += applied.count;
     for (FixedText& file : applied.texts) {
       const auto [change, is_new] = fixed.changes.try_emplace(file.path);
@@ -106,8 +130,6 @@ Fixed fix_all(const LintOptions& options, Session& session, Report report,
     }
     fixed.report = check();
   }
-  fixed.is_stable = apply_fixes(fixed.report.diagnostics, session.sources(), most).texts.empty();
-  return fixed;
 }
 
 bool write_changes(const std::map<std::string, Change>& changes, const LintPlan& plan,

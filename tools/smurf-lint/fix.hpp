@@ -19,15 +19,21 @@ struct Change {
   std::string after;
 };
 
+enum class FixEnd {
+  nothing_left,  ///< no fix is left
+  no_end,        ///< every round found something to fix
+  limit          ///< going on would take more than `rechecked-bytes`
+};
+
 struct Fixed {
   Report report;                          ///< of the fixed texts
   std::map<std::string, Change> changes;  ///< by path
   std::size_t count = 0;                  ///< findings that were fixed
-  bool is_stable = true;                  ///< false: every round found something to fix
+  FixEnd end = FixEnd::nothing_left;
 };
 
-/// Applies fixes and checks again until a round finds none. The fixed texts go to the session, in
-/// front of those on the disk; nothing is written.
+/// Applies fixes and checks again until a round finds none, or that takes too much. The fixed texts
+/// go to the session, in front of those on the disk; nothing is written.
 Fixed fix_all(const LintOptions& options, Session& session, Report report,
               const std::function<Report()>& check);
 

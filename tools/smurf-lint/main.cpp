@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "base/limits.hpp"
 #include "common/input.hpp"
 #include "common/process.hpp"
 #include "common/progress.hpp"
@@ -124,17 +125,28 @@ bool write_all(const LintOptions& options, const LintPlan& plan, const Session& 
          write_output(kTool, "-", session.files().read(input, options.limits.file_bytes).text);
 }
 
-ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session, Report found,
-             const std::function<Report()>& check) {
-  const Fixed fixed = fix_all(options, session, std::move(found), check);
-  if (!fixed.is_stable) {
-    complain(kTool, "the fixes undo each other; nothing was changed (this is a bug of smurf-lint)");
-    return kFailed;
-  }
+ExitCode give_out(const LintOptions& options, const LintPlan& plan, const Session& session,
+                  const Fixed& fixed) {
   if (options.diff) return show_diff(options, fixed.changes);
   if (!write_all(options, plan, session, fixed.changes)) return kFailed;
   if (options.fix_only) return kDone;
   return report(options, plan, {fixed.report, session.sources()}, fixed.count);
+}
+
+ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session, Report found,
+             const std::function<Report()>& check) {
+  const Fixed fixed = fix_all(options, session, std::move(found), check);
+  if (fixed.end == FixEnd::no_end) {
+    complain(kTool, "the fixes undo each other; nothing was changed (this is a bug of smurf-lint)");
+    return kFailed;
+  }
+  const ExitCode code = give_out(options, plan, session, fixed);
+  if (fixed.end != FixEnd::limit || code == kFailed) return code;
+  complain(kTool, "these are not all fixes: the others take more than " +
+                      std::to_string(options.limits.rechecked_bytes) +
+                      " bytes that are checked; run it again when these are in the files, or " +
+                      raise_limit("rechecked-bytes"));
+  return kFailed;
 }
 
 /// `found` is what the renamed files come to.

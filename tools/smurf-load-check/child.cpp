@@ -18,19 +18,14 @@
 #include <utility>
 #include <vector>
 
+#include "base/sanitizer.hpp"
+
 namespace smurf::load_check {
 namespace {
 
 constexpr int kOutOfMemory = 3;
 
-// The address space that a sanitizer reserves is larger than any useful limit.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kHasMemoryLimit = false;
-#elif defined(__has_feature)
-constexpr bool kHasMemoryLimit = !__has_feature(address_sanitizer);
-#else
-constexpr bool kHasMemoryLimit = true;
-#endif
+constexpr bool kHasMemoryLimit = !SMURF_HAS_ADDRESS_SANITIZER;
 
 /// The soft limit tells what happened, by its own signal; the hard one is for who ignores it.
 void limit(int resource, std::uint64_t most) {

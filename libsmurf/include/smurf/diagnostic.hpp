@@ -129,17 +129,25 @@ struct Diagnostic {
   std::vector<std::string> notes;  ///< facts without a place
   std::string help;                ///< what to do; may be empty
   std::vector<Fix> fixes;          ///< at most one today
-  const Rule* left_out = nullptr;  ///< more findings of this rule are left out from here on
+  /// More findings of this rule are left out from here on; of every rule when it is its own.
+  const Rule* left_out = nullptr;
 };
 
 /// Collects diagnostics. Passed by reference through all stages; never prints, never throws.
 class DiagnosticSink {
  public:
-  /// Of each rule, `most` findings are kept. The next one becomes an SML0002 that says so.
-  /// `suggestions` bounds the work of suggest().
+  /// Of each rule, `most` findings are kept, and `all` of all rules together. The next one becomes
+  /// an SML0002 that says so. `suggestions` bounds the work of suggest().
   explicit DiagnosticSink(std::uint64_t most = Limits{}.findings,
-                          std::uint64_t suggestions = Limits{}.suggestions)
-      : most_(most), most_suggestions_(suggestions), suggestions_left_(suggestions) {}
+                          std::uint64_t suggestions = Limits{}.suggestions,
+                          std::uint64_t all = Limits{}.all_findings)
+      : most_(most),
+        most_suggestions_(suggestions),
+        suggestions_left_(suggestions),
+        most_of_all_(all) {}
+  /// With the bounds that a user may have raised.
+  explicit DiagnosticSink(const Limits& limits)
+      : DiagnosticSink(limits.findings, limits.suggestions, limits.all_findings) {}
 
   /// The reference is valid until the next report; what is done to a finding that is left out has
   /// no effect.
@@ -160,6 +168,9 @@ class DiagnosticSink {
   std::uint64_t count_of(const Rule& rule) const;
 
  private:
+  /// Says that findings are left out from `span` on.
+  void report_left_out(const Rule& rule, Span span, std::string message, std::string_view limit);
+
   std::uint64_t most_;
   std::uint64_t most_suggestions_;
   std::uint64_t suggestions_left_;
@@ -169,6 +180,8 @@ class DiagnosticSink {
   std::vector<Diagnostic> diagnostics_;
   std::vector<std::pair<Span, const Rule*>> consequences_;
   Diagnostic left_out_;
+  std::uint64_t most_of_all_;
+  bool is_full_ = false;  ///< findings of all rules are left out
 };
 
 /// All rules, ascending by id.

@@ -32,6 +32,7 @@ struct Limits {
   std::uint64_t scene_bytes = 100'000'000;
   std::uint64_t srdf_bytes = 64'000'000;
   std::uint64_t findings = 10'000;
+  std::uint64_t all_findings = 25'000;
   std::uint64_t folder_entries = 1'000'000;
   std::uint64_t ignore_checks = 20'000'000;
   std::uint64_t path_checks = 4'000'000;
@@ -96,7 +97,7 @@ inline constexpr std::array kLimits{
               "a hundred models with a URDF of 160 kB; each byte takes 14 bytes of memory"},
     LimitInfo{"rechecked-bytes", &Limits::rechecked_bytes, 100'000'000'000,
               "bytes of files that `smurf-lint` checks again, for each further model or scene that "
-              "reads them; a finding in one counts as 600",
+              "reads them, or checks in all while it applies fixes; a finding in one counts as 600",
               "SML0002", "a hundred scenes with a robot of 500 kB have as many; two seconds"},
     LimitInfo{"include-depth", &Limits::include_depth, 1'000, "scenes in each other", "SML5021",
               "scenes that people write have three"},
@@ -114,6 +115,8 @@ inline constexpr std::array kLimits{
     LimitInfo{"findings", &Limits::findings, 100'000'000,
               "findings of one rule in a model or scene", "SML0002",
               "nobody reads as many; each takes 500 bytes of memory and of the report"},
+    LimitInfo{"all-findings", &Limits::all_findings, 100'000'000, "findings of a run", "SML0002",
+              "as for those of one rule, of which a megabyte of faults may find two dozen"},
     LimitInfo{"folder-entries", &Limits::folder_entries, 1'000'000'000,
               "files and folders in a folder that is searched, and in those below it", "",
               "a search of a whole machine is a mistake; a million takes some seconds"},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
@@ -47,17 +48,11 @@ std::optional<std::string_view> meant_key(std::string_view key,
   return near;
 }
 
-void suggest(Diagnostic& diagnostic, yaml::View key, std::string_view meant) {
-  // Without dashes in front, a directive above would have no document to belong to.
-  if (key.key().starts_with("---")) return;
-  diagnostic.fixes.push_back(
-      {Applicability::unsafe, {{without_quotes(key.key_span(), key.key()), std::string(meant)}}});
-}
-
 /// A key that says nothing or is a slip of the pen is the place; otherwise the entry's first key.
 /// Returns the slip.
 yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unknown,
-                          yaml::View mapping, std::string_view what, DiagnosticSink& sink) {
+                          yaml::View mapping, std::string_view what, KeyRenames& renames,
+                          DiagnosticSink& sink) {
   std::vector<std::string_view> names;
   for (const yaml::View key : unknown) names.push_back(key.key());
   const std::string name = quoted(spec.name);
@@ -73,7 +68,7 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
   }
   if (!near) return {};
   diagnostic.help = "did you mean " + name + " by `" + std::string(*near) + "`?";
-  suggest(diagnostic, key, spec.name);
+  renames.offer(diagnostic.fixes, key, spec.name);
   return key;
 }
 
@@ -111,28 +106,23 @@ Span place_to_add(yaml::View entry, std::string_view key) {
 
 void report_difference(const KeyDifference& difference, yaml::View mapping, std::string_view what,
                        DiagnosticSink& sink) {
+  KeyRenames renames(mapping);
   std::vector<yaml::View> slips;
-  std::unordered_set<std::string_view> given;  // or meant by a key before
+  std::unordered_set<std::string_view> meant_before;
   for (const KeySpec* spec : difference.missing) {
-    slips.push_back(report_missing(*spec, difference.unknown, mapping, what, sink));
-    if (slips.back()) given.insert(spec->name);
+    slips.push_back(report_missing(*spec, difference.unknown, mapping, what, renames, sink));
+    if (slips.back()) meant_before.insert(spec->name);
   }
-  bool has_given = false;
   for (const yaml::View key : difference.unknown) {
     const auto is_this = [&](yaml::View slip) { return slip && slip.key() == key.key(); };
     if (key.is_repeated() || std::any_of(slips.begin(), slips.end(), is_this)) continue;
     const auto meant = meant_key(key.key(), difference.known);
-    if (!meant) continue;
-    if (!has_given) {
-      for (const yaml::View value : mapping) given.insert(value.key());
-      has_given = true;
-    }
-    if (!given.insert(*meant).second) continue;
+    if (!meant || renames.has(*meant) || !meant_before.insert(*meant).second) continue;
     Diagnostic& diagnostic = sink.report(rules::sml4005_misspelt_key, key.key_span(),
                                          "no reader knows `" + std::string(key.key()) +
                                              "` in this " + std::string(what));
     diagnostic.help = "did you mean `" + std::string(*meant) + "`?";
-    suggest(diagnostic, key, *meant);
+    renames.offer(diagnostic.fixes, key, *meant);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ast/key_renames.hpp"
 #include "ast/notation.hpp"
 #include "base/numbers.hpp"
 #include "base/quoted.hpp"
@@ -265,10 +266,10 @@ void check_components(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
                     name_of(spec) + " has no component `" + std::string(member.key()) + "`");
     diagnostic.help = "its components are " + in_words(names);
     const auto near = nearest(member.key(), names);
-    if (!near || value.find(*near)) return;
-    offer(diagnostic, "did you mean `" + std::string(*near) + "`?",
-          without_quotes(member.key_span(), member.key()), *near);
-    return;
+    KeyRenames renames(value);
+    if (!near || renames.has(*near)) return;
+    diagnostic.help = "did you mean `" + std::string(*near) + "`?";
+    return renames.offer(diagnostic.fixes, member, *near);
   }
   const auto missing = missing_components(spec.type, value);
   if (missing.empty()) return;

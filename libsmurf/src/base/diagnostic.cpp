@@ -32,19 +32,33 @@ std::string_view to_string(Severity severity) {
   return "";
 }
 
+void DiagnosticSink::report_left_out(const Rule& rule, Span span, std::string message,
+                                     std::string_view limit) {
+  Diagnostic& last = diagnostics_.emplace_back();
+  last.rule = &rules::sml0002_file_too_large;
+  last.severity = rule.severity;
+  last.span = span;
+  last.message = std::move(message) + "; from here on they are left out";
+  last.help = raise_limit(limit);
+  last.left_out = &rule;
+}
+
 Diagnostic& DiagnosticSink::report(const Rule& rule, Span span, std::string message) {
+  const Rule& about_limits = rules::sml0002_file_too_large;
   const std::uint64_t count = ++counts_[&rule];
-  const bool is_kept = count <= most_ || &rule == &rules::sml0002_file_too_large;
+  const bool has_room = diagnostics_.size() < most_of_all_;
+  const bool is_kept = (count <= most_ && has_room) || &rule == &about_limits;
   is_last_left_out_ = !is_kept;
-  if (count == most_ + 1 && !is_kept) {
-    Diagnostic& last = diagnostics_.emplace_back();
-    last.rule = &rules::sml0002_file_too_large;
-    last.severity = rule.severity;
-    last.span = span;
-    last.message = "there are more than " + std::to_string(most_) + " findings of " +
-                   std::string(rule.id) + "; from here on they are left out";
-    last.help = raise_limit("findings");
-    last.left_out = &rule;
+  if (!is_kept && !has_room && !is_full_) {
+    is_full_ = true;
+    report_left_out(about_limits, span,
+                    "there are more than " + std::to_string(most_of_all_) + " findings",
+                    "all-findings");
+  } else if (!is_kept && has_room && count == most_ + 1) {
+    report_left_out(rule, span,
+                    "there are more than " + std::to_string(most_) + " findings of " +
+                        std::string(rule.id),
+                    "findings");
   }
   Diagnostic& diagnostic =
       is_kept ? diagnostics_.emplace_back() : (left_out_ = Diagnostic{}, left_out_);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a finding about a limit ends.
+// What limits count, and how a finding about one ends.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace smurf {
+
+/// What a finding counts as in `rechecked-bytes`: it takes as long as so many bytes.
+inline constexpr std::uint64_t kBytesOfFinding = 600;
 
 /// `name` is that of a row of kLimits.
 inline std::string raise_limit(std::string_view name) {

@@ -184,7 +184,7 @@ class Run {
     const CheckGroup& group = memory_.groups[planned.config];
     outcome.sources = memory_.sources;
     const Limits& limits = workshop_.desk.limits;
-    DiagnosticSink sink(limits.findings, limits.suggestions);
+    DiagnosticSink sink(limits);
     LoadContext context{outcome.sources,
                         files,
                         sink,
@@ -220,7 +220,6 @@ class Run {
   /// Notes what was read for an outcome. Thousands of models may share one large URDF, and each
   /// checks it again: false when that is too much.
   bool has_room(const Outcome& outcome) {
-    constexpr std::uint64_t kBytesOfFinding = 600;  // which take as long
     std::set<SourceId> again;
     for (std::size_t i = memory_.sources.size(); i < outcome.sources.size(); ++i) {
       const SourceId source{static_cast<std::uint32_t>(i)};
@@ -235,21 +234,37 @@ class Run {
     return rechecked_ <= workshop_.desk.limits.rechecked_bytes;
   }
 
-  void end_with(const PlannedFile& planned) {
+  /// Notes what was found. A file that is checked alone has a bound of its own, in the sink.
+  bool has_room_for_findings(const Outcome& outcome) {
+    const bool is_first = count_found_ == 0;
+    count_found_ += outcome.judged.diagnostics.size();
+    return is_first || count_found_ <= workshop_.desk.limits.all_findings;
+  }
+
+  /// `excess` is what there would be too much of: "more than 3 bytes are read".
+  void end_with(const PlannedFile& planned, const std::string& excess, std::string_view limit) {
     is_over_ = true;
     DiagnosticSink sink;
     const Span place{sources_.add_unreadable(path::normalize(planned.path)), 0, 0};
-    const std::string most = std::to_string(workshop_.desk.limits.rechecked_bytes);
     sink.report(rules::sml0002_file_too_large, place,
-                "with this file, more than " + most +
-                    " bytes are checked again of files that others have read before; neither it "
-                    "nor what comes after it was checked")
-        .help = raise_limit("rechecked-bytes");
+                "with this file, " + excess + "; neither it nor what comes after it was checked")
+        .help = raise_limit(limit);
     append(sink.take(), found_[planned.config].diagnostics);
   }
 
   void take(Outcome&& outcome, const PlannedFile& planned) {
-    if (!has_room(outcome)) return end_with(planned);
+    const Limits& limits = workshop_.desk.limits;
+    if (!has_room(outcome)) {
+      return end_with(planned,
+                      "more than " + std::to_string(limits.rechecked_bytes) +
+                          " bytes are checked again of files that others have read before",
+                      "rechecked-bytes");
+    }
+    if (!has_room_for_findings(outcome)) {
+      return end_with(planned,
+                      "there are more than " + std::to_string(limits.all_findings) + " findings",
+                      "all-findings");
+    }
     const std::size_t common = memory_.sources.size();
     const SourceShift by = sources_.take(std::move(outcome.sources), common);
     for (Diagnostic& diagnostic : outcome.judged.diagnostics) shift(diagnostic, by);
@@ -270,6 +285,7 @@ class Run {
   std::set<std::string> models_, scenes_, read_;  ///< by identity
   std::unordered_set<std::string> sources_read_;  ///< by identity
   std::uint64_t rechecked_ = 0;                   ///< bytes of those that were read before
+  std::uint64_t count_found_ = 0;                 ///< before settings and comments are applied
   bool is_over_ = false;                          ///< what is left is not checked
   std::set<std::string> used_;                    ///< of the outcomes in the memory
   std::atomic<std::size_t> done_ = 0;

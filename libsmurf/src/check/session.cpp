@@ -131,7 +131,7 @@ struct Session::State {
     with.groups =
         read_configurations({config_for(path, settings, *files)}, settings, *files, loaded_sources);
     merge(settings, *paths, with.groups);
-    return {&loaded_sources, DiagnosticSink(limits.findings, limits.suggestions), &with};
+    return {&loaded_sources, DiagnosticSink(limits), &with};
   }
 
   /// After open().

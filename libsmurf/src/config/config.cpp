@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
@@ -241,26 +242,31 @@ class ConfigReader {
   }
 
   void read_mapping(yaml::View mapping, std::span<const Setting> settings, std::string_view what) {
+    KeyRenames renames(mapping);
     for_each_entry(mapping, [&](yaml::View value) {
       const auto setting = std::find_if(settings.begin(), settings.end(), [&](const Setting& one) {
         return one.spec.name == value.key();
       });
       if (setting == settings.end()) {
-        report_unknown(value, settings, what);
+        report_unknown(value, settings, what, renames);
       } else if (!value.is_null() && !value.is_repeated()) {
         (this->*setting->read)(value);
       }
     });
   }
 
-  void report_unknown(yaml::View value, std::span<const Setting> settings, std::string_view what) {
+  void report_unknown(yaml::View value, std::span<const Setting> settings, std::string_view what,
+                      KeyRenames& renames) {
     Diagnostic& diagnostic =
         sink_.report(rules::sml9001_unknown_setting, value.key_span(),
                      "there is no " + std::string(what) + " " + quoted(value.key()));
     diagnostic.pointer = yaml::pointer(value.document(), value.id());
     std::vector<std::string_view> names;
     for (const Setting& setting : settings) names.push_back(setting.spec.name);
-    suggest(diagnostic, value.key(), names, value.key_span());
+    if (const auto near = sink_.suggest(value.key(), names)) {
+      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      renames.offer(diagnostic.fixes, value, *near);
+    }
     if (diagnostic.help.empty()) diagnostic.help = "known are " + listed(names);
   }
 

@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "ast/keys.hpp"
+#include "ast/key_renames.hpp"
 #include "ast/scene_reader.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
@@ -143,7 +143,7 @@ class SceneExpander {
       const SceneUse& around = scene_.uses[to_size(use)];
       path = path::join(path::parent(scene_.file(around).path), *file);
     }
-    bool is_usable = check_kind(entity, type, path);
+    bool is_usable = check_kind(use, entity, type, path);
     if (is_usable && is_archive_type(type)) is_usable = enter_archive(path, file.span);
     if (kind_of(type) == EntityKind::scene) {
       include(use, index, is_usable ? first_names_.of(path) : std::string());
@@ -313,7 +313,8 @@ class SceneExpander {
   }
 
   /// What every kind needs: a file of the right sort. One finding at most.
-  bool check_kind(const Entity& entity, const std::string& type, const std::string& path) {
+  bool check_kind(UseIndex use, const Entity& entity, const std::string& type,
+                  const std::string& path) {
     const EntityKind kind = kind_of(type);
     if (entity.file.written && !entity.file && !entity.uri) return false;  // reported by the reader
     if (entity.type.written && !entity.type) return false;
@@ -324,7 +325,7 @@ class SceneExpander {
                                             : "this entity has no `type`, and `" + path +
                                                   "` has no extension that tells it");
       diagnostic.help = "name the .smurf, .urdf or .smurfs that the entity stands for";
-      if (path.empty()) suggest_file(entity, diagnostic);
+      if (path.empty()) suggest_file(use, entity, diagnostic);
       return false;
     }
     const std::string extension = path::to_lower(path::extension(path));
@@ -353,14 +354,15 @@ class SceneExpander {
   }
 
   /// A slip of the pen (`fiel`) is then the place.
-  static void suggest_file(const Entity& entity, Diagnostic& diagnostic) {
+  void suggest_file(UseIndex use, const Entity& entity, Diagnostic& diagnostic) const {
     constexpr std::string_view kFile[] = {"file"};
     for (const CustomSection& key : entity.extra) {
       if (!nearest(key.name.value, kFile)) continue;
       diagnostic.span = key.name.span;
       diagnostic.help = "did you mean `file` by `" + key.name.value + "`?";
-      diagnostic.fixes.push_back(
-          {Applicability::unsafe, {{without_quotes(key.name.span, key.name.value), "file"}}});
+      const yaml::Document& document = *scene_.file(scene_.uses[to_size(use)]).document;
+      KeyRenames(yaml::View(document, entity.node))
+          .offer(diagnostic.fixes, {document, key.node}, "file");
       return;
     }
   }

@@ -86,9 +86,8 @@ std::string render_github(std::span<const Diagnostic> diagnostics, const SourceM
 std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                           const RepositoryPath& in_repository) {
   using render::Json;
-  Json list = Json::array();
   std::map<std::string, std::size_t> occurrences;
-  for (const Diagnostic& diagnostic : diagnostics) {
+  const auto to_json = [&](const Diagnostic& diagnostic) -> Json {
     const auto [begin, end] = render::region_of(diagnostic.span, sources);
     const std::string path = in_repository(render::path_of(diagnostic.span, sources));
     const std::string id(diagnostic.rule->id);
@@ -96,14 +95,14 @@ std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceM
     const std::string identity = id + "\n" + path + "\n" + diagnostic.named_pointer;
     const std::string number = std::to_string(++occurrences[identity]);
     // GitLab shows the description only.
-    list.push_back(
-        {{"description", id + " " + std::string(diagnostic.rule->name) + ": " + diagnostic.message},
-         {"check_name", id},
-         {"fingerprint", fingerprint(identity + "\n" + number)},
-         {"severity", render::text(gitlab_severity(diagnostic.severity))},
-         {"location", {{"path", path}, {"lines", {{"begin", begin.line}, {"end", end.line}}}}}});
-  }
-  return render::dump(list);
+    return {
+        {"description", id + " " + std::string(diagnostic.rule->name) + ": " + diagnostic.message},
+        {"check_name", id},
+        {"fingerprint", fingerprint(identity + "\n" + number)},
+        {"severity", render::text(gitlab_severity(diagnostic.severity))},
+        {"location", {{"path", path}, {"lines", {{"begin", begin.line}, {"end", end.line}}}}}};
+  };
+  return render::dump_with_list(Json::array(), "", 0, diagnostics, to_json);
 }
 
 }  // namespace smurf

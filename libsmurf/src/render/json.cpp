@@ -7,6 +7,7 @@ namespace smurf {
 namespace {
 
 using render::dump;
+using render::dump_with_list;
 using render::Json;
 using render::text;
 
@@ -81,13 +82,12 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                        {"info", summary.infos},   {"suppressed", summary.suppressed},
                        {"files", summary.files},  {"models", summary.models},
                        {"scenes", summary.scenes}};
-  Json list = Json::array();
-  for (const Diagnostic& diagnostic : diagnostics) list.push_back(to_json(diagnostic, sources));
-  report["diagnostics"] = std::move(list);
+  report["diagnostics"] = Json::array();
   for (const TargetVerdict& target : targets) {
     report["targets"][std::string(target.reader->name)] = to_json(target, sources);
   }
-  return dump(report);
+  return dump_with_list(report, "diagnostics", 1, diagnostics,
+                        [&](const Diagnostic& one) { return to_json(one, sources); });
 }
 
 std::string render_losses_json(std::span<const Diagnostic> losses, const SourceMap& sources,
@@ -95,16 +95,14 @@ std::string render_losses_json(std::span<const Diagnostic> losses, const SourceM
   Json report;
   report["schema_version"] = "1.0";
   report["tool"] = {{"name", text(tool.name)}, {"version", text(tool.version)}};
-  Json list = Json::array();
-  for (const Diagnostic& loss : losses) {
+  report["losses"] = Json::array();
+  return dump_with_list(report, "losses", 1, losses, [&](const Diagnostic& loss) {
     Json entry = {
         {"class", text(loss.rule->name)}, {"id", text(loss.rule->id)}, {"message", loss.message}};
     add_place(entry, loss.span, sources);
     entry["pointer"] = loss.pointer;
-    list.push_back(std::move(entry));
-  }
-  report["losses"] = std::move(list);
-  return dump(report);
+    return entry;
+  });
 }
 
 std::string render_rule_list_json(std::span<const Rule* const> rules) {

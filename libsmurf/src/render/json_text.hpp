@@ -16,22 +16,52 @@ namespace smurf::render {
 
 using Json = nlohmann::ordered_json;
 
-/// Invalid UTF-8, which a path or a scalar may hold, becomes U+FFFD. The library escapes C0 only:
-/// DEL and C1, which can stand in strings alone, are escaped here.
-inline std::string dump(const Json& json) {
-  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  std::string out;
+/// The text of a value whose lines after the first are indented by `indent` columns more. Invalid
+/// UTF-8, which a path or a scalar may hold, becomes U+FFFD. The library escapes C0 only: DEL and
+/// C1, which can stand in strings alone, are escaped here.
+inline void append(std::string& out, const Json& json, std::size_t indent) {
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
   std::size_t copied = 0;
-  for (std::size_t at = 0; (at = text.find_first_of("\x7F\xC2", at)) != std::string::npos;) {
+  for (std::size_t at = 0; (at = text.find_first_of("\n\x7F\xC2", at)) != std::string::npos;) {
     const utf8::CodePoint point = utf8::decode(std::string_view(text).substr(at));
-    if (utf8::is_control(point.value)) {
+    if (text[at] == '\n') {
+      out.append(text, copied, at + 1 - copied).append(indent, ' ');
+      copied = at + 1;
+    } else if (utf8::is_control(point.value)) {
       out.append(text, copied, at - copied);
       utf8::append_escape(out, point.value);
       copied = at + point.size;
     }
     at += point.size;
   }
-  return out.empty() ? text : out.append(text, copied);
+  out.append(text, copied);
+}
+
+inline std::string dump(const Json& json) {
+  std::string out;
+  append(out, json, 0);
+  return out += '\n';
+}
+
+/// Writes a report with a long list element by element: a tree of all of them takes four times the
+/// memory of their text. `report` has an empty list under `key`, `depth` lists and objects deep;
+/// `to_json` makes an element of each item.
+template <class Items, class ToJson>
+std::string dump_with_list(const Json& report, std::string_view key, std::size_t depth,
+                           const Items& items, ToJson to_json) {
+  const std::string frame = dump(report);
+  // No string holds a line end, and no other key is as deep.
+  const std::string line = "\n" + std::string(2 * depth, ' ') + "\"" + std::string(key) + "\": [";
+  const std::size_t begin = key.empty() ? 1 : frame.find(line) + line.size();
+  std::string out = frame.substr(0, begin);
+  bool is_first = true;
+  for (const auto& item : items) {
+    out.append(is_first ? "\n" : ",\n").append(2 * depth + 2, ' ');
+    append(out, to_json(item), 2 * depth + 2);
+    is_first = false;
+  }
+  if (!is_first) out.append("\n").append(2 * depth, ' ');
+  return out.append(frame, begin);
 }
 
 inline Json text(std::string_view view) { return std::string(view); }

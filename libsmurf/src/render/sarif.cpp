@@ -209,14 +209,14 @@ std::string render_sarif(std::span<const Diagnostic> diagnostics, const SourceMa
                          std::span<const Rule* const> rules, const ToolName& tool,
                          std::string_view homepage, const RepositoryPath& in_repository) {
   Log log(sources, rules, in_repository);
-  Json results = Json::array();
-  for (const Diagnostic& diagnostic : diagnostics) results.push_back(log.result(diagnostic));
   const Json run = {{"tool", {{"driver", log.driver(tool, homepage)}}},
                     {"automationDetails", {{"id", std::string(tool.name) + "/"}}},
                     {"columnKind", "unicodeCodePoints"},
                     {"invocations", {{{"executionSuccessful", true}}}},
-                    {"results", std::move(results)}};
-  return render::dump({{"$schema", text(kSchema)}, {"version", "2.1.0"}, {"runs", {run}}});
+                    {"results", Json::array()}};
+  return render::dump_with_list({{"$schema", text(kSchema)}, {"version", "2.1.0"}, {"runs", {run}}},
+                                "results", 3, diagnostics,
+                                [&](const Diagnostic& one) { return log.result(one); });
 }
 
 }  // namespace smurf

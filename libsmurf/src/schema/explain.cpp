@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_set>
 
+#include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
 #include "base/edits.hpp"
 #include "base/quoted.hpp"
@@ -309,7 +310,8 @@ class Explainer {
       if (!nearest(key.key(), meant)) continue;
       violation.span = key.key_span();
       violation.add_span = {};
-      return suggest(violation, missing, without_quotes(key.key_span(), key.key()));
+      KeyRenames renames(at.value);
+      return suggest_name(violation, renames, key, missing);
     }
   }
 
@@ -364,20 +366,24 @@ class Explainer {
     std::vector<std::string_view> names;
     for (const yaml::View value : values) names.push_back(value.text());
     if (const auto near = nearest_of(at.value.text(), names)) {
-      suggest(violation, *near, without_quotes(at.value.span(), at.value.text()));
+      violation.help = "did you mean " + quoted(*near) + "?";
+      if (!fits_everywhere(*near)) return;
+      const Span place = without_quotes(at.value.span(), at.value.text());
+      violation.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
     }
   }
 
-  static void suggest(Violation& violation, std::string_view text, Span place) {
-    violation.help = "did you mean " + quoted(text) + "?";
-    if (!fits_everywhere(text)) return;
-    violation.fixes.push_back({Applicability::unsafe, {{place, std::string(text)}}});
+  static void suggest_name(Violation& violation, KeyRenames& renames, yaml::View key,
+                           std::string_view name) {
+    violation.help = "did you mean " + quoted(name) + "?";
+    if (fits_everywhere(name)) renames.offer(violation.fixes, key, name);
   }
 
   /// valijson names the first key that is too many; these are all.
   void explain_keys(const Located& at) {
     const std::vector<std::string_view> names = property_names(at);
     const std::unordered_set<std::string_view> known(names.begin(), names.end());
+    KeyRenames renames(at.value);
     const bool has_patterns = static_cast<bool>(at.candidates.find("patternProperties"));
     for (const yaml::View key : at.value) {
       if (known.contains(key.key())) continue;
@@ -389,13 +395,13 @@ class Explainer {
       }
       if (!spend(at.value.size())) return;
       const auto near = nearest_of(key.key(), names);
-      const bool is_slip = near && !at.value.find(*near);
+      const bool is_slip = near && !renames.has(*near);
       if (is_slip && is_required(at, *near)) continue;  // reported as missing
       Violation& violation =
           add(at, "additionalProperties", key.key_span(),
               at.subject() + " has no key " + quoted(key.key()) + " in its schema");
       violation.help.clear();
-      if (is_slip) suggest(violation, *near, without_quotes(key.key_span(), key.key()));
+      if (is_slip) suggest_name(violation, renames, key, *near);
     }
   }
 

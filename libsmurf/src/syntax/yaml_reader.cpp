@@ -217,7 +217,7 @@ bool has_too_many_nodes(const DiagnosticSink& found) {
 std::optional<std::uint32_t> parse_plain(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink,
                                          std::optional<yaml::Document>& document) {
-  DiagnosticSink found(limits.findings);  // counts only when the text is judged
+  DiagnosticSink found(limits);  // counts only when the text is judged
   YamlBuilder builder(sources, id, limits, found);
   try {
     if (const auto end = scan_plain_yaml(sources.text(id), builder)) return end;
@@ -275,7 +275,7 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
     return std::nullopt;
   }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;
-  DiagnosticSink found(limits.findings);
+  DiagnosticSink found(limits);
   YamlBuilder builder(sources, id, limits, found);
   YamlEvents events(text, builder, found);
   try {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+#include <string>
+
+#include "ast/key_renames.hpp"
 #include "ast/sections.hpp"
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
@@ -7,6 +11,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
+  std::map<SourceId, KeyRenames> renames;
   for (const TopLevelKey& key : top_level_keys(model)) {
     const std::string_view name = key.value.key();
     const SectionSpec* section = find_section(name);
@@ -16,10 +21,11 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(key.value.key_span(),
                         "MARS does not read " + quoted(name) + ", only " + quoted(section->name));
-    diagnostic.help = "rename it; Phobos reads both";
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe,
-         {{without_quotes(key.value.key_span(), name), std::string(section->name)}}});
+    KeyRenames& names =
+        renames.try_emplace(key.value.span().source, key.value.document().view()).first->second;
+    const std::string remedy = names.is_free(section->name) ? "rename it" : "move it there";
+    diagnostic.help = remedy + "; Phobos reads both";
+    names.offer(diagnostic.fixes, key.value, section->name);
   }
 }
 

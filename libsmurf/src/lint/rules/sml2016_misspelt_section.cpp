@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <set>
+#include <map>
 #include <utility>
 
+#include "ast/key_renames.hpp"
 #include "ast/sections.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
@@ -29,26 +30,28 @@ bool looks_like(const SectionSpec& section, yaml::View value) {
 }
 
 /// A file must not get the same section twice: by what it has already, or by two slips.
-class Renames {
+class Sections {
  public:
-  void offer(Diagnostic& diagnostic, yaml::View section, std::string_view name) {
-    const bool is_free = !section.document().view().find(name);
-    if (!is_free || !offered_.insert({section.span().source, name}).second) {
+  KeyRenames& of(yaml::View section) {
+    return renames_.try_emplace(section.span().source, section.document().view()).first->second;
+  }
+
+  void offer_rename(Diagnostic& diagnostic, yaml::View section, std::string_view name) {
+    KeyRenames& renames = of(section);
+    if (!renames.is_free(name)) {
       diagnostic.help = "is it a part of " + quoted(name) + "? A file has one section of a name";
       return;
     }
     diagnostic.help = "did you mean " + quoted(name) + "?";
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe,
-         {{without_quotes(section.key_span(), section.key()), std::string(name)}}});
+    renames.offer(diagnostic.fixes, section, name);
   }
 
  private:
-  std::set<std::pair<SourceId, std::string_view>> offered_;
+  std::map<SourceId, KeyRenames> renames_;
 };
 
 void check(const LinkedModel& model, Findings& findings) {
-  Renames renames;
+  Sections sections;
   const std::vector<std::string_view> known = section_names();
   for (const TopLevelKey& key : top_level_keys(model)) {
     const auto near = nearest(key.value.key(), known);
@@ -57,24 +60,24 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!looks_like(section, key.value)) continue;
     Diagnostic& diagnostic = findings.report(key.value.key_span(), "no reader knows a section " +
                                                                        quoted(key.value.key()));
-    renames.offer(diagnostic, key.value, section.name);
+    sections.offer_rename(diagnostic, key.value, section.name);
   }
 }
 
 /// Data files of entities hold sections of the user's own.
 void check_data(const LinkedScene& scene, Findings& findings) {
   if (scene.schemas == nullptr) return;
-  Renames renames;
+  Sections sections;
   const std::vector<std::string_view> known = scene.schemas->sections();
   for (const DataFile& file : scene.data_files) {
     const yaml::View root = file.document.view();
     if (!root || !root.is_mapping()) continue;
     for (const yaml::View value : root) {
       const auto near = nearest(value.key(), known);
-      if (!near || root.find(*near) || value.is_scalar()) continue;
+      if (!near || sections.of(value).has(*near) || value.is_scalar()) continue;
       Diagnostic& diagnostic = findings.report(
           value.key_span(), "there is no schema for a section " + quoted(value.key()));
-      renames.offer(diagnostic, value, *near);
+      sections.offer_rename(diagnostic, value, *near);
     }
   }
 }

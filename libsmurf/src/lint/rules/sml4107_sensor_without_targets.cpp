@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
 #include "base/readers.hpp"
 #include "lint/annotation_queries.hpp"
@@ -31,8 +32,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     if (!targets) continue;
     diagnostic.help = "did you mean `id` by `targets`?";
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{without_quotes(targets.key_span(), targets.key()), "id"}}});
+    KeyRenames(mapping).offer(diagnostic.fixes, targets, "id");
   }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ast/key_renames.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -10,12 +11,12 @@ void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile& file, const Entity& entity) {
     if (!entity.uri || (entity.file && !entity.file->empty())) return;
     const yaml::View mapping(*file.document, entity.node);
-    const Span key = mapping.find("URI").key_span();
-    Diagnostic& diagnostic =
-        findings.report(key, title(entity) + " names its file by `URI`, which MARS replaces by the "
-                                             "file's contents");
+    const yaml::View key = mapping.find("URI");
+    Diagnostic& diagnostic = findings.report(
+        key.key_span(), title(entity) + " names its file by `URI`, which MARS replaces by the "
+                                        "file's contents");
     diagnostic.help = "write `file`";
-    if (!entity.file.written) diagnostic.fixes.push_back({Applicability::unsafe, {{key, "file"}}});
+    KeyRenames(mapping).offer(diagnostic.fixes, key, "file");
   });
 }
 

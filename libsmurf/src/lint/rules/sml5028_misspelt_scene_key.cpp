@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <utility>
 
+#include "ast/key_renames.hpp"
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
 #include "base/suggest.hpp"
@@ -30,10 +31,10 @@ constexpr std::pair<std::string_view, std::string_view> kOtherWords[] = {
 };
 
 /// Null when no reader has another word for it, or the value would not fit.
-const KeySpec* meant_by_other_word(yaml::View value, yaml::View mapping,
+const KeySpec* meant_by_other_word(yaml::View value, KeyRenames& renames,
                                    std::span<const KeySpec> keys) {
   for (const auto& [word, key] : kOtherWords) {
-    if (value.key() != word || mapping.find(key)) continue;
+    if (value.key() != word || renames.has(key)) continue;
     const KeySpec* spec = find_key({keys}, key);
     if (spec == nullptr || value.is_null()) continue;
     const bool is_list = spec->type == ValueType::list;
@@ -43,36 +44,34 @@ const KeySpec* meant_by_other_word(yaml::View value, yaml::View mapping,
 }
 
 /// The key that was meant: near, absent, and one that takes the value.
-const KeySpec* meant_by(yaml::View value, yaml::View mapping, std::span<const KeySpec> keys) {
+const KeySpec* meant_by(yaml::View value, KeyRenames& renames, std::span<const KeySpec> keys) {
   std::vector<std::string_view> names;
   for (const KeySpec& spec : keys) {
     if (spec.name != "URI") names.push_back(spec.name);  // nobody should write it
   }
-  if (const KeySpec* other = meant_by_other_word(value, mapping, keys)) return other;
+  if (const KeySpec* other = meant_by_other_word(value, renames, keys)) return other;
   const auto near = nearest(value.key(), names);
-  if (!near || mapping.find(*near)) return nullptr;
+  if (!near || renames.has(*near)) return nullptr;
   if (edit_distance(value.key(), *near, kMostEdits) > kMostEdits) return nullptr;
   const KeySpec* spec = find_key({keys}, *near);
   return takes(*spec, value) ? spec : nullptr;
 }
 
-void report(yaml::View value, const KeySpec& meant, Findings& findings) {
+void report(yaml::View value, const KeySpec& meant, KeyRenames& renames, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       value.key_span(), quoted(value.key()) + " is no key that readers of scenes know");
   diagnostic.help = "did you mean " + quoted(meant.name) + "?";
-  if (!takes(meant, value)) return;
-  diagnostic.fixes.push_back(
-      {Applicability::unsafe,
-       {{without_quotes(value.key_span(), value.key()), std::string(meant.name)}}});
+  if (takes(meant, value)) renames.offer(diagnostic.fixes, value, meant.name);
 }
 
 /// The keys of a mapping and of the mappings in it that have tables of their own.
 void check_mapping(yaml::View mapping, std::span<const KeySpec> keys, Findings& findings) {
+  KeyRenames renames(mapping);
   for (const yaml::View value : mapping) {
     const KeySpec* spec = find_key({keys}, value.key());
     if (spec == nullptr) {
-      const KeySpec* meant = meant_by(value, mapping, keys);
-      if (meant != nullptr) report(value, *meant, findings);
+      const KeySpec* meant = meant_by(value, renames, keys);
+      if (meant != nullptr) report(value, *meant, renames, findings);
     } else if (spec->type == ValueType::mapping && value.is_mapping()) {
       check_mapping(value, spec->members.keys(), findings);
     }
@@ -89,17 +88,17 @@ bool is_reported_as_missing(const KeySpec& meant, const Entity& entity) {
 void check_entity(const LinkedScene& scene, const SceneFile& file, const Entity& entity,
                   Findings& findings) {
   if (has_schema(scene, entity_type(entity))) return;  // which says what keys there are
-  const yaml::View mapping = mapping_of(file, entity);
+  KeyRenames renames(mapping_of(file, entity));
   const bool is_node = entity_type(entity) == "primitive";
   for (const CustomSection& extra : entity.extra) {
     const std::string& key = extra.name.value;
     if (find_key({all_entity_keys()}, key) || find_section(key)) continue;
     if (is_node && find_key({sections::node_keys()}, key)) continue;
     const yaml::View value(*file.document, extra.node);
-    const KeySpec* meant = meant_by(value, mapping, all_entity_keys());
-    if (meant == nullptr && is_node) meant = meant_by(value, mapping, sections::node_keys());
+    const KeySpec* meant = meant_by(value, renames, all_entity_keys());
+    if (meant == nullptr && is_node) meant = meant_by(value, renames, sections::node_keys());
     if (meant == nullptr || is_reported_as_missing(*meant, entity)) continue;
-    report(value, *meant, findings);
+    report(value, *meant, renames, findings);
   }
 }
 

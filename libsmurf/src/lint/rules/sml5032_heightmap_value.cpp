@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "ast/key_renames.hpp"
 #include "ast/keys.hpp"
 #include "ast/scene_keys.hpp"
 #include "base/path.hpp"
@@ -51,9 +52,7 @@ void check_keys(const Entity& entity, yaml::View mapping, Findings& findings) {
       Diagnostic& diagnostic =
           findings.report(slip->name.span, quoted(slip->name.value) + " is no key of a height map");
       diagnostic.help = "did you mean " + quoted(key) + "?";
-      diagnostic.fixes.push_back(
-          {Applicability::unsafe,
-           {{without_quotes(slip->name.span, slip->name.value), std::string(key)}}});
+      KeyRenames(mapping).offer(diagnostic.fixes, {mapping.document(), slip->node}, key);
     } else {
       findings.report(place_of(entity), title(entity) + " has no " + quoted(key))
           .labels.push_back({place_to_add(mapping, key), "add it after this"});
