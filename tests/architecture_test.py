@@ -71,6 +71,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/path_patterns.hpp",
     "base/quoted.hpp",
     "base/rules.hpp",
+    "base/sanitizer.hpp",
     "base/suggest.hpp",
     "convert/mass_properties.hpp",
     "flatten/shapes.hpp",

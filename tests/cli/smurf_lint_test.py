@@ -50,6 +50,54 @@ class LintTest(cli.CliTest):
         return [(d["file"], d["id"]) for d in report["diagnostics"]]
 
 
+MORE = ("\nsmurf-lint --explain SML3101, or "
+        "https://github.com/smurf-tools/smurf/blob/main/docs/rules.md#sml3101-unknown-joint\n")
+
+
+class CalmReports(LintTest):
+    """The report for people: the worst first, and no more than a person reads."""
+
+    def write_robot(self, name, joints):
+        """Every joint has no effort (an error) and an axis that is not of unit length (less)."""
+        joint = ('<link name="l{0}"/><joint name="{2}{0}" type="revolute"><parent link="base"/><child link="l{0}"/>'
+                 '<axis xyz="0 0 2"/><limit lower="0" upper="1" velocity="1"{1}/></joint>')
+        self.write(name + ".urdf", '<robot name="r"><link name="base"/>' + "".join(
+            joint.format(i, "" if i % 2 else ' effort="1"', name) for i in range(joints)) + "</robot>")
+
+    def test_a_large_report_is_short(self):
+        for i in range(40):
+            self.write_robot(f"robot{i:02}_", 30)
+        done = self.expect(1, "--severity", "SML1502=info", ".")
+        lines = done.stdout.splitlines()
+        self.assertLess(len(lines), 200)
+        severities = [line.split("[")[0] for line in lines if line.startswith(("error[", "warning[", "info["))]
+        self.assertEqual(severities, sorted(severities))
+        self.assertEqual(severities[0], "error")
+        self.assertNotIn("info", severities)
+        self.assertEqual(lines[0], "robot00_.urdf: 15 errors")
+        self.assertIn("... and 12 more of SML1404 in this file", lines)
+        self.assertTrue(any(line.startswith("... and ") and line.endswith(" more files") for line in lines), lines)
+        self.assertIn("The most frequent findings:", lines)
+        self.assertIn("40 infos are not shown; --min-severity info shows them", lines)
+        self.assertIn("robot08_.urdf: 15 errors, 30 warnings", lines)
+        self.assertTrue(lines[-1].startswith("smurf-lint --explain SML1404, or https://"), lines[-1])
+        everything = self.expect(1, "--all", ".").stdout
+        self.assertEqual(everything.count("error[SML1404]"), 600)
+        self.assertNotIn("more of", everything)
+        self.assertIn("found 600 errors, 1200 warnings and 40 infos in 40 files (40 models)", lines)
+
+    def test_min_severity(self):
+        self.write_robot("arm", 4)
+        whole = json.loads(self.expect(1, "--format", "json", "arm.urdf").stdout)
+        self.assertGreater(whole["summary"]["warning"], 0)
+        least = json.loads(self.expect(1, "--min-severity", "error", "--format", "json", "arm.urdf").stdout)
+        self.assertEqual(least["diagnostics"], [d for d in whole["diagnostics"] if d["severity"] == "error"])
+        self.assertEqual((least["summary"]["warning"], least["summary"]["error"]),
+                         (0, whole["summary"]["error"]))
+        self.expect(1, "--fail-on", "info", "--select", "SML1422", "arm.urdf")
+        self.expect(0, "--fail-on", "info", "--select", "SML1422", "--min-severity", "error", "arm.urdf")
+
+
 class Verdict(LintTest):
     def test_sound_model(self):
         done = self.expect(0, cli.FIXTURES / "models/arm/smurf/arm.smurf")
@@ -62,7 +110,7 @@ class Verdict(LintTest):
         self.assertIn(" --> arm/smurf/arm_motors.yml:3:10\n", done.stdout)
         self.assertIn("3 |   joint: elbwo\n  |          ^^^^^", done.stdout)
         self.assertTrue(done.stdout.endswith("found 1 error in 3 files (1 model)\n"
-                                             "1 fixable with `--fix --unsafe-fixes`\n"), done.stdout)
+                                             "1 fixable with `--fix --unsafe-fixes`\n" + MORE), done.stdout)
 
     def test_threshold(self):
         self.write_model(motors=BROKEN_MOTORS)
@@ -119,6 +167,8 @@ ros       refuses it (1)
           arm.urdf:6:4: refuses the file (SML1404)
 pybullet  takes it with losses (1)
           arm.urdf:6:4: reads 0: the joint has no force (SML1404)
+
+smurf-lint --explain SML1404, or https://github.com/smurf-tools/smurf/blob/main/docs/rules.md#sml1404-effort-missing
 """)
         self.assertIn("= note: ros: refuses the file\n", done.stdout)
 
@@ -180,7 +230,7 @@ class Fixes(LintTest):
         self.assertIn("error[SML3101]", done.stdout)
         self.assertNotIn("SML1401", done.stdout)
         self.assertTrue(done.stdout.endswith(
-            "fixed 1 finding\n1 fixable with `--fix --unsafe-fixes`\n"), done.stdout)
+            "fixed 1 finding\n1 fixable with `--fix --unsafe-fixes`\n" + MORE), done.stdout)
         self.assertEqual(self.read("arm/urdf/arm.urdf"), URDF)
         self.assertEqual((self.folder / "arm/urdf/arm.urdf").stat().st_mode & 0o777, 0o640)
         self.assertEqual(self.read("arm/smurf/arm_motors.yml"), BROKEN_MOTORS)
@@ -344,7 +394,7 @@ class WhatMayPass(LintTest):
         baseline = ["--baseline", "robots.yaml"]
         self.expect(0, *baseline, "--generate-baseline", "arm")
         self.write_model()
-        self.assertIn("info[SML9105]", self.expect(0, *baseline, "arm").stdout)
+        self.assertIn("info[SML9105]", self.expect(0, *baseline, "--all", "arm").stdout)
         self.expect(0, *baseline, "--generate-baseline", "arm")
         self.assertNotIn("SML9105", self.expect(0, *baseline, "arm").stdout)
         for text in ("- a\n", "a: b\n", "a: {SML3101: x}\n", "a: {SML3101: [{}]}\n"):
@@ -468,7 +518,8 @@ class Reports(LintTest):
         for name in ("b", "a", "c"):
             self.write_model(name, motors=BROKEN_MOTORS)
         first = self.expect(1, ".").stdout
-        self.assertEqual(first.count("error[SML3101]"), 3)
+        self.assertEqual(first.count("error[SML3101]"), 1)
+        self.assertIn("... and the same in 2 more files\n", first)
         self.assertEqual(self.expect(1, "-j", "8", ".").stdout, first)
         self.assertEqual(self.expect(1, "c", "a", "b").stdout, first)
         self.assertEqual(self.expect(1, environment={"LC_ALL": "de_DE.UTF-8"}).stdout, first)

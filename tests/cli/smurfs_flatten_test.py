@@ -392,7 +392,7 @@ class Archives(FlattenTest):
         self.assertEqual(flat["instances"][2]["source"],
                          {"file": "cell.zsmurfs/cell.smurfs", "line": 2})
         done = self.run_tool("top.smurfs")
-        self.assertEqual(done.stderr.count("SML5011"), 4, done.stderr)
+        self.assertEqual(done.stderr.count("[SML5011]"), 4, done.stderr)
         done = self.run_tool("top.smurfs", "--dialect", "mars", "--quiet")
         self.assertEqual(json.loads(done.stdout)["instances"], [])
 

@@ -36,7 +36,7 @@ struct LintOptions {
   RuleSelection selection;
   Threshold threshold;
   std::optional<Severity> min_severity;  ///< what is below is left out of every report
-  bool has_fail_on = false;  ///< the threshold's severity was given
+  bool has_fail_on = false;              ///< the threshold's severity was given
 
   bool force_exclude = false;    ///< leave excluded files out even when they are named
   bool no_ignore_files = false;  ///< .gitignore and .smurf-lintignore leave nothing out

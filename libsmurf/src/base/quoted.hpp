@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Words of messages, and texts of files inside them. A hostile name has millions of bytes, a message must not.
+// Words of messages, and texts of files inside them. A hostile name has millions of bytes, a message
+// must not.
 #pragma once
 
 #include <cstddef>

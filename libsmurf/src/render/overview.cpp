@@ -86,8 +86,11 @@ class Overview {
 
   /// "arm.urdf: 3 errors"
   std::string title(const Section& section) const {
-    return render::escape(sources_.path(section.file)) + ": " +
-           counted(section.findings.size(), to_string(section.severity));
+    return render::escape(sources_.path(section.file)) + ": " + amount(section);
+  }
+
+  static std::string amount(const Section& section) {
+    return counted(section.findings.size(), to_string(section.severity));
   }
 
   void add(const Section& section) {
@@ -124,18 +127,30 @@ class Overview {
     return text.empty() ? text : text + " in this file\n\n";
   }
 
-  /// The files for whose findings no line is left.
+  /// The files for whose findings no line is left, as "arm.urdf: 3 errors, 2 warnings".
   void add_names(std::span<const Section> rest) {
-    if (rest.empty()) return;
-    const std::size_t named = std::min(rest.size(), kMostNames);
-    for (const Section& section : rest.first(named)) write(title(section) + "\n");
+    std::vector<std::vector<const Section*>> files;
+    std::map<SourceId, std::size_t> index;
+    for (const Section& section : rest) {
+      const auto [place, is_new] = index.try_emplace(section.file, files.size());
+      if (is_new) files.emplace_back();
+      files[place->second].push_back(&section);
+    }
+    const std::size_t named = std::min(files.size(), kMostNames);
+    for (std::size_t i = 0; i < named; ++i) {
+      std::string line = title(*files[i].front());
+      for (std::size_t j = 1; j < files[i].size(); ++j) line += ", " + amount(*files[i][j]);
+      write(line + "\n");
+    }
     std::size_t findings = 0;
-    for (const Section& section : rest.subspan(named)) findings += section.findings.size();
+    for (std::size_t i = named; i < files.size(); ++i) {
+      for (const Section* section : files[i]) findings += section->findings.size();
+    }
     if (findings > 0) {
       write("... and " + counted(findings, "finding") + " in " +
-            counted(rest.size() - named, "more file") + "\n");
+            counted(files.size() - named, "more file") + "\n");
     }
-    write("\n");
+    if (!files.empty()) write("\n");
   }
 
   const SourceMap& sources_;
