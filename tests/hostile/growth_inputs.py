@@ -406,3 +406,13 @@ def mimics_against_the_order(n, write):
              '<limit lower="-1" upper="1" effort="1" velocity="1"/>{2}</joint>')
     write("a.urdf", '<robot name="a">' + "".join(f'<link name="l{i}"/>' for i in range(n + 1)) + "".join(
         joint.format(i, i + 1, f'<mimic joint="j{i + 1}"/>' if i < n - 1 else "") for i in range(n)) + "</robot>")
+
+
+# Drake's language.
+
+
+@grows(300, "smurf-lint", "-q", "--target", "drake", "a.urdf")
+def drake_groups_of_unknown_members(n, write):
+    group = ('<drake:collision_filter_group name="g{0}"><drake:member link="m{0}"/><drake:member_group name="h{0}"/>'
+             '<drake:ignored_collision_filter_group name="i{0}"/></drake:collision_filter_group>')
+    write("a.urdf", '<robot name="a"><link name="l"/>' + "".join(group.format(i) for i in range(n)) + "</robot>")

@@ -73,6 +73,26 @@ void mark_visuals(const xml::Document& document, std::span<Diagnostic> diagnosti
   }
 }
 
+constexpr std::string_view kDrakeIgnored = "#drake-ignored";
+
+/// Drake does not read links and joints that are marked so.
+void mark_ignored(const xml::Document& document, std::span<Diagnostic> diagnostics) {
+  std::vector<Span> ignored;  // in the order of the file
+  for (const xml::View element : document.view()) {
+    const xml::Attribute* mark = element.attribute("drake_ignore");
+    if (mark != nullptr && mark->value() == "true") ignored.push_back(element.span());
+  }
+  if (ignored.empty()) return;
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.span.source != document.source) continue;
+    const auto behind = std::ranges::upper_bound(ignored, diagnostic.span.begin, {}, &Span::begin);
+    if (behind == ignored.begin() || diagnostic.span.begin >= std::prev(behind)->end) continue;
+    if (diagnostic.construct.find(kDrakeIgnored) == std::string::npos) {
+      diagnostic.construct += kDrakeIgnored;
+    }
+  }
+}
+
 }  // namespace
 
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
@@ -90,6 +110,7 @@ void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
   if (model.robot && keeps_visuals(model.robot->document)) {
     mark_visuals(model.robot->document, diagnostics);
   }
+  if (model.robot) mark_ignored(model.robot->document, diagnostics);
 }
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
