@@ -434,3 +434,13 @@ def slips_of_settings(n, write):
 @grows(300, "smurf-lint", "-q", "a.smurf")
 def sections_of_other_readers(n, write):
     write("a.smurf", MODEL + "joints: [1]\n" * n * 4)
+
+
+# Drake's language.
+
+
+@grows(300, "smurf-lint", "-q", "--target", "drake", "a.urdf")
+def drake_groups_of_unknown_members(n, write):
+    group = ('<drake:collision_filter_group name="g{0}"><drake:member link="m{0}"/><drake:member_group name="h{0}"/>'
+             '<drake:ignored_collision_filter_group name="i{0}"/></drake:collision_filter_group>')
+    write("a.urdf", '<robot name="a"><link name="l"/>' + "".join(group.format(i) for i in range(n)) + "</robot>")

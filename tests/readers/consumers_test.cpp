@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The verdicts that `--target` prints against what real readers did: with 146 URDFs of one defect
-// each, and with the URDFs of the test suites of other readers.
+// each, and with the URDFs of the test suites of other readers. Drake is not among the readers that
+// were run; for it count what its own tests expect.
 //
 // A false all-clear is a file that a reader refused, of which we print "takes it", with losses or
 // without. A false alarm is one that it took, of which we print "refuses it". Neither may become
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -106,8 +108,17 @@ bool is_refusal(const std::string& verdict) {
 
 bool is_taken(const std::string& verdict) { return verdict == "ok" || verdict == "takes"; }
 
-/// The line that smurf-lint prints for the target, without its name.
-std::string print_verdict(const fs::path& path, const Reader& target) {
+/// What smurf-lint finds for a target.
+struct Checked {
+  std::string verdict;  ///< the line that is printed, without the name of the target
+  std::vector<Diagnostic> diagnostics;
+  bool has_error() const {
+    return std::ranges::any_of(diagnostics,
+                               [](const Diagnostic& d) { return d.severity == Severity::error; });
+  }
+};
+
+Checked check_for(const fs::path& path, const Reader& target) {
   const DiskFiles disk;
   MemoryFiles files(&disk);
   // One case names this absolute path, which existed where the readers were run.
@@ -127,7 +138,7 @@ std::string print_verdict(const fs::path& path, const Reader& target) {
   const TargetVerdict verdict = judge_target(target, diagnostics);
   const std::string text = render_targets({&verdict, 1}, sources, {});
   const std::string line = text.substr(0, text.find('\n'));
-  return line.substr(line.find_first_not_of(' ', target.name.size()));
+  return {line.substr(line.find_first_not_of(' ', target.name.size())), std::move(diagnostics)};
 }
 
 bool check(const char* what, std::size_t count, std::size_t most) {
@@ -141,7 +152,7 @@ bool check(const std::vector<Case>& cases, const Column& column) {
   std::string list;
   for (const Case& one : cases) {
     const std::string verdict = did(one, column.heading);
-    const std::string printed = print_verdict(one.file, *find_target(column.target));
+    const std::string printed = check_for(one.file, *find_target(column.target)).verdict;
     const bool is_all_clear = is_refusal(verdict) && printed.starts_with("takes");
     const bool is_alarm = is_taken(verdict) && printed.starts_with("refuses");
     const bool is_unknown = printed.starts_with("not known");
@@ -157,6 +168,91 @@ bool check(const std::vector<Case>& cases, const Column& column) {
   const bool is_calm = check("false alarms", found.alarms, column.bounds.alarms);
   const bool is_known = check("not known", found.not_known, column.bounds.not_known);
   return is_clear && is_calm && is_known;
+}
+
+/// How many documents of Drake's own tests are judged as those tests say.
+struct DrakeBounds {
+  std::size_t least_refused, least_named;  ///< of its own language
+  std::size_t most_missed;                 ///< of plain URDF
+  std::size_t most_false_errors;
+};
+constexpr DrakeBounds kDrake{94, 56, 0, 0};
+
+/// What a test of Drake accepts because it looks at less than Drake does.
+constexpr std::pair<std::string_view, const char*> kExplained[] = {
+    {"drake_file_atlas_with_fixed_joints", "no visual is read without a scene graph"},
+    {"drake_g_RedundantDifferentColor_within", "no visual is made of the colour above 1"},
+    {"drake_file_Pendulum", "the inertia of `world`, which is not read, is that of no body"},
+};
+
+/// The test gives the robot its name, or a mesh of its repository is not among these files.
+bool is_test_incomplete(const Checked& checked) {
+  return std::ranges::all_of(checked.diagnostics, [](const Diagnostic& d) {
+    return d.severity != Severity::error || d.rule->id == "SML1102" || d.rule->id == "SML1604";
+  });
+}
+
+/// The elements and attributes of Drake that a text names.
+std::vector<std::string> own_names(const std::string& text) {
+  static const std::regex kName("drake:[A-Za-z_]+");
+  std::vector<std::string> names;
+  for (std::sregex_iterator at(text.begin(), text.end(), kName), end; at != end; ++at) {
+    names.push_back(at->str());
+  }
+  return names;
+}
+
+/// True when an error is about one of the names that the message of Drake has.
+bool is_named(const Checked& checked, const std::vector<std::string>& names) {
+  return std::ranges::any_of(checked.diagnostics, [&](const Diagnostic& d) {
+    const std::string about = d.message + " " + d.pointer;
+    return d.severity == Severity::error && std::ranges::any_of(names, [&](const std::string& one) {
+             return about.find(one) != std::string::npos;
+           });
+  });
+}
+
+bool uses_own_language(const fs::path& file) {
+  static const std::regex kOwn("<drake[:_]|\\sdrake:[a-z_]+=");
+  const std::string text = read(file);
+  return std::regex_search(text, kOwn);
+}
+
+bool check_drake(const std::vector<Case>& cases) {
+  std::size_t own = 0, refused = 0, named = 0, nameable = 0, missed = 0, false_errors = 0;
+  for (const Case& one : cases) {
+    if (did(one, "suite") != "drake") continue;
+    const std::string expected = did(one, "expectation");
+    const Checked checked = check_for(one.file, *find_target("drake"));
+    const bool is_own = uses_own_language(one.file);
+    bool is_wrong = false;
+    if (expected == "error" && is_own) {
+      const std::vector<std::string> names = own_names(did(one, "text"));
+      const bool is_about_it = is_named(checked, names);
+      ++own;
+      const bool is_refused = checked.verdict.starts_with("refuses");
+      refused += is_refused ? 1 : 0;
+      nameable += names.empty() ? 0 : 1;
+      named += is_about_it ? 1 : 0;
+      is_wrong = !is_refused || (!names.empty() && !is_about_it);
+    } else if (expected == "error") {
+      is_wrong = !checked.has_error();
+      missed += is_wrong ? 1 : 0;
+    } else if (expected == "accept") {
+      const bool is_explained = std::ranges::any_of(
+          kExplained, [&](const auto& known) { return known.first == one.file.stem().string(); });
+      is_wrong = checked.has_error() && !is_explained && !is_test_incomplete(checked);
+      false_errors += is_wrong ? 1 : 0;
+    }
+    if (!is_wrong) continue;
+    std::printf("  %s: %s expected, we print \"%s\"\n", one.file.stem().c_str(), expected.c_str(),
+                checked.verdict.c_str());
+  }
+  std::printf("drake: %zu refused of %zu in its own language, %zu of %zu at what it names; "
+              "%zu missed in plain URDF; %zu false errors\n",
+              refused, own, named, nameable, missed, false_errors);
+  return refused >= kDrake.least_refused && named >= kDrake.least_named &&
+         missed <= kDrake.most_missed && false_errors <= kDrake.most_false_errors;
 }
 
 }  // namespace
@@ -176,6 +272,8 @@ int main(int argc, char** argv) {
     std::printf("== %s\n", collection.folder);
     is_good = is_good && cases.size() >= collection.least;
     for (const Column& column : collection.columns) is_good = check(cases, column) && is_good;
+    const bool has_drakes = std::string_view(collection.folder) == "peer-suites";
+    is_good = (!has_drakes || check_drake(cases)) && is_good;
   }
   if (!is_there) return kSkipped;
   return is_good ? 0 : 1;

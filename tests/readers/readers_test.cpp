@@ -8,6 +8,7 @@
 #include <cctype>
 #include <set>
 
+#include "smurf/check.hpp"
 #include "support/loaded.hpp"
 
 using namespace smurf;
@@ -81,7 +82,7 @@ Answer answer_for(std::string_view target, std::string_view original, std::strin
        at != std::string::npos; at = robot.find(original, at + text.size())) {
     robot.replace(at, original.size(), text);
   }
-  Loaded loaded;
+  test::Loaded loaded;
   loaded.files.add("robot.urdf", robot);
   loaded.load("robot.urdf");
   return judge_target(*find_target(target), loaded.diagnostics).answer();
@@ -303,6 +304,60 @@ TEST_CASE("a file with elements of xacro is read and judged without them") {
   CHECK(answer_for("mujoco", "mass value=\"1\"", "xacro:x/><mass value=\"-1\"") == Answer::refuses);
   CHECK(answer_for("ros", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
   CHECK(answer_for("mujoco", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
+}
+
+TEST_CASE("what is written for a reader is nothing to report where no other matters") {
+  const auto count_for = [](std::vector<std::string_view> targets) {
+    RuleSelection selection;
+    for (const std::string_view name : targets) selection.targets.push_back(find_target(name));
+    SourceMap sources;
+    Diagnostic placed = at("SML1201", "/robot/joint/parent/@link", "drake-world");
+    placed.span.source = sources.add("robot.urdf", "");
+    return finish({placed}, sources, selection).size();
+  };
+  CHECK(count_for({}) == 1);
+  CHECK(count_for({"drake"}) == 0);
+  CHECK(count_for({"ros"}) == 1);
+  CHECK(count_for({"drake", "ros"}) == 1);
+  const Diagnostic plain = at("SML1201", "/robot/joint/parent/@link");
+  CHECK(severity_for(plain, {"drake"}) == Severity::error);
+}
+
+TEST_CASE("a joint of Drake's is one to Drake") {
+  constexpr std::string_view kStandard = "<joint name=\"a\" type=\"revolute\">";
+  constexpr std::string_view kBall = "<drake:joint name=\"a\" type=\"ball\">";
+  std::string robot(kRobot);
+  robot.replace(robot.find(kStandard), kStandard.size(), kBall);
+  robot.replace(robot.find("</joint>"), 8, "</drake:joint>");
+  const auto count = [&](std::string_view target, std::string_view rule) {
+    MemoryFiles files;
+    files.add("robot.urdf", robot);
+    CheckSettings settings;
+    if (!target.empty()) settings.selection.targets.push_back(find_target(target));
+    Session session(files);
+    const std::vector<Diagnostic> found = session.check("robot.urdf", settings).diagnostics;
+    return std::ranges::count_if(found,
+                                 [&](const Diagnostic& one) { return one.rule->id == rule; });
+  };
+  CHECK(count("drake", "SML1204") == 0);
+  CHECK(count("ros", "SML1204") == 1);
+  CHECK(count("", "SML1204") == 1);
+  CHECK(count("drake", "SML1450") == 0);
+  CHECK(count("drake", "SML1451") == 0);
+  CHECK(count("", "SML1451") == 1);
+  robot.replace(robot.find("type=\"ball\""), 11, "type=\"revolute\"");
+  CHECK(count("drake", "SML1450") == 1);
+  CHECK(count("", "SML1450") == 0);
+  CHECK(count("ros", "SML1450") == 0);
+}
+
+TEST_CASE("Drake reads nothing in what it is told to ignore") {
+  constexpr std::string_view kBroken = "<visual/><collision>";
+  CHECK(answer_for("drake", "<collision>", kBroken) == Answer::refuses);
+  std::string robot = "<link name=\"c\" drake_ignore=\"true\"><visual/></link><joint name";
+  CHECK(answer_for("drake", "<joint name", robot) == Answer::takes);
+  robot.replace(robot.find("true"), 4, "no");
+  CHECK(answer_for("drake", "<joint name", robot) == Answer::refuses);
 }
 
 TEST_CASE("what readers do is said by facts, and not in the words of a rule as well") {

@@ -41,9 +41,10 @@ constexpr std::string_view kRobotExtensions[] = {"transmission",
 constexpr AttributeSpec kLinkAttributes[] = {{"name", true}, {"type"}};
 constexpr ChildSpec kLinkChildren[] = {{"inertial", true}, {"visual"}, {"collision"}};
 constexpr std::string_view kLinkExtensions[] = {
-    "contact", "collision_checking", "audio_source", "self_collision_checking",
-    "sensor",  "velocity_decay",     "kinematic",    "selfCollide",
-    "gravity", "inertia_from_file",  "bullet",       "self_filter"};
+    "contact",     "collision_checking", "audio_source", "self_collision_checking",
+    "sensor",      "velocity_decay",     "kinematic",    "selfCollide",
+    "gravity",     "inertia_from_file",  "bullet",       "self_filter",
+    "drake_ignore"};
 
 constexpr ChildSpec kInertialChildren[] = {{"origin", true}, {"mass", true}, {"inertia", true}};
 constexpr AttributeSpec kMassAttributes[] = {{"value", true}};
@@ -58,8 +59,8 @@ constexpr ChildSpec kVisualChildren[] = {{"origin", true}, {"geometry", true}, {
 constexpr AttributeSpec kCollisionAttributes[] = {{"name"}};
 constexpr ChildSpec kCollisionChildren[] = {{"origin", true}, {"geometry", true}};
 constexpr std::string_view kCollisionExtensions[] = {
-    "group",        "mask",  "concave", "verbose", "material", "contact_coefficients",
-    "max_contacts", "bullet"};
+    "group",        "mask",   "concave",         "verbose", "material", "contact_coefficients",
+    "max_contacts", "bullet", "drake_compliance"};
 
 constexpr ChildSpec kGeometryChildren[] = {
     {"box"}, {"sphere"}, {"cylinder"}, {"capsule"}, {"mesh"}};
@@ -82,7 +83,7 @@ constexpr ChildSpec kJointChildren[] = {
     {"calibration", true}};
 constexpr std::string_view kJointExtensions[] = {
     "dont_collapse", "joint_properties", "hardwareInterface", "gearbox", "sensor",
-    "motor",         "actuator"};
+    "motor",         "actuator",         "drake_ignore"};
 constexpr AttributeSpec kLinkReference[] = {{"link"}};
 constexpr AttributeSpec kAxisAttributes[] = {{"xyz", true}};
 constexpr AttributeSpec kLimitAttributes[] = {

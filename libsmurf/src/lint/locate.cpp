@@ -80,13 +80,38 @@ bool keeps_visuals(const xml::Document& document) {
   return discards != nullptr && discards->value() == "false";
 }
 
-void locate_in(const urdf::Robot& robot, const BySource& found) {
-  locate_in(robot.document, found);
-  if (!keeps_visuals(robot.document)) return;
-  for (Diagnostic* diagnostic : found.of(robot.document.source)) {
+/// MuJoCo loads what is in visuals.
+void mark_visuals(const xml::Document& document, std::span<Diagnostic* const> found) {
+  if (!keeps_visuals(document)) return;
+  for (Diagnostic* diagnostic : found) {
     const bool is_in_visual = diagnostic->pointer.find("/visual") != std::string::npos;
     if (is_in_visual) diagnostic->construct += kVisualsKept;
   }
+}
+
+constexpr std::string_view kDrakeIgnored = "#drake-ignored";
+
+/// Drake does not read links and joints that are marked so.
+void mark_ignored(const xml::Document& document, std::span<Diagnostic* const> found) {
+  std::vector<Span> ignored;  // in the order of the file
+  for (const xml::View element : document.view()) {
+    const xml::Attribute* mark = element.attribute("drake_ignore");
+    if (mark != nullptr && mark->value() == "true") ignored.push_back(element.span());
+  }
+  if (ignored.empty()) return;
+  for (Diagnostic* diagnostic : found) {
+    const std::uint32_t begin = diagnostic->span.begin;
+    const auto behind = std::ranges::upper_bound(ignored, begin, {}, &Span::begin);
+    if (behind == ignored.begin() || begin >= std::prev(behind)->end) continue;
+    diagnostic->construct += kDrakeIgnored;
+  }
+}
+
+void locate_in(const urdf::Robot& robot, const BySource& all) {
+  locate_in(robot.document, all);
+  const std::span<Diagnostic* const> found = all.of(robot.document.source);
+  mark_visuals(robot.document, found);
+  mark_ignored(robot.document, found);
 }
 
 void locate_in(const LinkedModel& model, const BySource& found) {

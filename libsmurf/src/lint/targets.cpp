@@ -20,11 +20,19 @@ Severity milder(Severity severity) {
   return severity == Severity::error ? Severity::warning : Severity::info;
 }
 
+/// What its author wrote for this reader: a construct with its name, such as "#drake-joint".
+bool is_meant(const Fact& fact) {
+  if (fact.effect != Effect::takes || !fact.where.starts_with('#')) return false;
+  const std::string_view construct = fact.where.substr(1);
+  return construct.starts_with(std::string(fact.reader->name) + "-");
+}
+
 /// What the targets make of a finding.
 struct Judgement {
   /// Facts other than that it is taken, each with the targets it holds for.
   std::vector<std::pair<const Fact*, std::string>> stumbles;
   bool is_known = true;  ///< of every target
+  bool is_meant = true;  ///< written for every target
 };
 
 Judgement judge(const Diagnostic& diagnostic, std::span<const Reader* const> targets) {
@@ -32,6 +40,7 @@ Judgement judge(const Diagnostic& diagnostic, std::span<const Reader* const> tar
   for (const Reader* reader : targets) {
     const Fact* fact = find_fact(*reader, diagnostic);
     judgement.is_known = judgement.is_known && fact != nullptr;
+    judgement.is_meant = judgement.is_meant && fact != nullptr && is_meant(*fact);
     if (fact == nullptr || fact->effect == Effect::takes) continue;
     auto& stumbles = judgement.stumbles;
     const auto known = std::find_if(stumbles.begin(), stumbles.end(), [&](const auto& stumble) {
@@ -64,18 +73,21 @@ Severity severity_for(const Diagnostic& diagnostic, const Judgement& judgement) 
 }  // namespace
 
 void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader* const> targets) {
+  std::vector<Diagnostic> kept;
+  kept.reserve(diagnostics.size());
   for (Diagnostic& diagnostic : diagnostics) {
     const Judgement judgement = judge(diagnostic, targets);
+    if (judgement.is_meant) continue;
     diagnostic.untargeted = diagnostic.severity;
     diagnostic.severity = severity_for(diagnostic, judgement);
     for (const auto& [fact, names] : judgement.stumbles) {
       diagnostic.notes.push_back(names + ": " + std::string(fact->makes));
     }
+    // What a target has no use for is no reason to report what is fine in general.
+    if (diagnostic.rule->needs_target && diagnostic.severity == Severity::info) continue;
+    kept.push_back(std::move(diagnostic));
   }
-  // What a target has no use for is no reason to report what is fine in general.
-  std::erase_if(diagnostics, [](const Diagnostic& diagnostic) {
-    return diagnostic.rule->needs_target && diagnostic.severity == Severity::info;
-  });
+  diagnostics = std::move(kept);
 }
 
 }  // namespace smurf

@@ -13,12 +13,18 @@ constexpr FamilyFact kFamilies[] = {
       "Drake detail_tinyxml.h:60-73"}},
 };
 
+constexpr Fact kUnread[] = {
+    {&drake, ignores, "does not read what `drake_ignore` marks",
+     "Drake detail_urdf_parser.cc:187-191, 533-538", "#drake-ignored"},
+};
+
 }  // namespace
 
 extern constinit const Reader drake{.name = "drake",
                                     .title = "Drake",
                                     .basis = "be259df (2026-08), read",
                                     .like = &urdf,
-                                    .families = kFamilies};
+                                    .families = kFamilies,
+                                    .unread = kUnread};
 
 }  // namespace smurf::readers

@@ -28,12 +28,11 @@ bool has_shape(const LinkedModel& model, const urdf::Geometry& geometry, Finding
   return false;
 }
 
-/// Of another vocabulary, whose readers may know it.
-bool has_foreign_shape(const LinkedModel& model, const urdf::Geometry& geometry) {
+bool has_drake_shape(const LinkedModel& model, const urdf::Geometry& geometry) {
   if (geometry.element == xml::kNoElement) return false;
   const xml::View element(model.robot->document, geometry.element);
   return std::any_of(element.begin(), element.end(), [](const xml::View child) {
-    return child.name().find(':') != std::string_view::npos;
+    return child.name() == "drake:capsule" || child.name() == "drake:ellipsoid";
   });
 }
 
@@ -49,7 +48,7 @@ void check(const LinkedModel& model, Findings& findings) {
                             (!is_written ? " has no geometry"
                              : is_empty  ? " has an empty geometry"
                                          : " has a geometry without a shape"));
-    if (has_foreign_shape(model, use.geometry)) diagnostic.construct = "foreign";
+    if (has_drake_shape(model, use.geometry)) diagnostic.construct = "drake-shape";
   });
 }
 
@@ -62,9 +61,9 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",
      "/visual/"},
     {&readers::mujoco, Effect::refuses, "refuses a collision without geometry", kRun},
-    {&readers::drake, Effect::takes, "knows shapes of its own", "Drake detail_urdf_geometry.cc",
-     "#foreign"},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc"},
+    {&readers::drake, Effect::takes, "knows the shape", "Drake detail_urdf_geometry.cc:337-346",
+     "#drake-shape"},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc:315-352"},
 };
 
 }  // namespace

@@ -14,8 +14,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic* diagnostic =
         check_link_of_joint(model, one, subject_of(parent.parent()), unnamed, findings);
     if (diagnostic != nullptr && one.name == "world") {
-      diagnostic->construct = "world";
-      diagnostic->notes.push_back("only Drake knows a link `world` that is not declared");
+      diagnostic->construct = "drake-world";
+      diagnostic->notes.push_back("only Drake knows a link `world` that is not declared; what is "
+                                  "meant for Drake is checked with `--target drake`");
       diagnostic->help = "declare it: `<link name=\"world\"/>`";
     }
   }
@@ -25,7 +26,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the file",
      "urdfdom model.h:128; MuJoCo, Bullet, run"},
     {&readers::drake, Effect::takes, "knows a link `world` that nobody declares",
-     "Drake detail_urdf_parser.cc:518", "#world"},
+     "Drake detail_urdf_parser.cc:518", "#drake-world"},
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "lint/drake_queries.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -18,6 +19,7 @@ bool has_broken_joints(const LinkedModel& model) {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.size() < 2 || has_broken_joints(model)) return;
+  const auto led_to_by_drake = drake::names_in(drake::own_joints(model), "child", "link");
   const urdf::Link& first = model.link(model.tree.roots.front());
   for (std::size_t i = 1; i < model.tree.roots.size(); ++i) {
     const urdf::Link& root = model.link(model.tree.roots[i]);
@@ -30,6 +32,9 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.caret = "also a root";
     diagnostic.help = "connect it by a joint, or delete it";
     diagnostic.labels.push_back({name_place(model, first), "the first root link"});
+    if (!led_to_by_drake.contains(*root.name)) continue;
+    diagnostic.construct = "drake-joint";
+    diagnostic.notes.push_back(drake::kJointNote);
   }
 }
 
@@ -39,6 +44,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::breaks, "warns, and ends with root index -1",
      "BulletUrdfImporter.cpp:316, run"},
     {&readers::mujoco, Effect::changes, "welds every root to the world", kRun},
+    {&readers::drake, Effect::takes, "knows the joint that leads there",
+     "Drake detail_urdf_parser.cc:1484-1491", "#drake-joint"},
     {&readers::drake, Effect::takes, "takes several trees", "Drake detail_urdf_parser.cc"},
 };
 

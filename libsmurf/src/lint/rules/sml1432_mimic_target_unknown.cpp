@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "lint/drake_queries.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
@@ -16,11 +17,16 @@ void check_empty(const LinkedModel& model, Findings& findings) {
 
 void check(const LinkedModel& model, Findings& findings) {
   check_empty(model, findings);
+  const auto drake_joints = drake::names_in(drake::own_joints(model), "name");
   for (const Reference& one : findings.doubtful_references()) {
     const xml::View mimic = element_of(model, one);
     if (!mimic || mimic.name() != "mimic") continue;
     const std::string subject = "the mimic of " + subject_of(mimic.parent());
-    check_reference(model, NameKind::joint, one.name, one.span, subject.c_str(), findings);
+    Diagnostic* diagnostic =
+        check_reference(model, NameKind::joint, one.name, one.span, subject.c_str(), findings);
+    if (diagnostic == nullptr || !drake_joints.contains(one.name)) continue;
+    diagnostic->construct = "drake-joint";
+    diagnostic->notes.push_back(drake::kJointNote);
   }
 }
 
@@ -30,6 +36,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::ignores, "ignores mimic",
      "Bullet UrdfParser.cpp has no code for it"},
     {&readers::mujoco, Effect::changes, "leaves the joint free", kRun},
+    {&readers::drake, Effect::takes, "knows the joint", "Drake detail_urdf_parser.cc:1484-1500",
+     "#drake-joint"},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:791-880"},
 };
 

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "lint/drake_queries.hpp"
 #include "lint/reference_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
+  const auto drake_joints = drake::names_in(drake::own_joints(model), "name");
   for (const Reference& one : findings.doubtful_references()) {
     const xml::View joint = element_of(model, one);
     if (!joint || joint.name() != "joint" || joint.parent().name() != "transmission") continue;
-    check_reference(model, NameKind::joint, one.name, one.span, "a transmission", findings);
+    Diagnostic* diagnostic =
+        check_reference(model, NameKind::joint, one.name, one.span, "a transmission", findings);
+    if (diagnostic == nullptr || !drake_joints.contains(one.name)) continue;
+    diagnostic->construct = "drake-joint";
+    diagnostic->notes.push_back(drake::kJointNote);
   }
 }
 
@@ -17,6 +23,8 @@ constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses,
      "ros_control finds no joint for its actuator and does not start the controller",
      "ros_control, read"},
+    {&readers::drake, Effect::takes, "knows the joint", "Drake detail_urdf_parser.cc:1484-1491",
+     "#drake-joint"},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:968"},
 };
 

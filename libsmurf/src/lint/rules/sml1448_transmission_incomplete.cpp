@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -17,10 +18,22 @@ void check(const LinkedModel& model, Findings& findings) {
       missing += (missing.empty() ? " has no " : " and no ") + quoted(name);
     }
     if (missing.empty()) continue;
-    findings.report(transmission.name_span(), "this transmission" + missing)
-        .notes.push_back("ros_control skips it, so the actuator does not come up");
+    Diagnostic& diagnostic =
+        findings.report(transmission.name_span(), "this transmission" + missing);
+    const xml::View type = transmission.child("type");
+    const bool is_simple =
+        !type || type.text().find("SimpleTransmission") != std::string_view::npos;
+    if (!is_simple) diagnostic.construct = "not-simple";
   }
 }
+
+constexpr Fact kFacts[] = {
+    {&readers::ros, Effect::loses, "ros_control skips it, so the actuator does not come up",
+     "ros_control transmission_interface/src/transmission_parser.cpp"},
+    {&readers::drake, Effect::loses, "makes an actuator of a simple transmission only",
+     "Drake detail_urdf_parser.cc:930-936", "#not-simple"},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:915-964"},
+};
 
 }  // namespace
 
@@ -29,11 +42,10 @@ extern constinit const Rule sml1448_transmission_incomplete{
     .name = "transmission-incomplete",
     .severity = Severity::warning,
     .summary = "A transmission lacks its type, joint or actuator.",
-    .why = "ros_control skips such a transmission with a message, ros2_control throws: the joint "
-           "has no actuator.",
+    .why = "The joint has no actuator then; ros2_control throws.",
     .remedy = "Write `<type>`, `<joint name=\"...\">` and `<actuator name=\"...\">`.",
-    .sources = "ros_control transmission_interface/src/transmission_parser.cpp; ros2_control "
-               "transmission_parser.cpp.",
-    .check_model = check};
+    .sources = "ros2_control transmission_parser.cpp.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -8,6 +8,24 @@
 namespace smurf::rules {
 namespace {
 
+/// Written here, and not the same as in the first.
+template <class T>
+bool is_other(const Field<T>& here, const Field<T>& first) {
+  return here && (!first || *here != *first);
+}
+
+/// Drake takes colours for equal that are this close, detail_urdf_geometry.cc:76-80.
+bool is_rounding(const urdf::Material& here, const urdf::Material& first) {
+  constexpr double kClosest = 1e-10;
+  if (!here.rgba || !first.rgba || is_other(here.texture, first.texture)) return false;
+  double square = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double step = (*here.rgba)[i] - (*first.rgba)[i];
+    square += step * step;
+  }
+  return square <= kClosest * kClosest;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   std::map<std::string_view, const urdf::Material*> first_by_name;
@@ -18,19 +36,23 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto [known, is_new] = first_by_name.emplace(*material.name, &material);
     const urdf::Material& first = *known->second;
     if (is_new) return;
-    const bool is_other =
-        (material.rgba && first.rgba && *material.rgba != *first.rgba) ||
-        (material.texture && first.texture && *material.texture != *first.texture);
+    const bool is_color = is_other(material.rgba, first.rgba);
+    const bool is_changed = is_color || is_other(material.texture, first.texture);
     // Two of the robot are a fault of their own.
     const bool is_global =
         xml::View(model.robot->document, material.element).parent().name() == "robot";
-    if (!is_other || is_global || !reported.insert(*material.name).second) return;
-    const bool is_color = material.rgba && first.rgba && *material.rgba != *first.rgba;
+    if (!is_changed || is_global || !reported.insert(*material.name).second) return;
     Diagnostic& diagnostic =
         findings.report(is_color ? material.rgba.span : material.texture.span,
                         "the material " + quoted(*material.name) + " has another " +
                             (is_color ? "colour" : "texture") + " here");
-    diagnostic.labels.push_back({is_color ? first.rgba.span : first.texture.span, "the first one"});
+    const Span before = is_color ? first.rgba.span : first.texture.span;
+    if (before.empty()) {
+      diagnostic.labels.push_back({tag_name(model, first.element), "none here"});
+    } else {
+      diagnostic.labels.push_back({before, "the first one"});
+    }
+    if (is_rounding(material, first)) diagnostic.construct = "rounding";
   });
 }
 
@@ -38,7 +60,9 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes, "takes the first for both", kRun},
     {&readers::pybullet, Effect::takes, "gives each its own", kRun},
     {&readers::mujoco, Effect::takes, "gives each its own", kRun},
-    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc"},
+    {&readers::drake, Effect::takes, "takes colours for equal that differ by less than 1e-10",
+     "Drake detail_urdf_geometry.cc:76-80", "#rounding"},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc:64-102"},
 };
 
 }  // namespace

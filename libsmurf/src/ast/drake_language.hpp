@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What Drake adds to URDF, as one table.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace smurf::drake {
+
+enum class Value : std::uint8_t {
+  text,
+  choice,  ///< "true" or "false"
+  number,  ///< one
+  vector,  ///< three numbers
+  link,    ///< the name of a link, or `world`
+  body,    ///< the name of a link other than `world`
+  joint,   ///< the name of a joint that Drake makes
+  frame,   ///< the name of a frame or of a link other than `world`
+  group    ///< the name of a collision filter group
+};
+
+/// Of all numbers of a value.
+enum class Range : std::uint8_t { all, not_negative, positive };
+
+struct AttributeSpec {
+  std::string_view name;
+  Value value = Value::text;
+  Range range = Range::all;
+  bool is_required = true;
+};
+
+enum class Occurs : std::uint8_t {
+  any,           ///< any number of times
+  at_most_once,  ///< Drake reads the first
+  once,          ///< as before, and it must be there
+  never          ///< Drake refuses it
+};
+
+/// An element and where it stands. Those of URDF are there for what they hold.
+struct ElementSpec {
+  std::string_view parent, name;
+  Occurs occurs = Occurs::any;
+  std::span<const AttributeSpec> attributes = {};
+};
+
+/// What Drake looks for in an element of this name.
+std::span<const ElementSpec> children_of(std::string_view parent);
+
+/// True for the name of an element or attribute that no other reader knows.
+bool is_own_name(std::string_view name);
+/// True for the type of a joint that is written `drake:joint`.
+bool is_own_joint_type(std::string_view type);
+
+}  // namespace smurf::drake

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What Drake refuses, or does not read, in an element of its own as a whole: what no table of
+// elements and attributes says.
+#pragma once
+
+#include "lint/drake_queries.hpp"
+
+namespace smurf::drake {
+
+/// The construct of what Drake does not read, and takes the file all the same.
+inline constexpr std::string_view kUnread = "unread";
+
+/// Does nothing for elements about which there is nothing to say.
+void check_meaning(xml::View element, const Names& names, Findings& findings);
+
+/// True when a joint of this type has such an element.
+bool is_read_in(xml::View joint, std::string_view child);
+
+}  // namespace smurf::drake

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Names and numbers as Drake reads them.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "smurf/linked.hpp"
+#include "smurf/lint.hpp"
+
+namespace smurf::drake {
+
+/// A note where other readers miss such a joint.
+inline constexpr const char* kJointNote =
+    "it is a `drake:joint`, which only Drake reads: check the file with `--target drake`";
+
+/// The `drake:joint` elements of the robot: joints to Drake, and to nobody else.
+std::vector<xml::View> own_joints(const LinkedModel& model);
+/// The values of an attribute of theirs ("name"), or of an element in them ("child", "link").
+std::set<std::string_view> names_in(const std::vector<xml::View>& elements,
+                                    std::string_view attribute);
+std::set<std::string_view> names_in(const std::vector<xml::View>& elements, std::string_view child,
+                                    std::string_view attribute);
+
+/// The value of an attribute; empty without.
+std::string_view value_of(xml::View element, std::string_view attribute);
+/// True for a link or joint that Drake is told not to read.
+bool is_passed_over(xml::View element);
+
+/// The numbers in front of what is none; of "nan" and "inf" it reads none.
+std::vector<double> read_numbers(std::string_view text);
+
+/// What has a name in a robot, to Drake.
+class Names {
+ public:
+  explicit Names(const LinkedModel& model);
+
+  const LinkedModel& model() const { return model_; }
+  /// The first of this name; false when Drake makes no such joint.
+  xml::View joint(std::string_view name) const { return joints_.find(name); }
+  xml::View group(std::string_view name) const { return groups_.find(name); }
+  bool is_body(std::string_view name) const;
+  bool is_frame(std::string_view name) const;
+  /// Reports that there is no joint, frame or group of this name.
+  void report_unknown(std::string_view kind, std::string_view name, Span place,
+                      const std::string& subject, Findings& findings) const;
+
+ private:
+  struct Table {
+    std::unordered_map<std::string_view, xml::View> elements;  ///< the first of each name
+    std::vector<std::string_view> names;                       ///< in the order of the file
+
+    void add(std::string_view name, xml::View element);
+    xml::View find(std::string_view name) const;
+  };
+
+  const LinkedModel& model_;
+  Table joints_, frames_, groups_;
+};
+
+}  // namespace smurf::drake

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ast/drake_language.hpp"
+#include "base/readers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  const xml::Document& document = model.robot->document;
+  std::size_t count = 0;
+  Span first;
+  for (const xml::Element& element : document.elements) {
+    if (!drake::is_own_name(element.name())) continue;
+    if (count++ == 0) first = element.name_span();
+  }
+  if (count == 0) return;
+  Diagnostic& diagnostic = findings.report(first, "only Drake reads this element");
+  diagnostic.construct = "drake-element";
+  if (count > 1) {
+    diagnostic.notes.push_back("the file holds " + std::to_string(count - 1) + " more");
+  }
+  diagnostic.help = "check them with `--target drake`";
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::ignores, "ignores the elements of Drake", "urdfdom, sdformat, run"},
+    {&readers::drake, Effect::takes, "reads its own elements", "Drake detail_urdf_parser.cc",
+     "#drake-element"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1451_drake_language{
+    .id = "SML1451",
+    .name = "drake-language",
+    .severity = Severity::info,
+    .summary = "A robot has elements that only Drake reads.",
+    .why = "What is wrong in them is found with `--target drake` only.",
+    .remedy = "Check the file with `--target drake`, or leave the elements out.",
+    .check_model = check,
+    .facts = kFacts};
+
+}  // namespace smurf::rules
