@@ -3,7 +3,6 @@
 
 usage: wheel_test.py FOLDER_OF_TOOLS
 """
-import hashlib
 import importlib.util
 import os
 import pathlib
@@ -17,32 +16,12 @@ import tempfile
 import unittest
 import zipfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PROGRAMS = ("smurf-lint", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-load-check")
+from local_release import PROGRAMS, ROOT, add_release, copy_of_project
+
 ARM = ROOT / "fixtures/models/arm/smurf/arm.smurf"
 TOOLS = None
 BUILD = "import sys; sys.path.insert(0, 'python'); import backend; print(backend.build_{}(sys.argv[1]))"
 sys.path.insert(0, str(ROOT / "python"))
-
-
-def copy_of_project(folder):
-    """What the backend reads, in a place where a test may change it."""
-    for name in ("pyproject.toml", "CMakeLists.txt", "README.md", "LICENSE"):
-        shutil.copy(ROOT / name, folder)
-    for name in ("python/backend", "python/smurf"):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
-
-
-def add_release(project, folder, programs, system=sysconfig.get_platform()):
-    """An archive in `folder` of the programs of another one, known to the project by its sum."""
-    version = re.search(r"\n  VERSION (\S+)", (project / "CMakeLists.txt").read_text())[1]
-    archive = folder / f"smurf-tools-{version}-{system}.tar.gz"
-    with tarfile.open(archive, "w:gz", compresslevel=1) as files:
-        for program in PROGRAMS:
-            files.add(programs / program, f"smurf-tools-{version}/bin/{program}")
-    with open(project / "python/backend/releases.sha256", "a", encoding="utf-8") as table:
-        table.write(f"{hashlib.sha256(archive.read_bytes()).hexdigest()}  {archive.name}\n")
-    return archive
 
 
 def state_of(folder):
