@@ -28,6 +28,18 @@ CONFIG = """repos:
   - id: smurf2urdf-check{suffix}
   - id: smurf-flatten-check{suffix}
 """
+# As in docs/integrations.md.
+CHANGED_ONLY = """- repo: {hooks}
+  rev: v1
+  hooks:
+  - id: smurf-lint{suffix}
+    alias: changed
+    args: [--only-listed, --]
+    pass_filenames: true
+    always_run: false
+    files: \\.(smurf|smurfs|smurfa|urdf|yml|yaml|stl|obj|dae|bobj)$
+    require_serial: true
+"""
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
@@ -124,6 +136,19 @@ class Hooks:
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("error[SML1202]", done.stdout + done.stderr)
 
+    def test_changed_files_only(self):
+        config = self.robots / ".pre-commit-config.yaml"
+        config.write_text("repos:\n" + CHANGED_ONLY.format(hooks=self.hooks, suffix=self.suffix))
+        self.change("arm/urdf/arm.urdf", '<child link="turret"/>', '<child link="turet"/>')
+        self.commit(self.robots)
+        self.change("ci.yml", "this file", "still this file")
+        self.change("arm/meshes/forearm.obj", "\n", "\n# one more line\n")
+        self.git(self.robots, "add", "-A")
+        done = self.call(self.robots, "pre-commit", "run", "changed")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("error[SML1202]", done.stdout)
+        self.assertNotIn("ci.yml", done.stdout)
+
     def test_a_mesh_that_is_deleted(self):
         """What breaks is a model that is not in the commit."""
         (self.robots / "arm/meshes/forearm.obj").unlink()
@@ -155,6 +180,8 @@ class Hooks:
                 place = self.robots / (option + str(outside)) / name
                 place.parent.mkdir(parents=True, exist_ok=True)
                 place.write_text((self.robots / "cell/outer.smurfs").read_text() if name.endswith("s") else "a: 1\n")
+        config = self.robots / ".pre-commit-config.yaml"
+        config.write_text(config.read_text() + CHANGED_ONLY.format(hooks=self.hooks, suffix=self.suffix))
         self.git(self.robots, "add", "-A")
         for stage in ("pre-commit", "manual"):
             self.call(self.robots, "pre-commit", "run", "--hook-stage", stage, "--all-files")
