@@ -20,6 +20,7 @@ import urllib.request
 from .project import ROOT, homepage, version
 
 PROGRAMS = ("smurf-lint", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-load-check")
+OPTIONAL = "smurf-load-check"  # needs a physics engine, which is not everywhere
 SUMS = pathlib.Path(__file__).with_name("releases.sha256")
 MODULE = "_smurf" + (sysconfig.get_config_var("EXT_SUFFIX") or ".so")
 
@@ -30,6 +31,16 @@ class NoPrograms(Exception):
 
 def gather(work):
     """Two dictionaries, the programs and the module of this Python (or nothing): contents by name."""
+    programs, modules = _find(work)
+    missing = [name for name in PROGRAMS if name not in programs]
+    if missing == [OPTIONAL]:
+        say(f"there is no {OPTIONAL} among them")
+    elif missing:
+        raise NoPrograms(f"there is no {' and no '.join(missing)} among them")
+    return programs, modules
+
+
+def _find(work):
     prebuilt = os.environ.get("SMURF_PREBUILT")
     if prebuilt:
         say(f"takes the programs of SMURF_PREBUILT, {prebuilt}")
@@ -54,9 +65,6 @@ def system():
 
 def from_folder(folder, module_folder):
     programs = {name: (folder / name).read_bytes() for name in PROGRAMS if (folder / name).is_file()}
-    missing = [name for name in PROGRAMS if name not in programs]
-    if missing:
-        raise NoPrograms(f"{folder} has no {' and no '.join(missing)}")
     module = module_folder / MODULE
     return programs, {MODULE: module.read_bytes()} if module.is_file() else {}
 

@@ -78,7 +78,13 @@ class Sources(Case):
     def test_a_folder_without_a_program(self):
         shutil.copy("/bin/true", self.folder / "release/smurf-lint")
         message = self.refused(SMURF_PREBUILT=str(self.folder / "release"))
-        self.assertIn("has no smurf2urdf and no urdf2smurf", message)
+        self.assertIn("there is no smurf2urdf and no urdf2smurf", message)
+
+    def test_a_folder_without_a_physics_engine(self):
+        (self.small / "smurf-load-check").unlink()
+        done = self.build(SMURF_PREBUILT=str(self.small))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("there is no smurf-load-check among them", done.stderr)
 
     def test_the_module_makes_it_a_wheel_of_this_python(self):
         folder = self.folder / "release"
