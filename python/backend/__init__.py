@@ -3,15 +3,23 @@
 
 Writes to temporary folders and to the folder that it is given.
 """
+import contextlib
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-from .archives import write_sdist, write_wheel
-from .elf import tag_of
-from .programs import NoPrograms, gather
-from .project import ROOT, metadata, stem
+# No bytecode among the sources of somebody else: not of what follows, and that of this file is there already.
+if not sys.dont_write_bytecode:
+    sys.dont_write_bytecode = True
+    with contextlib.suppress(OSError):
+        pathlib.Path(__cached__).unlink()
+        pathlib.Path(__cached__).parent.rmdir()
+
+from .archives import write_sdist, write_wheel  # noqa: E402
+from .elf import tag_of  # noqa: E402
+from .programs import NoPrograms, gather  # noqa: E402
+from .project import ROOT, metadata, stem  # noqa: E402
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

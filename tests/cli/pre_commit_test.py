@@ -7,6 +7,7 @@ import functools
 import http.server
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -224,6 +225,20 @@ class NothingInstalled(Hooks, unittest.TestCase):
         cls.addClassCleanup(server.shutdown)
         threading.Thread(target=server.serve_forever, daemon=True).start()
         cls.environment["SMURF_RELEASES"] = f"http://127.0.0.1:{server.server_address[1]}"
+
+    def test_the_line_of_the_readme(self):
+        line = re.search(r"\n    (repos: \[.*)\n", (ROOT / "README.md").read_text())[1]
+        self.git(self.hooks, "tag", "-f", re.search(r"rev: (\S+),", line)[1])
+        url = re.search(r'"(https:.*?)"', line)[1]
+        (self.robots / ".pre-commit-config.yaml").write_text(line.replace(url, str(self.hooks)))
+        self.git(self.robots, "add", "-A")
+        done = self.call(self.robots, "pre-commit", "run")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        (self.robots / "arm/meshes/forearm.obj").unlink()
+        self.git(self.robots, "add", "-A")
+        done = self.call(self.robots, "pre-commit", "run")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("error[SML1604]", done.stdout)
 
 
 if __name__ == "__main__":

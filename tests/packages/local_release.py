@@ -24,7 +24,8 @@ def add_release(project, folder, programs, system=sysconfig.get_platform()):
     archive = folder / f"smurf-tools-{version}-{system}.tar.gz"
     with tarfile.open(archive, "w:gz", compresslevel=1) as files:
         for program in PROGRAMS:
-            files.add(programs / program, f"smurf-tools-{version}/bin/{program}")
+            if (programs / program).exists():
+                files.add(programs / program, f"smurf-tools-{version}/bin/{program}")
     with open(project / "python/backend/releases.sha256", "a", encoding="utf-8") as table:
         table.write(f"{hashlib.sha256(archive.read_bytes()).hexdigest()}  {archive.name}\n")
     return archive

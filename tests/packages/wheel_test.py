@@ -199,6 +199,7 @@ class Pip(Case):
         environment = self.folder / "environment"
         self.assertEqual(self.call(sys.executable, "-m", "venv", environment).returncode, 0)
         before = state_of(self.project), state_of(self.folder / "home")
+        del self.environment["PYTHONDONTWRITEBYTECODE"]
         done = self.call(environment / "bin/pip", "install", "-v", ".", SMURF_RELEASES=archive.parent.as_uri())
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("takes the programs of the release", done.stdout + done.stderr)
@@ -217,6 +218,16 @@ class Pip(Case):
         self.assertEqual(self.call(environment / "bin/pip", "uninstall", "-y", "smurf-tools").returncode, 0)
         left = [path for path in environment.rglob("*smurf*")]
         self.assertEqual(left, [])
+
+    def test_the_line_of_the_readme(self):
+        """With a folder in place of the Python index."""
+        self.assertEqual(self.build(SMURF_PREBUILT=str(self.small)).returncode, 0)
+        command = re.search(r"\n    pip (install .*)\n", (ROOT / "README.md").read_text())[1].split()
+        environment = self.folder / "environment"
+        self.assertEqual(self.call(sys.executable, "-m", "venv", environment).returncode, 0)
+        done = self.call(environment / "bin/pip", *command, PIP_FIND_LINKS=str(self.folder / "out"))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(self.call(environment / "bin/smurf-lint").returncode, 0)
 
 
 if __name__ == "__main__":
