@@ -192,7 +192,10 @@ class Tags(unittest.TestCase):
             self.assertEqual(elf.tag_of(files, False), f"py3-none-{expected}")
 
 
-@unittest.skipIf(importlib.util.find_spec("ensurepip") is None, "SKIPPED: python3-venv is not installed")
+HAS_VENV = importlib.util.find_spec("ensurepip") is not None
+
+
+@unittest.skipUnless(HAS_VENV, "python3-venv is not installed")
 class Pip(Case):
     def test_install_in_an_empty_environment(self):
         archive = add_release(self.project, self.folder / "release", TOOLS)
@@ -231,5 +234,7 @@ class Pip(Case):
 
 
 if __name__ == "__main__":
+    if not HAS_VENV:
+        print("SKIPPED: the tests with pip; python3-venv is not installed (scripts/setup --readers)")
     TOOLS = pathlib.Path(sys.argv.pop(1)).resolve()
     unittest.main()
