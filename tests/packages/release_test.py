@@ -11,7 +11,7 @@ import tarfile
 import tempfile
 import unittest
 
-from local_release import PROGRAMS, ROOT
+from local_release import PROGRAMS, ROOT, copy_of_project
 
 VERSION = re.search(r"\n  VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1]
 PAGES = ("man/man1/{}.1", "bash-completion/completions/{}", "zsh/vendor-completions/_{}", "fish/vendor_completions.d/{}.fish",
@@ -55,10 +55,41 @@ class Release(unittest.TestCase):
             names = {name.partition("/")[2] for name in archive.getnames()}
         expected = {"LICENSE", *(f"bin/{program}" for program in PROGRAMS)}
         expected |= {f"share/{page.format(program)}" for page in PAGES for program in PROGRAMS}
-        self.assertLessEqual(expected, names)
+        self.assertLessEqual(expected | {"share/doc/smurf/licences/libyaml-cpp-dev"}, names)
         self.assertIn("\n- ", (out / "notes.md").read_text())
         self.assertEqual(subprocess.run(["git", "status", "--porcelain"], cwd=ROOT, capture_output=True, check=True).stdout,
                          status)
+
+    def test_a_release_with_a_tag(self):
+        """With other scripts in place of the build and the tests. What pip makes of the tagged sources is the wheel."""
+        project = self.folder / "project"
+        (project / "scripts").mkdir(parents=True)
+        copy_of_project(project)
+        shutil.copy(ROOT / "scripts/release", project / "scripts")
+        for name, text in (("static-libraries", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release")):
+            (project / "scripts" / name).write_text(f"#!/bin/sh\n{text}\n")
+            (project / "scripts" / name).chmod(0o755)
+        (project / ".gitignore").write_text("/build/\n__pycache__/\n")
+        (project / "CHANGELOG.md").write_text(f"# Changelog\n\n## [{VERSION}] - today\n\n- all\n\n## [0.0.1]\n\n- old\n")
+        git = ("git", "-C", project, "-c", "user.name=a", "-c", "user.email=a@b")
+        for command in (("init", "-q"), ("add", "-A"), ("commit", "-q", "-m", "all")):
+            subprocess.run([*git, *command], check=True)
+        environment = os.environ | {f"GIT_{who}_{what}": "a@b" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+        command = [project / "scripts/release", VERSION]
+        done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        out = project / "build/dist"
+        self.assertEqual((out / "notes.md").read_text(), "- all\n")
+        self.assertEqual(subprocess.run([*git, "status", "--porcelain"], check=True, capture_output=True).stdout, b"")
+        table = subprocess.run([*git, "show", f"v{VERSION}:python/backend/releases.sha256"], check=True, capture_output=True)
+        self.assertIn(table.stdout.splitlines()[-1], (out / "SHA256SUMS").read_bytes().splitlines())
+        build = "import sys, backend; backend.build_wheel(sys.argv[1])"
+        subprocess.run([sys.executable, "-c", build, self.folder], check=True, stderr=subprocess.DEVNULL,
+                       env=environment | {"PYTHONPATH": str(project / "python"), "SMURF_RELEASES": out.as_uri()})
+        wheel = next(out.glob("*.whl"))
+        self.assertEqual((self.folder / wheel.name).read_bytes(), wheel.read_bytes())
+        again = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
+        self.assertEqual((again.returncode, again.stderr), (2, f"release: the tag v{VERSION} exists\n"))
 
     def test_two_runs_are_the_same_bytes(self):
         for output in ("first", "second"):
