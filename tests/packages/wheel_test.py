@@ -139,6 +139,25 @@ class Sources(Case):
         self.assertIn("yaml-nothing", message)
         self.assertIn("scripts/setup installs what is needed", message)
 
+    def test_compiled(self):
+        """With a small project in place of ours."""
+        if not shutil.which("cmake") or not shutil.which("ninja"):
+            self.skipTest("cmake and ninja are not installed")
+        module = "_smurf" + sysconfig.get_config_var("EXT_SUFFIX")
+        shutil.copy("/bin/true", self.small / module)
+        head = (self.project / "CMakeLists.txt").read_text().partition("LANGUAGES CXX)")[0]
+        (self.project / "CMakeLists.txt").write_text(
+            f"{head}LANGUAGES NONE)\ninstall(PROGRAMS {' '.join(str(self.small / name) for name in PROGRAMS)} DESTINATION bin)\n"
+            f"install(FILES {self.small / module} DESTINATION ${{SMURF_PYTHON_DIR}}/smurf)\n")
+        before = state_of(self.project)
+        done = self.build()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("compiles the programs (version", done.stderr)
+        self.assertEqual(state_of(self.project), before)
+        with zipfile.ZipFile(self.folder / "out" / done.stdout.splitlines()[-1]) as wheel:
+            self.assertIn(f"smurf/{module}", wheel.namelist())
+            self.assertEqual(len([name for name in wheel.namelist() if ".data/scripts/" in name]), len(PROGRAMS))
+
     def test_two_builds_are_the_same_bytes(self):
         names = [self.build(folder=folder, SMURF_PREBUILT=str(self.small)).stdout.strip() for folder in ("out", "home")]
         first, second = [(self.folder / folder / name).read_bytes() for folder, name in zip(("out", "home"), names)]
