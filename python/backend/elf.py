@@ -27,10 +27,9 @@ class Elf:
         self.versions = list(self._versions())
 
     def _dynamic(self, offset):
-        for entry in struct.iter_unpack("<QQ", self.content[offset : len(self.content) - (len(self.content) - offset) % 16]):
-            if entry[0] == 0:
-                return
+        while (entry := struct.unpack_from("<QQ", self.content, offset))[0] != 0:
             yield entry
+            offset += 16
 
     def _value(self, key):
         return next((value for other, value in self.entries if other == key), 0)
