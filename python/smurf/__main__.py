@@ -6,11 +6,14 @@
     from-urdf   urdf2smurf: makes a model around a URDF
     flatten     smurfs-flatten: expands a scene
     load-check  smurf-load-check: builds models and scenes in a physics engine
+    try-all     runs smurf2urdf or smurfs-flatten on every model or scene, and keeps nothing; for hooks
 """
 import os
 import pathlib
 import shutil
 import sys
+
+from .try_all import try_all
 
 PROGRAMS = {
     "lint": "smurf-lint",
@@ -22,13 +25,11 @@ PROGRAMS = {
 
 
 def find_program(name):
-    """In the package, in the build folder or the prefix that it is in, else on PATH; or None."""
+    """In the build folder or the prefix that the package is in, else on PATH; or None."""
     package = pathlib.Path(__file__).resolve().parent
-    beside = [package / "bin"]
-    # build/release/python/smurf and PREFIX/lib/python3/dist-packages/smurf
-    beside += [package.parents[i] / "bin" for i in (1, 3) if i < len(package.parents)]
-    for folder in beside:
-        program = folder / name
+    # TARGET/smurf of `pip install --target`, build/release/python/smurf and PREFIX/lib/python3/site-packages/smurf
+    for above in [package.parents[i] for i in (0, 1, 3) if i < len(package.parents)]:
+        program = above / "bin" / name
         if program.is_file() and os.access(program, os.X_OK):
             return str(program)
     return shutil.which(name)
@@ -38,9 +39,15 @@ def main(arguments):
     if not arguments or arguments[0] in ("-h", "--help"):
         print(__doc__.strip())
         return 0 if arguments else 2
+    if arguments[0] == "try-all":
+        lint = find_program("smurf-lint")
+        if lint is not None:
+            os.environ["PATH"] = os.path.dirname(lint) + os.pathsep + os.environ.get("PATH", "")
+        return try_all(arguments[1:])
     name = PROGRAMS.get(arguments[0])
     if name is None:
-        print(f"smurf: there is no command '{arguments[0]}'; the commands are {', '.join(PROGRAMS)}", file=sys.stderr)
+        commands = ", ".join([*PROGRAMS, "try-all"])
+        print(f"smurf: there is no command '{arguments[0]}'; the commands are {commands}", file=sys.stderr)
         return 2
     program = find_program(name)
     if program is None:

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""PYTHONPATH=python python3 -m backend FOLDER: puts the programs of a wheel into a folder, without pip."""
+import pathlib
+import sys
+import tempfile
+
+from .programs import NoPrograms, gather
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        print(__doc__, file=sys.stderr)
+        return 2
+    with tempfile.TemporaryDirectory(prefix="smurf-") as work:
+        try:
+            programs, _ = gather(pathlib.Path(work))
+        except NoPrograms as problem:
+            print(f"smurf-tools: {problem}", file=sys.stderr)
+            return 2
+    folder = pathlib.Path(arguments[0])
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, content in programs.items():
+        (folder / name).write_bytes(content)
+        (folder / name).chmod(0o755)
+    return 0
+
+
+sys.exit(main(sys.argv[1:]))

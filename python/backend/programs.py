@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the programs of a wheel come from. In this order, and it says which:
+
+SMURF_PREBUILT   a folder with the programs, and the Python module if it is to be installed
+the release      the archive that releases.sha256 names for this version and system; SMURF_RELEASES is another place
+                 that has it (a URL, file: too), SMURF_FROM_SOURCE=1 leaves it alone
+the sources      compiled here, with CMake
+"""
+import hashlib
+import io
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import urllib.request
+
+from .project import ROOT, homepage, version
+
+PROGRAMS = ("smurf-lint", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-load-check")
+OPTIONAL = "smurf-load-check"  # needs a physics engine, which is not everywhere
+SUMS = pathlib.Path(__file__).with_name("releases.sha256")
+MODULE = "_smurf" + (sysconfig.get_config_var("EXT_SUFFIX") or ".so")
+
+
+class NoPrograms(Exception):
+    """Why there are none."""
+
+
+def gather(work):
+    """Two dictionaries, the programs and the module of this Python (or nothing): contents by name."""
+    programs, modules = _find(work)
+    missing = [name for name in PROGRAMS if name not in programs]
+    if missing == [OPTIONAL]:
+        say(f"there is no {OPTIONAL} among them")
+    elif missing:
+        raise NoPrograms(f"there is no {' and no '.join(missing)} among them")
+    return programs, modules
+
+
+def _find(work):
+    prebuilt = os.environ.get("SMURF_PREBUILT")
+    if prebuilt:
+        say(f"takes the programs of SMURF_PREBUILT, {prebuilt}")
+        return from_folder(pathlib.Path(prebuilt), pathlib.Path(prebuilt))
+    archive = f"smurf-tools-{version()}-{system()}.tar.gz"
+    known = dict(reversed(line.split()) for line in SUMS.read_text().splitlines() if line and line[0] != "#")
+    if archive in known and not os.environ.get("SMURF_FROM_SOURCE"):
+        return from_release(archive, known[archive]), {}
+    offered = ", ".join(sorted(name for name in known if f"-{version()}-" in name))
+    reason = f"the release has no programs for {system()} (it has {offered})" if offered else "there is no release of it"
+    return from_source(work, f"version {version()}: {reason}")
+
+
+def say(text):
+    print(f"smurf-tools: {text}", file=sys.stderr, flush=True)
+
+
+def system():
+    """Such as linux-x86_64."""
+    return sysconfig.get_platform()
+
+
+def from_folder(folder, module_folder):
+    programs = {name: (folder / name).read_bytes() for name in PROGRAMS if (folder / name).is_file()}
+    module = module_folder / MODULE
+    return programs, {MODULE: module.read_bytes()} if module.is_file() else {}
+
+
+def from_release(archive, sum_):
+    base = os.environ.get("SMURF_RELEASES") or f"{homepage()}/releases/download/v{version()}"
+    url = f"{base.rstrip('/')}/{archive}"
+    say(f"takes the programs of the release, {url}")
+    try:
+        with urllib.request.urlopen(url, timeout=60) as answer:
+            content = answer.read()
+    except OSError as problem:
+        raise NoPrograms(f"cannot download {url}: {problem}\n"
+                         "SMURF_RELEASES=URL names another place that has it, SMURF_PREBUILT=FOLDER a folder with the "
+                         "programs; SMURF_FROM_SOURCE=1 compiles them here") from problem
+    if hashlib.sha256(content).hexdigest() != sum_:
+        raise NoPrograms(f"{url} is not what was released: its sha256 is {hashlib.sha256(content).hexdigest()}, not {sum_}. "
+                         "Nothing was installed")
+    with tarfile.open(fileobj=io.BytesIO(content)) as files:
+        members = {pathlib.PurePosixPath(member.name): member for member in files if member.isfile()}
+        return {path.name: files.extractfile(member).read() for path, member in members.items()
+                if path.parent.name == "bin" and path.name in PROGRAMS}
+
+
+def from_source(work, reason):
+    lacks = [tool for tool in ("cmake", "ninja") if shutil.which(tool) is None]
+    if not any(shutil.which(compiler) for compiler in (os.environ.get("CXX") or "c++", "g++", "clang++")):
+        lacks.append("a C++ compiler")
+    if lacks:
+        raise NoPrograms(f"{reason}, and to compile it needs {' and '.join(lacks)}, which {'is' if len(lacks) == 1 else 'are'} "
+                         "not here. SMURF_PREBUILT=FOLDER takes the programs of a folder")
+    say(f"compiles the programs ({reason}); this takes some minutes")
+    build, stage = work / "build", work / "stage"
+    has_headers = pathlib.Path(sysconfig.get_path("include"), "Python.h").is_file()
+    options = {
+        "CMAKE_BUILD_TYPE": "Release", "SMURF_STATIC": "ON", "SMURF_BUILD_TESTS": "OFF", "SMURF_PYTHON": sys.executable,
+        "SMURF_PYTHON_DIR": "python", **({} if has_headers else {"SMURF_BUILD_PYTHON": "OFF"}),
+    }
+    run("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *(f"-D{key}={value}" for key, value in options.items()))
+    run("cmake", "--build", build)
+    run("cmake", "--install", build, "--prefix", stage, "--strip")
+    return from_folder(stage / "bin", stage / "python/smurf")
+
+
+def run(*command):
+    done = subprocess.run([str(part) for part in command], stdout=sys.stderr, stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        raise NoPrograms(f"cannot be compiled here:\n{done.stderr.strip()}\n"
+                         "scripts/setup installs what is needed on Debian and Ubuntu; SMURF_PREBUILT=FOLDER takes the "
+                         "programs of a folder")

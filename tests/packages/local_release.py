@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A copy of what pip needs of the project, and a release for it that lies on this disk."""
+import hashlib
+import pathlib
+import re
+import shutil
+import sysconfig
+import tarfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PROGRAMS = ("smurf-lint", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-load-check")
+
+
+def copy_of_project(folder):
+    for name in ("pyproject.toml", "CMakeLists.txt", "README.md", "LICENSE", ".pre-commit-hooks.yaml"):
+        shutil.copy(ROOT / name, folder)
+    for name in ("python/backend", "python/smurf"):
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+
+
+def add_release(project, folder, programs, system=sysconfig.get_platform()):
+    """An archive in `folder` of the programs of another one, known to the project by its sum."""
+    version = re.search(r"\n  VERSION (\S+)", (project / "CMakeLists.txt").read_text())[1]
+    archive = folder / f"smurf-tools-{version}-{system}.tar.gz"
+    with tarfile.open(archive, "w:gz", compresslevel=1) as files:
+        for program in PROGRAMS:
+            if (programs / program).exists():
+                files.add(programs / program, f"smurf-tools-{version}/bin/{program}")
+    with open(project / "python/backend/releases.sha256", "a", encoding="utf-8") as table:
+        table.write(f"{hashlib.sha256(archive.read_bytes()).hexdigest()}  {archive.name}\n")
+    return archive
