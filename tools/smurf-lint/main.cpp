@@ -69,13 +69,15 @@ struct Checked {
 ExitCode write_reports(const LintOptions& options, const std::string& place, const Checked& checked,
                        std::string remarks) {
   const Report& report = checked.report;
+  // What went wrong has been said; "no findings" would reassure.
+  const bool is_nothing = report.summary.files == 0 && !report.problems.empty();
   const Results results{.diagnostics = report.diagnostics,
                         .sources = checked.sources,
                         .summary = report.summary,
                         .targets = report.targets,
                         .tool = kTool,
                         .remarks = std::move(remarks),
-                        .quiet = options.quiet,
+                        .quiet = options.quiet || is_nothing,
                         .counts_only = options.statistics};
   ExitCode code = kDone;
   for (const ReportRequest& request : merge_run(report.wishes, options).reports) {
@@ -237,7 +239,9 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
     if (done == 0) progress.emplace("checked", of, options.quiet);
     progress->set(done);
   };
-  return session.check(plan, settings);
+  Report found = session.check(plan, settings);
+  found.summary.xacro = plan.xacro;
+  return found;
 }
 
 ExitCode run(const LintOptions& options) {

@@ -81,6 +81,7 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                        {"info", summary.infos},   {"suppressed", summary.suppressed},
                        {"files", summary.files},  {"models", summary.models},
                        {"scenes", summary.scenes}};
+  if (summary.xacro > 0) report["summary"]["xacro"] = summary.xacro;
   Json list = Json::array();
   for (const Diagnostic& diagnostic : diagnostics) list.push_back(to_json(diagnostic, sources));
   report["diagnostics"] = std::move(list);

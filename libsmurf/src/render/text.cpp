@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "render/frame.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
@@ -118,10 +119,6 @@ std::string main_frame(const Diagnostic& diagnostic, const SourceMap& sources,
          remarks(diagnostic, sources, frame.gutter(), paint);
 }
 
-std::string count(std::size_t number, std::string_view noun) {
-  return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
-}
-
 /// "a", "a and b", "a, b and c".
 std::string enumerate(const std::vector<std::string>& parts) {
   std::string out;
@@ -169,20 +166,26 @@ std::string render_concise(const Diagnostic& diagnostic, const SourceMap& source
   return out + "\n";
 }
 
+std::string xacro_remark(std::size_t files) {
+  const bool is_one = files == 1;
+  return counted(files, ".xacro file") + (is_one ? " was" : " were") + " not checked: expand " +
+         (is_one ? "it" : "them") + " first (xacro FILE | smurf-lint -)";
+}
+
 std::string render_summary(const Summary& summary, const TextStyle& style) {
   const Painter paint(style.color);
   std::vector<std::string> found;
-  if (summary.errors > 0) found.push_back(paint(Ink::error, count(summary.errors, "error")));
+  if (summary.errors > 0) found.push_back(paint(Ink::error, counted(summary.errors, "error")));
   if (summary.warnings > 0) {
-    found.push_back(paint(Ink::warning, count(summary.warnings, "warning")));
+    found.push_back(paint(Ink::warning, counted(summary.warnings, "warning")));
   }
-  if (summary.infos > 0) found.push_back(paint(Ink::info, count(summary.infos, "info")));
+  if (summary.infos > 0) found.push_back(paint(Ink::info, counted(summary.infos, "info")));
   std::string out = found.empty() ? "no findings" : "found " + enumerate(found);
-  out += " in " + count(summary.files, "file");
+  out += " in " + counted(summary.files, "file");
 
   std::vector<std::string> loaded;
-  if (summary.models > 0) loaded.push_back(count(summary.models, "model"));
-  if (summary.scenes > 0) loaded.push_back(count(summary.scenes, "scene"));
+  if (summary.models > 0) loaded.push_back(counted(summary.models, "model"));
+  if (summary.scenes > 0) loaded.push_back(counted(summary.scenes, "scene"));
   if (loaded.size() == 2) {
     out += " (" + loaded[0] + ", " + loaded[1] + ")";
   } else if (loaded.size() == 1) {
@@ -190,6 +193,7 @@ std::string render_summary(const Summary& summary, const TextStyle& style) {
   }
   out += "\n";
   if (summary.suppressed > 0) out += std::to_string(summary.suppressed) + " suppressed\n";
+  if (summary.xacro > 0) out += xacro_remark(summary.xacro) + "\n";
   return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/counted.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "smurf/archive_files.hpp"
@@ -10,15 +11,11 @@
 namespace smurf {
 namespace {
 
-std::string count(std::size_t number, std::string_view one) {
-  return std::to_string(number) + " " + std::string(one) + (number == 1 ? "" : "s");
-}
-
 /// "3 motors, 1 sensor"; empty when the model has none of these.
 std::string describe(const Annotations& annotations) {
   std::string text;
   const auto add = [&](std::size_t number, std::string_view one) {
-    if (number > 0) text += (text.empty() ? "" : ", ") + count(number, one);
+    if (number > 0) text += (text.empty() ? "" : ", ") + counted(number, one);
   };
   add(annotations.motors.size(), "motor");
   add(annotations.sensors.size(), "sensor");
@@ -166,7 +163,7 @@ void SceneLosses::old_scenes() {
     }
     std::string others;
     for (const auto& [what, number] : old.others) {
-      others += (others.empty() ? "" : ", ") + count(number, what);
+      others += (others.empty() ? "" : ", ") + counted(number, what);
     }
     if (others.empty()) continue;
     scene_.losses.report(rules::sml8207_lost_annotations, span,
@@ -182,7 +179,7 @@ void SceneLosses::world(std::initializer_list<World> settings) {
     for (const FlatOldScene& old : scene_.flat.old_scenes) {
       if (old.lamps.empty()) continue;
       scene_.losses.report(rules::sml8204_lost_world_setting, place(old.instance),
-                           count(old.lamps.size(), "light") + " of " + path(old.instance) +
+                           counted(old.lamps.size(), "light") + " of " + path(old.instance) +
                                (old.lamps.size() == 1 ? " is" : " are") + " not in the " + format_);
     }
   }
