@@ -108,6 +108,54 @@ class Motors(ImportTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
+class Copies(ImportTest):
+    def test_the_folder_stands_on_its_own(self):
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--copy-meshes")
+        copies = [file for file in self.files("out") if file.startswith("meshes/")]
+        self.assertGreaterEqual(len(copies), 2)
+        for copy in copies:
+            self.assertEqual((self.folder / "out" / copy).read_bytes(), (self.folder / "in" / copy).read_bytes())
+        self.assertEqual(self.read("out/urdf/arm.urdf"), self.read("in/urdf/arm.urdf"))
+        self.expect_complaint("--copy-meshes and --in-place exclude each other: the URDF stays as it is",
+                              "in/urdf/arm.urdf", "--in-place", "--copy-meshes")
+
+    def test_names_from_packages_and_equal_names(self):
+        text = self.read("in/urdf/arm.urdf").replace("../meshes/upper_arm.obj", "package://in/meshes/upper_arm.obj")
+        self.write("in/urdf/arm.urdf", text.replace("../meshes/forearm.obj", "../meshes/deep/upper_arm.obj"))
+        self.write("in/meshes/deep/upper_arm.obj", self.read("in/meshes/forearm.obj"))
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--flat", "--copy-meshes", "--package", "in=in")
+        urdf = self.read("out/arm.urdf")
+        self.assertIn('filename="meshes/upper_arm.obj"', urdf)
+        self.assertIn('filename="meshes/2/upper_arm.obj"', urdf)
+        self.assertEqual(self.read("out/meshes/2/upper_arm.obj"), self.read("in/meshes/forearm.obj"))
+
+    def test_nothing_from_outside(self):
+        self.write("secret.stl", "solid s\nendsolid s\n")
+        (self.folder / "project" / ".git").mkdir(parents=True)
+        text = self.read("in/urdf/arm.urdf").replace("../meshes/upper_arm.obj", "../secret.stl")
+        self.write("project/arm.urdf", text.replace("../meshes/", "meshes/"))
+        shutil.copytree(self.folder / "in" / "meshes", self.folder / "project" / "meshes")
+        copy = ("arm.urdf", "-o", "../out", "--copy-meshes")
+        done = self.run_tool(*copy, cwd=self.folder / "project")
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn("outside of the project", done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+        self.run_tool(*copy, "--allow-outside", cwd=self.folder / "project")
+        self.assertEqual(self.read("out/meshes/secret.stl"), self.read("secret.stl"))
+
+    def test_what_is_there_stays(self):
+        self.write("out/meshes/forearm.obj", "mine")
+        done = self.run_tool("in/urdf/arm.urdf", "-o", "out", "--copy-meshes")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("cannot write 'out/meshes/forearm.obj': another file is there; see --overwrite; nothing was "
+                      "written", done.stderr)
+        self.assertEqual(self.files("out"), ["meshes/forearm.obj"])
+        self.write("out/smurf/arm.smurf/in the way", "")
+        done = self.run_tool("in/urdf/arm.urdf", "-o", "out", "--copy-meshes", "--overwrite")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(self.read("out/meshes/forearm.obj"), "mine")
+
+
 class Refusal(ImportTest):
     def complain(self, code, text, *arguments, **keywords):
         done = self.run_tool(*arguments, **keywords)

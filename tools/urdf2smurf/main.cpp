@@ -5,6 +5,7 @@
 #include "base/counted.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
+#include "common/asset_copies.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
 #include "render/printable.hpp"
@@ -27,6 +28,7 @@ struct Options {
   bool flat = false;
   MotorChoice motors = MotorChoice::declared;
   bool force = false;
+  bool copies_meshes = false;
   bool overwrite = false;
   bool dry_run = false;
 };
@@ -56,6 +58,11 @@ std::vector<Option> own_options(Options& options) {
        .metavar = "FILE",
        .help = "Take named joint positions from an SRDF, and keep its text.",
        .set = set_text(options.srdf)},
+      {.name = "copy-meshes",
+       .help =
+           "Copy the meshes and textures into meshes/ and textures/ of the folder, and name the "
+           "copies. What lies outside of the project is copied with --allow-outside only.",
+       .set = set_flag(options.copies_meshes)},
       {.name = "force",
        .help = "Convert as well what is refused for its errors, if it can be read.",
        .set = set_flag(options.force)},
@@ -89,6 +96,7 @@ Command make_command(Options& options) {
   for (Option& option : own_options(options)) command.options.push_back(std::move(option));
   command.set_operand = take_one_operand(options.urdf);
   command.examples = {{"urdf2smurf robot.urdf -o robot", "make a folder as Phobos does"},
+                      {"urdf2smurf robot.urdf --copy-meshes -o robot", "with the meshes in it"},
                       {"urdf2smurf robot.urdf --in-place", "put the SMURF files beside the URDF"},
                       {"xacro robot.xacro | urdf2smurf - --name robot -o robot", "from a pipe"}};
   return command;
@@ -97,6 +105,9 @@ Command make_command(Options& options) {
 /// What is wrong with the options as a whole; empty when nothing is.
 std::string problem_of(const Options& options) {
   if (options.in_place && options.flat) return "--flat and --in-place exclude each other";
+  if (options.in_place && options.copies_meshes) {
+    return "--copy-meshes and --in-place exclude each other: the URDF stays as it is";
+  }
   if (options.in_place && options.urdf == "-") return "--in-place needs a file, not standard input";
   if (!options.in_place && options.common.output.empty()) {
     return "say where to write with -o DIR, or use --in-place";
@@ -165,8 +176,24 @@ Verification verify(const LinkedModel& source, const std::string& folder,
   return verification;
 }
 
+/// Copies in `folder`, and where they will be, for the model to name.
+AssetCopies plan_copies(const LinkedModel& model, const std::string& folder,
+                        const FileReader& files, UrdfImport& import) {
+  std::set<std::string> sources;
+  for (const MeshReference& mesh : model.meshes) {
+    sources.insert(path::join(import.current_folder, mesh.path));
+  }
+  CopyPlan plan(files, import.current_folder, folder, std::move(sources));
+  for (const MeshReference& mesh : model.meshes) {
+    if (mesh.path.empty()) continue;
+    const auto copy = plan.copy_of(mesh.path, mesh.is_texture ? "textures" : "meshes");
+    if (copy) import.copies.emplace(mesh.path, *copy);
+  }
+  return plan.take();
+}
+
 /// "3 materials, 7 joints", by sections.
-std::string describe(const NewModel& made) {
+std::string describe(const NewModel& made, const AssetCopies& copies) {
   std::string text;
   const auto add = [&](std::size_t number, std::string noun) {
     std::replace(noun.begin(), noun.end(), '_', ' ');
@@ -174,6 +201,7 @@ std::string describe(const NewModel& made) {
     text += (text.empty() ? "" : ", ") + counted(number, noun);
   };
   for (const NewFile& file : made.files) add(file.section.children.size(), file.suffix);
+  if (!copies.empty()) add(copies.size(), "copied file");
   return text;
 }
 
@@ -233,19 +261,21 @@ int main(int argc, char** argv) {
                                  : std::string(path::parent(model.urdf_path));
   std::vector<TextFile> files;
   NewModel made;
+  AssetCopies copies;
   if (model.robot) {
-    const UrdfImport import{.name = file_name_of(options, model),
-                            .output_folder = folder,
-                            .current_folder = *current,
-                            .layout = options.in_place ? SmurfLayout::in_place
-                                      : options.flat   ? SmurfLayout::flat
-                                                       : SmurfLayout::phobos,
-                            .motors = options.motors,
-                            .srdf = srdf ? &*srdf : nullptr};
+    UrdfImport import{.name = file_name_of(options, model),
+                      .output_folder = folder,
+                      .current_folder = *current,
+                      .layout = options.in_place ? SmurfLayout::in_place
+                                : options.flat   ? SmurfLayout::flat
+                                                 : SmurfLayout::phobos,
+                      .motors = options.motors,
+                      .srdf = srdf ? &*srdf : nullptr};
+    if (options.copies_meshes) copies = plan_copies(model, folder, conversion.files(), import);
     made = import_urdf(model, *loaded->sources, import, loaded->found);
     files = write_smurf(made);
   }
-  std::vector<std::string> outputs;
+  std::vector<std::string> outputs = places_of(copies, conversion.inputs());
   for (const TextFile& file : files) outputs.push_back(path::join(folder, file.path));
   if (!options.dry_run && !conversion.keeps_inputs(outputs)) return kFailed;
   const ExitCode verdict = conversion.report(*loaded, loss_of);
@@ -263,8 +293,11 @@ int main(int argc, char** argv) {
   }
   std::vector<OutputFile> written;
   for (const TextFile& file : files) written.push_back({folder, file.path, file.text});
-  if (!write_files(kTool, written, options.overwrite)) return kFailed;
-  tell(conversion, folder, outputs.size(), describe(made),
+  const bool is_written =
+      copy_files(kTool, copies, conversion.files(), options.common.limits, options.overwrite,
+                 [&] { return write_files(kTool, written, options.overwrite); });
+  if (!is_written) return kFailed;
+  tell(conversion, folder, outputs.size(), describe(made, copies),
        remark_on_motors(made, options.motors, verification.dead_motors));
   return kDone;
 }
