@@ -2,6 +2,7 @@
 """The command line of smurf2urdf: bytes, re-based paths, refusals, files left alone."""
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -24,6 +25,10 @@ class ExportTest(cli.CliTest):
     def break_limit(self):
         self.write("arm/urdf/arm.urdf",
                    self.source().replace('lower="-0.4" upper="1.75"', 'lower="1.75" upper="-0.4"'))
+
+    def break_type(self):
+        """urdfdom refuses the file."""
+        self.write("arm/urdf/arm.urdf", self.source().replace('type="revolute"', 'type="revolut"', 1))
 
     def run_with_messages(self, code, *arguments):
         done = self.run_tool(*arguments)
@@ -193,26 +198,61 @@ class Dialects(cli.CliTest):
 
 
 class Refusal(ExportTest):
-    def test_a_model_with_errors_is_refused_and_the_old_file_kept(self):
-        self.break_limit()
+    LOSS = "every URDF reader refuses the joint type, and the file"
+
+    def test_what_does_not_load_is_refused_and_the_old_file_kept(self):
+        self.break_type()
         self.write("o.urdf", "the old file")
         done = self.run_with_messages(1, "arm/smurf/arm.smurf", "-o", "o.urdf")
-        self.assertIn("SML1407", done.stderr)
-        self.assertIn("nothing was written", done.stderr)
+        self.assertIn("error[SML1401]", done.stderr)
+        self.assertIn(f"= note: not converted: {self.LOSS}\n", done.stderr)
+        self.assertTrue(done.stderr.endswith(f"smurf2urdf: 'arm/smurf/arm.smurf' cannot be converted: {self.LOSS}; "
+                                             "see --force; nothing was written\n"), done.stderr)
         self.assertEqual(done.stdout, "")
         self.assertEqual(self.read("o.urdf"), "the old file")
 
-    def test_force(self):
+    def test_other_errors_are_counted(self):
+        """The limits of a joint are the same in the URDF, right or wrong."""
         self.break_limit()
+        done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--prove")
+        self.assertEqual(self.read("arm/urdf/o.urdf"), self.source())
+        self.assertRegex(done.stderr, r"\Asmurf2urdf: [1-9] errors?( and [1-9] warnings?)?: see smurf-lint "
+                                      r"arm/smurf/arm.smurf\ncompared")
+        self.assertIn("urdfdom                     accepts", done.stderr)
+        done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--report", "concise")
+        self.assertIn("SML1407", done.stderr)
+        done = self.run_with_messages(1, "arm/smurf/arm.smurf", "--fail-on", "error")
+        self.assertIn("has findings that reach --fail-on; see --force; nothing was written", done.stderr)
+
+    def test_annotations_matter_when_they_are_taken_over(self):
+        path = "arm/smurf/arm_motors.yml"
+        self.write(path, self.read(path).replace("maxEffort: 40.0", "maxEffort: 40 Nm"))
+        self.run_with_messages(0, "arm/smurf/arm.smurf")
+        self.run_with_messages(0, "arm/smurf/arm.smurf", "--apply", "materials,dynamics")
+        for options in (("--apply", "limits"), ("--actuation", "ros2_control")):
+            done = self.run_with_messages(1, "arm/smurf/arm.smurf", *options)
+            self.assertIn("cannot be converted: the options ask for annotations that are not right; see --force",
+                          done.stderr)
+
+    def test_values_matter_when_they_are_computed_with(self):
+        self.write("arm/urdf/arm.urdf", self.source().replace('<mass value="', '<mass value="kg', 1))
+        done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf")
+        self.assertEqual(self.read("arm/urdf/o.urdf"), self.source())
+        done = self.run_with_messages(1, "arm/smurf/arm.smurf", "--collapse-fixed")
+        self.assertIn("cannot be converted: the options need a value that cannot be read", done.stderr)
+
+    def test_force(self):
+        self.break_type()
         self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf", "--force")
         self.assertEqual(self.read("arm/urdf/o.urdf"), self.source())
 
     def test_what_the_linter_is_told_to_let_pass(self):
-        self.break_limit()
-        self.write(".smurf-lint.yaml", "ignore: [SML1407]\n")
+        self.write("arm/urdf/arm.urdf", self.source().replace("<robot", "<!-- 100% -->\n<robot", 1))
+        self.break_type()
+        self.write(".smurf-lint.yaml", "ignore: [SML1401]\n")
         self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf")
         (self.folder / ".smurf-lint.yaml").unlink()
-        comment = "<!-- smurf-lint: ignore-file[SML1407] the arm is bolted down -->"
+        comment = "<!-- smurf-lint: ignore-file[SML1401] the arm is bolted down -->"
         self.write("arm/urdf/arm.urdf", self.source().replace("</robot>", comment + "</robot>"))
         self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/urdf/o.urdf")
         self.assertEqual(self.read("arm/urdf/o.urdf"), self.source())
@@ -226,6 +266,38 @@ class Refusal(ExportTest):
     def test_unreadable(self):
         self.expect_complaint("cannot read 'no.smurf': No such file or directory", "no.smurf")
         self.expect_complaint("no input is named; see --help")
+
+    def test_a_scene(self):
+        self.write("hall.smurfs", "entities: []\n")
+        self.expect_complaint("'hall.smurfs' is a scene; smurfs-flatten --format urdf exports it", "hall.smurfs")
+        self.expect_complaint("'hall.smurfs' is a scene; smurfs-flatten --format urdf exports it", "-",
+                              "--stdin-filename", "hall.smurfs", stdin="entities: []\n")
+
+    def test_folders(self):
+        """Scenes do not count, and neither do URDFs where there is a model."""
+        self.write("arm/hall.smurfs", "entities: []\n")
+        self.assertEqual(self.expect(0, "arm").stdout, self.expect(0, "arm/smurf/arm.smurf").stdout)
+        self.assertEqual(self.expect(0, "arm/urdf/").stdout, self.expect(0, "arm/urdf/arm.urdf").stdout)
+        shutil.copytree(self.folder / "arm", self.folder / "both" / "left")
+        shutil.copytree(self.folder / "arm", self.folder / "both" / "right")
+        self.expect_complaint("'both' holds 2 files that could be meant; name one, such as "
+                              "'both/left/smurf/arm.smurf'", "both")
+        self.write("none/notes.txt", "")
+        self.expect_complaint("no .smurf, .smurfs, .smurfa or .urdf file in 'none'", "none")
+
+
+class Told(ExportTest):
+    def test_what_was_written_and_what_is_not_in_it(self):
+        done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/o.urdf")
+        self.assertRegex(done.stderr, r"\Asmurf2urdf: wrote arm/o.urdf: 10 links, 9 joints; not in it: "
+                                      r"collision \(\d+\), .*motors \(\d+\), .*, see --loss-report\n\Z")
+        done = self.run_with_messages(0, "arm/smurf/arm.smurf", "-o", "arm/o.urdf", "--loss-report", "lost.json")
+        told = dict(re.findall(r"([a-z_]+) \((\d+)\)", done.stderr))
+        losses = [loss["pointer"].split("/")[1] for loss in json.loads(self.read("lost.json"))["losses"]]
+        self.assertEqual(told, {section: str(losses.count(section)) for section in losses})
+        self.assertNotIn("see --loss-report", done.stderr)
+        for silent in (("-q", "-o", "arm/o.urdf"), ("-o", "-"), ("--dry-run", "-o", "arm/o.urdf")):
+            self.assertEqual(self.run_with_messages(0, "arm/smurf/arm.smurf", *silent).stderr, "")
 
 
 if __name__ == "__main__":

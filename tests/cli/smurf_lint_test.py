@@ -640,6 +640,23 @@ class Inputs(LintTest):
         self.assertEqual(self.expect(2).stderr, "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf "
                                                 "file in '.'\n")
 
+    def test_xacro_is_never_silent(self):
+        for name in ("a.urdf.xacro", "deep/b.xacro", ".hidden/c.xacro", "d.XACRO"):
+            self.write("robot/" + name, URDF)
+        done = self.expect(2, "robot")
+        self.assertEqual((done.stdout, done.stderr), (
+            "", "smurf-lint: no .smurf, .smurfs, .smurfa or .urdf file in 'robot'; 3 .xacro files "
+                "were not checked: expand them first (xacro FILE | smurf-lint -)\n"))
+        self.write("robot/plain.urdf", URDF)
+        self.write("robot/.smurf-lintignore", "deep\nd.*\n")
+        done = self.expect(0, "robot")
+        self.assertEqual(done.stdout.splitlines()[-1], "1 .xacro file was not checked: expand it "
+                                                       "first (xacro FILE | smurf-lint -)")
+        report = json.loads(self.expect(0, "robot", "--format", "json").stdout)
+        self.assertEqual(report["summary"]["xacro"], 1)
+        (self.folder / "robot" / "a.urdf.xacro").unlink()
+        self.assertNotIn("xacro", self.expect(0, "robot", "--format", "json").stdout)
+
     def test_unreadable_inputs(self):
         self.write_model(motors=BROKEN_MOTORS)
         os.mkfifo(self.folder / "pipe.smurf")

@@ -92,6 +92,8 @@ class Result(FlattenTest):
 
 
 class Output(FlattenTest):
+    REFUSED = "'broken.smurfs' cannot be converted: it is not known where everything stands; nothing was written"
+
     def test_paths_are_relative_to_the_output(self):
         (self.folder / "out").mkdir()
         for output in ["out/flat.json", self.folder / "out/flat.json"]:
@@ -113,27 +115,48 @@ class Output(FlattenTest):
         self.assertIn("broken.smurfs:3:44", done.stderr)
         self.assertIn("did you mean `A::lid`?", done.stderr)
 
-    def test_errors_that_leave_poses_known_can_be_passed_over(self):
+    def test_errors_that_leave_poses_known_are_counted(self):
         self.write("heavy.urdf", '<robot name="r"><link name="l"><inertial><mass value="-1"/><inertia '
                    'ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>')
         self.write("heavy.smurfs", "entities: [{name: H, file: heavy.urdf, position: [1, 2, 3]}]\n")
         done = self.run_tool("heavy.smurfs")
-        self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertIn("'heavy.smurfs' has errors; see --force; nothing was written", done.stderr)
-        done = self.run_tool("heavy.smurfs", "--force")
-        self.assertEqual(done.returncode, 0)
-        self.assertIn("error[SML15", done.stderr)
+        self.assertEqual((done.returncode, done.stderr),
+                         (0, "smurfs-flatten: 1 error: see smurf-lint heavy.smurfs\n"))
         self.assertEqual(json.loads(done.stdout)["instances"][0]["position"], [1, 2, 3])
+        self.assertEqual(self.run_tool("heavy.smurfs", "--quiet").stderr, "")
+        done = self.run_tool("heavy.smurfs", "--fail-on", "error")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("'heavy.smurfs' has findings that reach --fail-on; see --force; nothing was "
+                      "written", done.stderr)
         done = self.run_tool("broken.smurfs", "--force")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertIn("'broken.smurfs' has errors; nothing was written", done.stderr)
+        self.assertIn(self.REFUSED, done.stderr)
+
+    def test_what_a_robot_loses_refuses_the_scene(self):
+        """A value that cannot be read, a robot without a tree, a named pose; not a motor."""
+        self.write("models/box.smurf", "modelname: box\nfiles: [box.urdf, box_poses.yml, box_motors.yml]\n")
+        self.write("models/box_poses.yml", "poses:\n- {name: open, joints: {glue: 0}}\n")
+        self.write("models/box_motors.yml", "motors:\n- {name: m, joint: glew}\n")
+        self.write("one.smurfs", "entities: [{name: A, file: models/box.smurf}]\n")
+        self.assertEqual(self.run_tool("one.smurfs").returncode, 0)
+        for path, old, new, loss in [
+                ("models/box.urdf", 'xyz="0 0 0.1"', 'xyz="0 0 O.1"', "a value cannot be read"),
+                ("models/box.urdf", '<child link="lid"/>', '<child link="lod"/>', "its links form no robot"),
+                ("models/box_poses.yml", "glue: 0", "glue: far", "a named pose is not understood")]:
+            text = self.read(path)
+            self.write(path, text.replace(old, new))
+            done = self.run_tool("one.smurfs")
+            self.assertEqual((done.returncode, done.stdout), (1, ""), loss)
+            self.assertIn(f"= note: not converted: {loss}\n", done.stderr)
+            self.assertIn(f"'one.smurfs' cannot be converted: {loss}", done.stderr)
+            self.write(path, text)
 
     def test_a_comment_tells_no_pose(self):
         self.write("broken.smurfs", "# smurf-lint: ignore-file[SML5101] known\n" + BROKEN)
         for options in ((), ("--force",)):
             done = self.run_tool("broken.smurfs", *options)
             self.assertEqual((done.returncode, done.stdout), (1, ""))
-            self.assertIn("'broken.smurfs' has errors; nothing was written", done.stderr)
+            self.assertIn(self.REFUSED, done.stderr)
 
     def test_warnings_do_not_refuse_unless_told(self):
         done = self.run_tool("outer.smurfs")
@@ -142,6 +165,23 @@ class Output(FlattenTest):
         self.assertEqual(json.loads(done.stdout)["instances"][0]["anchor"], "world")
         done = self.run_tool("outer.smurfs", "--fail-on", "warning")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
+
+    def test_says_what_it_wrote(self):
+        wrote = "smurfs-flatten: wrote flat.json: 2 instances of 1 model\n"
+        self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json").stderr, wrote)
+        self.assertEqual(self.run_tool("scene.smurfs", "-o", "flat.json", "--quiet").stderr, "")
+        self.assertEqual(self.run_tool("scene.smurfs").stderr, "")
+
+    def test_a_folder_with_one_scene(self):
+        self.write("world/deep/only.smurfs", SCENE.replace("models/", "../../models/"))
+        self.assertEqual(len(self.flat("world")["instances"]), 2)
+        self.expect_complaint("'.' holds 5 files that could be meant; name one, such as 'broken.smurfs'", ".")
+        self.expect_complaint("no .smurf, .smurfs, .smurfa or .urdf file in 'none'; 1 .xacro file was not checked: "
+                              "expand it first (xacro FILE | smurf-lint -)", self.make_xacro("none"))
+
+    def make_xacro(self, folder):
+        self.write(folder + "/arm.urdf.xacro", BOX)
+        return folder
 
     def test_quiet(self):
         self.assertEqual(len(self.flat("outer.smurfs", "-q")["instances"]), 1)

@@ -70,6 +70,92 @@ class Layout(ImportTest):
         self.assertEqual(first, {file: self.read("out/" + file) for file in self.files("out")})
 
 
+WHEELS = """<robot name="cart">
+  <link name="base"/><link name="left"/><link name="right"/>
+  <joint name="a" type="continuous"><parent link="base"/><child link="left"/><axis xyz="0 1 0"/></joint>
+  <joint name="b" type="continuous"><parent link="base"/><child link="right"/><axis xyz="0 1 0"/>
+    <limit effort="5" velocity="0"/></joint>
+  <transmission name="ta"><type>transmission_interface/SimpleTransmission</type>
+    <joint name="a"><hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface></joint>
+    <actuator name="ma"/></transmission>
+  <transmission name="tb"><type>transmission_interface/SimpleTransmission</type>
+    <joint name="b"><hardwareInterface>hardware_interface/VelocityJointInterface</hardwareInterface></joint>
+    <actuator name="mb"/></transmission>
+</robot>
+"""
+
+
+class Motors(ImportTest):
+    def said(self, *arguments):
+        done = self.run_tool(*arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stderr.splitlines()[-1]
+
+    def test_wheels_have_no_limits(self):
+        self.write("cart.urdf", WHEELS)
+        said = self.said("cart.urdf", "-o", "out")
+        self.assertIn("; 3 motor values missing, which MARS takes for 0 (SML4103): the joints have no", said)
+        motors = self.read("out/smurf/cart_motors.yml")
+        self.assertEqual((motors.count("maxSpeed: 0"), motors.count("maxEffort: 5")), (1, 1))
+
+    def test_says_that_there_are_none(self):
+        self.assertEqual(self.said("in/urdf/arm.urdf", "-o", "out"),
+                         "urdf2smurf: wrote 4 files to out/: 4 materials, 6 joints; no motors: no transmission or "
+                         "ros2_control of the URDF drives a joint; see --motors all")
+        self.assertNotIn("no motors", self.said("in/urdf/arm.urdf", "-o", "out", "--overwrite", "--motors", "none"))
+        self.assertIn(": 6 motors, ", self.said("in/urdf/arm.urdf", "-o", "all", "--motors", "all"))
+        done = self.run_tool("in/urdf/arm.urdf", "-o", "q", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+
+class Copies(ImportTest):
+    def test_the_folder_stands_on_its_own(self):
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--copy-meshes")
+        copies = [file for file in self.files("out") if file.startswith("meshes/")]
+        self.assertGreaterEqual(len(copies), 2)
+        for copy in copies:
+            self.assertEqual((self.folder / "out" / copy).read_bytes(), (self.folder / "in" / copy).read_bytes())
+        self.assertEqual(self.read("out/urdf/arm.urdf"), self.read("in/urdf/arm.urdf"))
+        self.expect_complaint("--copy-meshes and --in-place exclude each other: the URDF stays as it is",
+                              "in/urdf/arm.urdf", "--in-place", "--copy-meshes")
+
+    def test_names_from_packages_and_equal_names(self):
+        text = self.read("in/urdf/arm.urdf").replace("../meshes/upper_arm.obj", "package://in/meshes/upper_arm.obj")
+        self.write("in/urdf/arm.urdf", text.replace("../meshes/forearm.obj", "../meshes/deep/upper_arm.obj"))
+        self.write("in/meshes/deep/upper_arm.obj", self.read("in/meshes/forearm.obj"))
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--flat", "--copy-meshes", "--package", "in=in")
+        urdf = self.read("out/arm.urdf")
+        self.assertIn('filename="meshes/upper_arm.obj"', urdf)
+        self.assertIn('filename="meshes/2/upper_arm.obj"', urdf)
+        self.assertEqual(self.read("out/meshes/2/upper_arm.obj"), self.read("in/meshes/forearm.obj"))
+
+    def test_nothing_from_outside(self):
+        self.write("secret.stl", "solid s\nendsolid s\n")
+        (self.folder / "project" / ".git").mkdir(parents=True)
+        text = self.read("in/urdf/arm.urdf").replace("../meshes/upper_arm.obj", "../secret.stl")
+        self.write("project/arm.urdf", text.replace("../meshes/", "meshes/"))
+        shutil.copytree(self.folder / "in" / "meshes", self.folder / "project" / "meshes")
+        copy = ("arm.urdf", "-o", "../out", "--copy-meshes")
+        done = self.run_tool(*copy, cwd=self.folder / "project")
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn("outside of the project", done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+        self.run_tool(*copy, "--allow-outside", cwd=self.folder / "project")
+        self.assertEqual(self.read("out/meshes/secret.stl"), self.read("secret.stl"))
+
+    def test_what_is_there_stays(self):
+        self.write("out/meshes/forearm.obj", "mine")
+        done = self.run_tool("in/urdf/arm.urdf", "-o", "out", "--copy-meshes")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("cannot write 'out/meshes/forearm.obj': another file is there; see --overwrite; nothing was "
+                      "written", done.stderr)
+        self.assertEqual(self.files("out"), ["meshes/forearm.obj"])
+        self.write("out/smurf/arm.smurf/in the way", "")
+        done = self.run_tool("in/urdf/arm.urdf", "-o", "out", "--copy-meshes", "--overwrite")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(self.read("out/meshes/forearm.obj"), "mine")
+
+
 class Refusal(ImportTest):
     def complain(self, code, text, *arguments, **keywords):
         done = self.run_tool(*arguments, **keywords)
@@ -100,10 +186,15 @@ class Refusal(ImportTest):
 
     def test_errors_and_missing_meshes(self):
         (self.folder / "in" / "meshes" / "forearm.obj").unlink()
-        self.complain(1, "SML1604", "in/urdf/arm.urdf", "-o", "out")
-        self.assertFalse((self.folder / "out").exists())
-        self.complain(0, "SML1604", "in/urdf/arm.urdf", "-o", "out", "--force")
+        self.complain(0, "urdf2smurf: 1 error: see smurf-lint in/urdf/arm.urdf\n", "in/urdf/arm.urdf", "-o", "out")
         self.assertEqual(self.files("out"), ARM_FILES)
+        self.complain(1, "has findings that reach --fail-on; see --force", "in/urdf/arm.urdf", "-o", "no",
+                      "--fail-on", "error")
+        self.write("in/urdf/arm.urdf", self.read("in/urdf/arm.urdf").replace('<mass value="', '<mass value="kg', 1))
+        self.complain(1, "cannot be converted: a value cannot be read; see --force; nothing was written",
+                      "in/urdf/arm.urdf", "-o", "no")
+        self.assertFalse((self.folder / "no").exists())
+        self.complain(0, "SML18", "in/urdf/arm.urdf", "-o", "no", "--force")
 
     def test_existing_files_stay(self):
         self.write("out/smurf/arm_joint.yml", "mine\n")

@@ -128,6 +128,7 @@ MUTANTS = [
     ("hall-light-singular", HALL, "lights:", "light:"),
     ("hall-light-directional", HALL, "directional: false", "directional: off"),
     # What an entity is.
+    ("hall-anchor-for-parent", CELL, 'parent: "Shelf::top", anchor: parent', 'anchor: "Shelf::top"'),
     ("hall-no-file", HALL, "type: smurf, file: ../crane/crane.smurf, ", ""),
     ("hall-file-missing", HALL, "file: box.urdf", "file: bx.urdf"),
     ("hall-file-case", HALL, "file: box.urdf", "file: Box.urdf"),

@@ -2,18 +2,28 @@
 #include "common/converter.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
 
+#include "base/counted.hpp"
 #include "base/path.hpp"
+#include "common/discover.hpp"
 #include "common/input.hpp"
 #include "common/shared_options.hpp"
+#include "render/printable.hpp"
 #include "smurf/confine.hpp"
 
 namespace smurf::tools {
 
 std::vector<Option> converter_options(ConverterOptions& options, std::string_view output_help) {
+  Option fail_on = fail_on_option(options.threshold);
+  fail_on.help =
+      "Refuse to write when there is a finding of this severity or above: error, warning, info or "
+      "never. Without it, only what makes the result wrong is refused.";
   return {output_option(options.output, output_help),
           report_option("report", options.reports),
-          fail_on_option(options.threshold),
+          std::move(fail_on),
           stdin_filename_option(options.stdin_filename),
           package_option(options.packages),
           allow_outside_option(options.allow_outside),
@@ -30,8 +40,45 @@ Setter take_one_operand(std::string& operand) {
   };
 }
 
-Conversion::Conversion(std::string_view tool, const ConverterOptions& options)
-    : tool_(tool), options_(options) {}
+bool is_unread(const Rule& rule) {
+  return rule.check_model == nullptr && rule.check_scene == nullptr;
+}
+
+std::optional<std::string> loss_in_robot(const Rule& rule) {
+  if (rule.blocks_building) return "its links form no robot";
+  if (is_unread(rule)) return "a value cannot be read";
+  return std::nullopt;
+}
+
+Conversion::Conversion(std::string_view tool, const ConverterOptions& options,
+                       std::vector<InputKind> kinds)
+    : tool_(tool), options_(options), kinds_(std::move(kinds)) {}
+
+/// The only file of the first kind that there is any of.
+std::optional<std::string> Conversion::find_in(const std::string& folder) const {
+  const Found found = find_inputs(folder, options_.limits);
+  for (const std::string& problem : found.unreadable) complain(tool_, "cannot read " + problem);
+  if (!found.unreadable.empty()) return std::nullopt;
+  for (const InputKind kind : kinds_) {
+    std::vector<std::string> files = found.files;
+    std::erase_if(files, [&](const std::string& file) { return input_kind(file) != kind; });
+    if (files.size() == 1) return files.front();
+    if (files.empty()) continue;
+    complain(tool_, "'" + folder + "' holds " + std::to_string(files.size()) +
+                        " files that could be meant; name one, such as '" + files.front() + "'");
+    return std::nullopt;
+  }
+  complain(tool_, why_nothing(found, folder));
+  return std::nullopt;
+}
+
+bool Conversion::is_accepted(const std::string& path) const {
+  const InputKind kind = input_kind(path);
+  const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
+  if (!is_scene || std::ranges::find(kinds_, InputKind::scene) != kinds_.end()) return true;
+  complain(tool_, "'" + path + "' is a scene; smurfs-flatten --format urdf exports it");
+  return false;
+}
 
 std::optional<std::string> Conversion::open(const std::string& path) {
   if (path.empty()) {
@@ -39,16 +86,23 @@ std::optional<std::string> Conversion::open(const std::string& path) {
     return std::nullopt;
   }
   path_ = path;
-  const std::string named = path == "-" ? options_.stdin_filename : path;
+  std::error_code ignored;
+  if (path != "-" && std::filesystem::is_directory(path, ignored)) {
+    const auto found = find_in(path);
+    if (!found) return std::nullopt;
+    path_ = *found;
+  }
+  const std::string named = path == "-" ? options_.stdin_filename : path_;
+  if (!is_accepted(named)) return std::nullopt;
   confine(disk_, std::span(&named, 1), options_.packages, options_.allow_outside);
   if (path == "-") {
     return read_standard_input(tool_, options_.stdin_filename, options_.limits, files_);
   }
-  if (const auto reason = why_unreadable(path, files_)) {
-    complain(tool_, "cannot read '" + path + "': " + *reason);
+  if (const auto reason = why_unreadable(path_, files_)) {
+    complain(tool_, "cannot read '" + path_ + "': " + *reason);
     return std::nullopt;
   }
-  return path;
+  return path_;
 }
 
 CheckSettings Conversion::settings() const {
@@ -83,17 +137,86 @@ std::optional<xml::Document> Conversion::load_xml(const std::string& path, Loade
   return document;
 }
 
-ExitCode Conversion::write_reports(Report report) {
+namespace {
+
+/// smurf-lint does not tell it, or it is about what scenes are made for: where things stand.
+bool is_told(const Diagnostic& finding, const SourceMap& sources) {
+  if (finding.rule->reported_by == Tool::converters) return true;
+  const InputKind kind = input_kind(sources.path(finding.span.source));
+  return kind == InputKind::scene || kind == InputKind::drawing;
+}
+
+/// "9 errors and 5 warnings in what it is made of; see smurf-lint arm.smurf", or "".
+std::string count_rest(std::span<const Diagnostic> rest, const std::string& path) {
+  const Summary summary = summarize(rest);
+  std::string text;
+  if (summary.errors > 0) text = counted(summary.errors, "error");
+  if (summary.warnings > 0) {
+    text += (text.empty() ? "" : " and ") + counted(summary.warnings, "warning");
+  }
+  return text.empty() ? text : text + ": see smurf-lint " + path;
+}
+
+/// What is no annotation has an XPath, which begins with the robot.
+std::string count_by_section(std::span<const Diagnostic> losses) {
+  std::map<std::string_view, std::size_t> counts;
+  for (const Diagnostic& loss : losses) {
+    const std::string_view section = section_of(loss);
+    if (section != "robot") ++counts[section];
+  }
+  std::string text;
+  for (const auto& [section, number] : counts) {
+    text += (text.empty() ? "" : ", ") + std::string(section) + " (" + std::to_string(number) + ")";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string_view section_of(const Diagnostic& finding) {
+  std::string_view pointer = finding.pointer;
+  if (pointer.starts_with('/')) pointer.remove_prefix(1);
+  return pointer.substr(0, pointer.find('/'));
+}
+
+/// In full what spoils the result and what only the converter tells; the rest is counted.
+std::string Conversion::render_for_people(const Report& report, const LossOf& loss_of) {
+  const SourceMap& sources = session_.loaded_sources();
+  const TextStyle style = style_for(Stream::error, options_.color);
+  std::string text;
+  std::vector<Diagnostic> rest;
+  for (const Diagnostic& finding : report.diagnostics) {
+    const auto loss = loss_of(finding);
+    if (loss || (!options_.quiet && is_told(finding, sources))) {
+      Diagnostic shown = finding;
+      if (loss) shown.notes.push_back("not converted: " + *loss);
+      text += render_full(shown, sources, style);
+    } else {
+      rest.push_back(finding);
+    }
+  }
+  const std::string line = options_.quiet ? "" : count_rest(rest, path_);
+  if (!line.empty()) text += std::string(tool_) + ": " + render::escape(line) + "\n";
+  return text;
+}
+
+ExitCode Conversion::write_reports(Report report, const LossOf& loss_of) {
+  why_.clear();
+  for (const Diagnostic& finding : report.diagnostics) {
+    const auto loss = loss_of(finding);
+    if (!loss || why_.find(*loss) != std::string::npos) continue;
+    why_ += (why_.empty() ? "cannot be converted: " : ", ") + *loss;
+  }
+  ExitCode verdict = why_.empty() ? kDone : kFindings;
+  if (verdict == kDone) verdict = judge(report.summary, options_.threshold);
+  if (verdict != kDone && why_.empty()) why_ = "has findings that reach --fail-on";
+  if (options_.reports.empty()) write_error(render_for_people(report, loss_of));
+  findings_ = report.diagnostics;
   std::vector<Diagnostic>& diagnostics = report.diagnostics;
   if (options_.quiet) {
     std::erase_if(diagnostics, [](const Diagnostic& d) { return d.severity != Severity::error; });
   }
-  // A clean run says nothing: the result is what was asked for.
-  std::vector<ReportRequest> requests = options_.reports;
-  if (requests.empty() && !diagnostics.empty()) {
-    requests.push_back({find_report_format("full"), {}});
-  }
-  for (const ReportRequest& request : requests) {
+  for (const ReportRequest& request : options_.reports) {
     const Results results{.diagnostics = diagnostics,
                           .sources = session_.loaded_sources(),
                           .summary = report.summary,
@@ -105,7 +228,14 @@ ExitCode Conversion::write_reports(Report report) {
       return kFailed;
     }
   }
-  return report.summary.errors > 0 ? kFindings : judge(report.summary, options_.threshold);
+  return verdict;
+}
+
+void Conversion::tell_written(const std::string& what) const {
+  const bool is_for_programs =
+      std::any_of(options_.reports.begin(), options_.reports.end(),
+                  [](const ReportRequest& report) { return report.file.empty(); });
+  if (!options_.quiet && !is_for_programs) complain(tool_, "wrote " + what);
 }
 
 bool Conversion::keeps_inputs(std::vector<std::string> outputs) const {
@@ -116,6 +246,7 @@ bool Conversion::keeps_inputs(std::vector<std::string> outputs) const {
 bool Conversion::report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
                                const std::string& file, bool are_refused) {
   losses = session_.finish(loaded, std::move(losses));
+  lost_ = count_by_section(losses);
   const SourceMap& sources = *loaded.sources;
   if (!file.empty() &&
       !write_output(tool_, file, render_losses_json(losses, sources, {tool_, kVersion}))) {

@@ -2,9 +2,12 @@
 // What converters do before they convert: load, check, report on standard error, refuse.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/command.hpp"
@@ -19,7 +22,7 @@ namespace smurf::tools {
 struct ConverterOptions {
   std::string output;
   std::vector<ReportRequest> reports;
-  Threshold threshold;
+  Threshold threshold{.fail_on = std::nullopt, .max_warnings = {}, .exit_zero = false};
   ColorChoice color = ColorChoice::automatic;
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
@@ -34,11 +37,24 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
 /// A setter for exactly one operand.
 Setter take_one_operand(std::string& operand);
 
+/// Why the result would be wrong with this finding: "urdfdom refuses the file". None when it would
+/// not be.
+using LossOf = std::function<std::optional<std::string>(const Diagnostic&)>;
+
+/// True for what a reader reports that could not understand a value, which is absent then.
+bool is_unread(const Rule& rule);
+/// Why what is made of a URDF with such an error would be wrong, when all its values are needed.
+std::optional<std::string> loss_in_robot(const Rule& rule);
+
+/// The section of the annotations that it is about: "motors" of "/motors/3/joint".
+std::string_view section_of(const Diagnostic& finding);
+
 /// One run of a converter. What is found goes to standard error, or where --report says.
 class Conversion {
  public:
-  /// `tool` and `options` must outlive it.
-  Conversion(std::string_view tool, const ConverterOptions& options);
+  /// `kinds` are the inputs, in the order in which a folder is searched for the only one. `tool`
+  /// and `options` must outlive it.
+  Conversion(std::string_view tool, const ConverterOptions& options, std::vector<InputKind> kinds);
 
   /// None when the file cannot be read; that has been said.
   std::optional<LoadedModel> load_model(const std::string& path);
@@ -47,12 +63,15 @@ class Conversion {
   /// A file beside the model.
   std::optional<xml::Document> load_xml(const std::string& path, Loaded& beside);
 
-  /// Checks and reports. kFindings when the result is to be refused: there is an error, or
-  /// something else that reaches the threshold.
+  /// Checks and reports. kFindings when the result is to be refused: it would be wrong, or
+  /// something reaches the threshold; why() tells.
   template <class Loaded>
-  ExitCode report(Loaded& loaded) {
-    return write_reports(session_.check(loaded));
+  ExitCode report(Loaded& loaded, const LossOf& loss_of) {
+    return write_reports(session_.check(loaded), loss_of);
   }
+  const std::string& why() const { return why_; }
+  /// What the last report was about.
+  std::span<const Diagnostic> findings() const { return findings_; }
 
   /// Before anything is written, and when all is read: complains when one of the outputs, or a file
   /// of --report, is an input.
@@ -62,9 +81,14 @@ class Conversion {
   /// and `are_refused`, in which case they are listed.
   bool report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
                      const std::string& file, bool are_refused);
+  /// How many losses there are in each section of the annotations: "motors (42), sensors (10)".
+  const std::string& lost() const { return lost_; }
 
   /// "smurf2urdf: PATH reason"; kFindings.
   ExitCode refuse(std::string_view reason) const;
+  /// "smurf2urdf: wrote arm.urdf: 7 joints" on standard error, unless the user wants silence or
+  /// a report there.
+  void tell_written(const std::string& what) const;
   ExitCode fail() const { return kFailed; }
 
   const FileReader& files() const { return session_.files(); }
@@ -73,16 +97,22 @@ class Conversion {
  private:
   CheckSettings settings() const;
   std::optional<std::string> open(const std::string& path);
-  ExitCode write_reports(Report report);
+  std::optional<std::string> find_in(const std::string& folder) const;
+  bool is_accepted(const std::string& path) const;
+  ExitCode write_reports(Report report, const LossOf& loss_of);
+  std::string render_for_people(const Report& report, const LossOf& loss_of);
 
   std::string_view tool_;
   const ConverterOptions& options_;
+  const std::vector<InputKind> kinds_;
   ConfinedFiles disk_;
   InputFiles inputs_{disk_};
   ArchiveFiles archives_{inputs_, options_.limits};
   MemoryFiles files_{&archives_};
   Session session_{files_, options_.limits};
   std::string path_;
+  std::string why_, lost_;
+  std::vector<Diagnostic> findings_;
 };
 
 }  // namespace smurf::tools

@@ -19,6 +19,7 @@
 #include "common/input.hpp"
 #include "smurf/check.hpp"
 #include "smurf/file_reader.hpp"
+#include "smurf/render.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -27,6 +28,8 @@ bool is_sought(std::string_view path) {
   const InputKind kind = input_kind(path);
   return kind == InputKind::model || kind == InputKind::scene || kind == InputKind::urdf;
 }
+
+bool is_xacro(std::string_view path) { return path::to_lower(path::extension(path)) == ".xacro"; }
 
 enum class Entry : std::uint8_t { file, folder, link, other };
 
@@ -107,6 +110,8 @@ class Search {
       struct stat status {};
       if (::lstat(path.c_str(), &status) != 0) return fail(path, errno);
       add(path, status);
+    } else if (kind == Entry::file && is_xacro(path) && !is_left_out(path, false)) {
+      ++found_.xacro;
     }
   }
 
@@ -145,6 +150,13 @@ class Search {
 
 Found find_inputs(const std::string& folder, const Limits& limits, const LeftOut& is_left_out) {
   return Search(limits, is_left_out).run(folder);
+}
+
+std::string why_nothing(const Found& found, const std::string& folder) {
+  std::string text = "no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'";
+  if (found.left_out > 0) text += " (" + std::to_string(found.left_out) + " left out)";
+  if (found.xacro > 0) text += "; " + xacro_remark(found.xacro);
+  return text;
 }
 
 }  // namespace smurf::tools

@@ -15,6 +15,7 @@ struct Found {
   std::vector<std::string> files;       ///< sorted
   std::vector<std::string> unreadable;  ///< "'robots/old': Permission denied", sorted
   std::size_t left_out = 0;             ///< files and folders
+  std::size_t xacro = 0;                ///< .xacro files, which have to be expanded first
 };
 
 /// Says of a path inside a folder that is searched whether it is left out, with all that is in it.
@@ -24,5 +25,8 @@ using LeftOut = std::function<bool(const std::string& path, bool is_folder)>;
 /// are left out. Links are followed inside the folder only, and nothing is found twice.
 Found find_inputs(const std::string& folder, const Limits& limits,
                   const LeftOut& is_left_out = nullptr);
+
+/// "no .smurf, .smurfs, .smurfa or .urdf file in 'robots' (2 left out)", and what is there instead.
+std::string why_nothing(const Found& found, const std::string& folder);
 
 }  // namespace smurf::tools

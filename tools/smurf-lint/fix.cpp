@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "render/printable.hpp"
@@ -23,10 +24,6 @@ constexpr std::string_view kTool = "smurf-lint";
 constexpr int kRounds = 10;
 /// With those that only fix what was left out before, because there were too many findings.
 constexpr int kMostRounds = 100;
-
-std::string counted(std::size_t number, std::string_view noun) {
-  return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
-}
 
 /// Lines with their line ends, so that a change of these shows too.
 std::vector<std::string> lines_of(std::string_view text) {

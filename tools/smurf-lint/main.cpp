@@ -79,13 +79,15 @@ ExitCode write_reports(const LintOptions& options, const std::string& place, con
                        std::string remarks) {
   const Report& report = checked.report;
   const RunSettings settings = merge_run(report.wishes, options);
+  // What went wrong has been said; "no findings" would reassure.
+  const bool is_nothing = report.summary.files == 0 && !report.problems.empty();
   const Results results{.diagnostics = report.diagnostics,
                         .sources = checked.sources,
                         .summary = report.summary,
                         .targets = report.targets,
                         .tool = kTool,
                         .remarks = std::move(remarks),
-                        .quiet = options.quiet,
+                        .quiet = options.quiet || is_nothing,
                         .counts_only = options.statistics,
                         .overview = overview(options, settings.threshold)};
   ExitCode code = kDone;
@@ -260,6 +262,7 @@ Report run_check(const LintOptions& options, const LintPlan& plan, Session& sess
     progress->set(done);
   };
   Report report = session.check(plan, settings);
+  report.summary.xacro = plan.xacro;
   if (options.min_severity) {
     std::erase_if(report.diagnostics,
                   [&](const Diagnostic& one) { return one.severity < *options.min_severity; });

@@ -205,10 +205,9 @@ class Planner {
         });
     for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
     if (found.files.empty() && found.unreadable.empty() && !ignore_files_.is_exhausted()) {
-      const std::string left_out =
-          found.left_out == 0 ? "" : " (" + std::to_string(found.left_out) + " left out)";
-      fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + folder + "'" + left_out);
+      fail(why_nothing(found, folder));
     }
+    plan_.xacro += found.xacro;
     for (const std::string& file : found.files) {
       switch (input_kind(file)) {
       case InputKind::scene: add(plan_.scenes, file); break;
@@ -270,6 +269,7 @@ class Planner {
 
 void keep_shard(LintPlan& plan, const Shard& shard, const FileReader& files) {
   if (shard.count <= 1) return;
+  if (shard.number != 1) plan.xacro = 0;  // each part has found all of them
   std::set<std::string> models;
   for (const PlannedFile& model : plan.models) models.insert(identity(model.path));
   ModelsAround around(files);

@@ -14,6 +14,7 @@ namespace smurf::tools {
 /// `problems` have been said.
 struct LintPlan : Plan {
   std::string standard_input;  ///< its name in `files`; "": it was not read
+  std::size_t xacro = 0;       ///< .xacro files of the folders, which are not checked
 };
 
 /// Lets be read what the command line names and what belongs to it, which is what planning needs:

@@ -89,7 +89,7 @@ class Loader {
       }
       for (const std::string& problem : found.unreadable) fail("cannot read " + problem);
       if (found.files.empty() && found.unreadable.empty()) {
-        fail("no .smurf, .smurfs, .smurfa or .urdf file in '" + path + "'");
+        fail(why_nothing(found, path));
       }
       files.insert(files.end(), found.files.begin(), found.files.end());
     } else if (const auto main = find_main_file(kTool, path, inputs_.files); !main) {

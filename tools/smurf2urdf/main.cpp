@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf2urdf: the plain URDF of a SMURF model, checked before it is written.
+#include "base/counted.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
 #include "smurf/convert.hpp"
+#include "smurf2urdf/loss.hpp"
 #include "smurf2urdf/options.hpp"
 #include "smurf2urdf/verify.hpp"
 
@@ -89,7 +91,7 @@ int main(int argc, char** argv) {
   if (!current) return kFailed;
   options.conversion.current_folder = *current;
 
-  Conversion conversion(kTool, options.common);
+  Conversion conversion(kTool, options.common, {InputKind::model, InputKind::urdf});
   auto loaded = conversion.load_model(options.model);
   if (!loaded) return conversion.fail();
   const LinkedModel& model = loaded->model;
@@ -97,12 +99,17 @@ int main(int argc, char** argv) {
   if (!conversion.keeps_inputs({options.common.output, options.srdf, options.loss_report})) {
     return kFailed;
   }
-  const ExitCode verdict = conversion.report(*loaded);
-  if (verdict == kFailed) return kFailed;
-  if (!model.robot) return verdict == kDone ? conversion.refuse("has no URDF") : kFindings;
-  if (verdict != kDone && !options.force) return conversion.refuse("has errors; see --force");
-
   UrdfExport& wanted = options.conversion;
+  const ExitCode verdict = conversion.report(
+      *loaded, [&](const Diagnostic& finding) { return loss_in_urdf(finding, model, wanted); });
+  if (verdict == kFailed) return kFailed;
+  if (!model.robot) {
+    return conversion.refuse(verdict == kDone ? "has no URDF" : conversion.why());
+  }
+  if (verdict != kDone && !options.force) {
+    return conversion.refuse(conversion.why() + "; see --force");
+  }
+
   if (wanted.mesh_uri == MeshUri::package) wanted.package_folder = package_folder(model, options);
   if (const std::string problem = problem_of(model, wanted); !problem.empty()) {
     return conversion.refuse(problem);
@@ -110,7 +117,8 @@ int main(int argc, char** argv) {
   DiagnosticSink losses;
   report_losses(model, wanted, losses);
   const std::string urdf = export_urdf(model, sources, wanted, losses);
-  const Verification verification = verify(model, sources, urdf, wanted, verdict == kDone);
+  const Verification verification =
+      verify(model, sources, urdf, wanted, may_ask_urdfdom(conversion.findings()));
   if (options.prove) write_error(describe(verification));
   if (!verification.holds()) return conversion.refuse(verification.problem);
   if (!conversion.report_losses(*loaded, losses.take(), options.loss_report,
@@ -118,5 +126,15 @@ int main(int argc, char** argv) {
     return options.fails_on_loss ? conversion.refuse("has losses") : kFailed;
   }
   if (options.dry_run) return kDone;
-  return write_result(options, urdf, model) ? kDone : kFailed;
+  if (!write_result(options, urdf, model)) return kFailed;
+  const std::string& output = options.common.output;
+  if (output.empty() || output == "-") return kDone;
+  std::string text = output + ": " + counted(model.robot->links.size(), "link") + ", " +
+                     counted(model.robot->joints.size(), "joint");
+  if (!conversion.lost().empty()) {
+    text += "; not in it: " + conversion.lost();
+    if (options.loss_report.empty()) text += ", see --loss-report";
+  }
+  conversion.tell_written(text);
+  return kDone;
 }

@@ -205,7 +205,7 @@ std::vector<Option> run_options(Options& options) {
            .help = "Refuse to write when there is such a loss.",
            .set = set_flag(options.fails_on_loss)},
           {.name = "force",
-           .help = "Export a model with errors as well.",
+           .help = "Export as well what is refused for its errors, if it can be read.",
            .set = set_flag(options.force)},
           {.name = "prove",
            .help = "Print what was compared, on standard error.",
@@ -239,9 +239,11 @@ Command make_command(Options& options) {
       "paths that resolve from where it is written.";
   command.operands = "MODEL";
   command.details =
-      "MODEL is a .smurf or .urdf file. A model with errors is refused. The result is read again "
-      "and compared with the source before it is written: urdfdom must accept it, and every link "
-      "pose, mass and inertia must be equal, and every limit that was not asked to change.";
+      "MODEL is a .smurf or .urdf file, or a folder with one of them. The result is read again and "
+      "compared with the source before it is written: urdfdom must accept it, and every link pose, "
+      "mass and inertia must be equal, and every limit that was not asked to change. A model is "
+      "refused when its URDF does not load, or when the options need a value that is wrong; its "
+      "other errors are counted, and smurf-lint shows them.";
   command.options = converter_options(options.common, "Write the URDF to FILE; without it, or with "
                                                       "'-', to standard output.");
   add(command, "Conversion", run_options(options));

@@ -32,7 +32,7 @@ struct Plain {
 }  // namespace
 
 Verification verify(const LinkedModel& model, const SourceMap& sources, const std::string& urdf,
-                    const UrdfExport& options, bool is_sound) {
+                    const UrdfExport& options, bool may_ask_urdfdom) {
   Verification verification;
   Plain plain(urdf);
   LinkedModel& result = plain.model;
@@ -59,7 +59,7 @@ Verification verify(const LinkedModel& model, const SourceMap& sources, const st
   }
   // urdfdom before 5.1 refuses every version but 1.0.
   const bool is_known = options.version.empty() || options.version == "1.0";
-  if (!is_sound || !is_known) return verification;
+  if (!may_ask_urdfdom || !is_known) return verification;
   verification.urdfdom = ask_urdfdom(urdf);
   if (verification.urdfdom.was_asked && !verification.urdfdom.accepts) {
     const std::string& words = verification.urdfdom.messages;

@@ -17,10 +17,10 @@ struct Verification {
   bool holds() const { return problem.empty(); }
 };
 
-/// Reads `urdf` again and compares it with the model it came from. urdfdom is asked only about the
-/// export of a model without errors, because it crashes on some broken ones.
+/// Reads `urdf` again and compares it with the model it came from. urdfdom crashes on some texts,
+/// so the caller says whether it may be asked.
 Verification verify(const LinkedModel& model, const SourceMap& sources, const std::string& urdf,
-                    const UrdfExport& options, bool is_sound);
+                    const UrdfExport& options, bool may_ask_urdfdom);
 
 /// The figures, a line each.
 std::string describe(const Verification& verification);

@@ -2,6 +2,7 @@
 // smurfs-flatten: a scene as instances in the world frame.
 #include <algorithm>
 
+#include "base/counted.hpp"
 #include "base/path.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
@@ -11,6 +12,7 @@
 #include "smurfs-flatten/assets.hpp"
 #include "smurfs-flatten/chain.hpp"
 #include "smurfs-flatten/compare.hpp"
+#include "smurfs-flatten/loss.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -110,8 +112,7 @@ void add_options(Command& command, Options& options) {
            "has it.",
        .set = set_text(options.explained)});
   add({.name = "force",
-       .help =
-           "Write in spite of errors that leave every pose known, such as an impossible inertia.",
+       .help = "Write as well what is refused for errors that leave every pose known.",
        .set = set_flag(options.force)});
   add({.name = "strict",
        .help = "Refuse to write what the format cannot say completely.",
@@ -126,9 +127,11 @@ Command make_command(Options& options) {
       "pose in the world.";
   command.operands = "SCENE";
   command.details =
-      "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive of one, or a drawing (.svg) whose "
-      "groups are entities; a .smurf or .urdf counts as a scene of one model. Poses are those of the URDF root links, in metres and unit quaternions; a parent link is taken in "
-      "the joint pose that its entity names. A scene with errors is refused.";
+      "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive of one, a drawing (.svg) whose groups "
+      "are entities, or a folder with one scene; a .smurf or .urdf counts as a scene of one model. "
+      "Poses are those of the URDF root links, in metres and unit quaternions; a parent link is "
+      "taken in the joint pose that its entity names. A scene is refused when it is not known where "
+      "everything stands; other errors of its models are counted, and smurf-lint shows them.";
   command.options = converter_options(options.common, "Write the result to FILE; without it, or "
                                                       "with '-', to standard output.");
   add_options(command, options);
@@ -188,6 +191,14 @@ bool check_options(const Options& options) {
   if (options.dialect == "spec" || !options.compare_dialects) return true;
   complain(kTool, "--compare-dialects does not go with --dialect " + options.dialect);
   return false;
+}
+
+/// What was not understood when the scene was read and leaves no pose to write.
+std::optional<std::string> first_loss(const LoadedScene& loaded) {
+  for (const Diagnostic& finding : loaded.found.diagnostics()) {
+    if (auto loss = loss_in_scene(finding, *loaded.sources)) return loss;
+  }
+  return std::nullopt;
 }
 
 bool has_losses(const DiagnosticSink& sink) {
@@ -267,12 +278,13 @@ int main(int argc, char** argv) {
   if (!form) return kFailed;
   const auto current = current_folder(kTool);
   if (!current) return kFailed;
-  Conversion conversion(kTool, options.common);
+  Conversion conversion(kTool, options.common,
+                        {InputKind::scene, InputKind::model, InputKind::urdf});
   auto loaded = conversion.load_scene(options.scene);
   if (!loaded) return conversion.fail();
   const SourceMap& sources = *loaded->sources;
   Result result;
-  const bool is_sound = !loaded->found.has_errors();
+  const bool is_sound = !first_loss(*loaded);
   if (is_sound && options.compare_dialects) {
     result.text = compare_dialects(loaded->scene, sources, options.format == "json");
   } else if (is_sound && options.explained.empty()) {
@@ -281,13 +293,15 @@ int main(int argc, char** argv) {
   const std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
   if (!conversion.keeps_inputs({options.common.output})) return kFailed;
   if (!keeps_inputs(kTool, conversion.inputs(), copies)) return kFailed;
-  // What was not understood leaves no pose to write; what a rule finds does.
-  const bool is_possible = !loaded->found.has_errors();
-  const ExitCode verdict = conversion.report(*loaded);
-  if (verdict == kFailed) return kFailed;
   // A comment lets a finding pass, but does not tell the pose.
-  if (!is_possible) return conversion.refuse("has errors");
-  if (verdict != kDone && !options.force) return conversion.refuse("has errors; see --force");
+  const std::optional<std::string> loss = first_loss(*loaded);
+  const ExitCode verdict = conversion.report(
+      *loaded, [&](const Diagnostic& finding) { return loss_in_scene(finding, sources); });
+  if (verdict == kFailed) return kFailed;
+  if (loss) return conversion.refuse("cannot be converted: " + *loss);
+  if (verdict != kDone && !options.force) {
+    return conversion.refuse(conversion.why() + "; see --force");
+  }
   if (!options.explained.empty()) {
     return explain_instance(loaded->scene, sources, options);
   }
@@ -295,5 +309,10 @@ int main(int argc, char** argv) {
   const bool is_written =
       copy_files(kTool, result.copies, conversion.files(), options.common.limits, options.overwrite,
                  [&] { return write_output(kTool, options.common.output, result.text); });
-  return is_written ? kDone : kFailed;
+  if (!is_written) return kFailed;
+  const std::string& output = options.common.output;
+  if (output.empty() || output == "-" || options.compare_dialects) return kDone;
+  conversion.tell_written(output + ": " + counted(loaded->scene.instances.size(), "instance") +
+                          " of " + counted(loaded->scene.models.size(), "model"));
+  return kDone;
 }

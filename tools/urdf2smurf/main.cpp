@@ -2,7 +2,10 @@
 // urdf2smurf: a SMURF model around a URDF, checked before it is written.
 #include <algorithm>
 
+#include "base/counted.hpp"
 #include "base/path.hpp"
+#include "base/rules.hpp"
+#include "common/asset_copies.hpp"
 #include "common/converter.hpp"
 #include "common/process.hpp"
 #include "render/printable.hpp"
@@ -25,6 +28,7 @@ struct Options {
   bool flat = false;
   MotorChoice motors = MotorChoice::declared;
   bool force = false;
+  bool copies_meshes = false;
   bool overwrite = false;
   bool dry_run = false;
 };
@@ -54,8 +58,13 @@ std::vector<Option> own_options(Options& options) {
        .metavar = "FILE",
        .help = "Take named joint positions from an SRDF, and keep its text.",
        .set = set_text(options.srdf)},
+      {.name = "copy-meshes",
+       .help =
+           "Copy the meshes and textures into meshes/ and textures/ of the folder, and name the "
+           "copies. What lies outside of the project is copied with --allow-outside only.",
+       .set = set_flag(options.copies_meshes)},
       {.name = "force",
-       .help = "Convert a URDF with errors as well.",
+       .help = "Convert as well what is refused for its errors, if it can be read.",
        .set = set_flag(options.force)},
       {.name = "overwrite",
        .help = "Replace files that exist.",
@@ -77,7 +86,9 @@ Command make_command(Options& options) {
   command.details =
       "Writes DIR/smurf/NAME.smurf, DIR/smurf/NAME_*.yml and DIR/urdf/NAME.urdf; all of them or, "
       "when something goes wrong, none. The URDF stays whole; what has no section in SMURF is "
-      "repeated as text, so that nothing is lost. A URDF with errors is refused.";
+      "repeated as text, so that nothing is lost. URDF is a file or a folder with one. It is refused "
+      "when its links form no robot or a value cannot be read; its other errors are counted, and "
+      "smurf-lint shows them.";
   command.options = converter_options(options.common, "Write into the folder DIR.");
   for (Option& option : command.options) {
     if (option.name == "output") option.metavar = "DIR";
@@ -85,6 +96,7 @@ Command make_command(Options& options) {
   for (Option& option : own_options(options)) command.options.push_back(std::move(option));
   command.set_operand = take_one_operand(options.urdf);
   command.examples = {{"urdf2smurf robot.urdf -o robot", "make a folder as Phobos does"},
+                      {"urdf2smurf robot.urdf --copy-meshes -o robot", "with the meshes in it"},
                       {"urdf2smurf robot.urdf --in-place", "put the SMURF files beside the URDF"},
                       {"xacro robot.xacro | urdf2smurf - --name robot -o robot", "from a pipe"}};
   return command;
@@ -93,6 +105,9 @@ Command make_command(Options& options) {
 /// What is wrong with the options as a whole; empty when nothing is.
 std::string problem_of(const Options& options) {
   if (options.in_place && options.flat) return "--flat and --in-place exclude each other";
+  if (options.in_place && options.copies_meshes) {
+    return "--copy-meshes and --in-place exclude each other: the URDF stays as it is";
+  }
   if (options.in_place && options.urdf == "-") return "--in-place needs a file, not standard input";
   if (!options.in_place && options.common.output.empty()) {
     return "say where to write with -o DIR, or use --in-place";
@@ -112,11 +127,23 @@ std::string file_name_of(const Options& options, const LinkedModel& model) {
   return "robot";
 }
 
+/// Why the model would be wrong with this finding in the URDF or SRDF.
+std::optional<std::string> loss_of(const Diagnostic& finding) {
+  if (finding.severity != Severity::error) return std::nullopt;
+  return loss_in_robot(*finding.rule);
+}
+
+struct Verification {
+  std::string problem;  ///< why the model must not be written; empty when all is well
+  std::size_t dead_motors =
+      0;  ///< whose joints have no limit of speed or effort, as wheels have none
+};
+
 /// The last look at the model before it is written: read again, it must be the same robot, and no
-/// error may be new. What is wrong, or "".
-std::string verify(const LinkedModel& source, const std::string& folder,
-                   const std::vector<TextFile>& texts, const ConverterOptions& options,
-                   bool source_is_sound) {
+/// error may be new.
+Verification verify(const LinkedModel& source, const std::string& folder,
+                    const std::vector<TextFile>& texts, const ConverterOptions& options,
+                    bool source_is_sound) {
   // The result may be larger than what it was made of, and it is the user's own.
   Limits limits = options.limits;
   for (const LimitInfo& info : kLimits) {
@@ -130,18 +157,76 @@ std::string verify(const LinkedModel& source, const std::string& folder,
   settings.packages = options.packages;
   LoadedModel written = session.load_model(path::join(folder, texts.back().path), settings);
   const LinkedModel& result = written.model;
-  if (!result.robot) return "the result cannot be read again; this is a defect of this tool";
+  if (!result.robot) return {"the result cannot be read again; this is a defect of this tool"};
   const Proof proof = compare_models(source, result);
-  if (!proof.holds()) return "the result is another robot: " + proof.difference;
-  if (!source_is_sound) return {};
+  if (!proof.holds()) return {"the result is another robot: " + proof.difference};
+  Verification verification;
+  if (!source_is_sound) return verification;
   for (const Diagnostic& diagnostic : session.check(written).diagnostics) {
     if (diagnostic.severity != Severity::error) continue;
     // What MARS makes of the URDF is for the author to know, and no fault of what is added to it.
     if (written.sources->path(diagnostic.span.source).ends_with(".urdf")) continue;
-    return "the result would have an error, which is a defect of this tool: " +
-           std::string(diagnostic.rule->id) + " " + diagnostic.message;
+    if (diagnostic.rule == &rules::sml4103_dead_motor) {
+      ++verification.dead_motors;
+      continue;
+    }
+    return {"the result would have an error, which is a defect of this tool: " +
+            std::string(diagnostic.rule->id) + " " + diagnostic.message};
   }
-  return {};
+  return verification;
+}
+
+/// Copies in `folder`, and where they will be, for the model to name.
+AssetCopies plan_copies(const LinkedModel& model, const std::string& folder,
+                        const FileReader& files, UrdfImport& import) {
+  std::set<std::string> sources;
+  for (const MeshReference& mesh : model.meshes) {
+    sources.insert(path::join(import.current_folder, mesh.path));
+  }
+  CopyPlan plan(files, import.current_folder, folder, std::move(sources));
+  for (const MeshReference& mesh : model.meshes) {
+    if (mesh.path.empty()) continue;
+    const auto copy = plan.copy_of(mesh.path, mesh.is_texture ? "textures" : "meshes");
+    if (copy) import.copies.emplace(mesh.path, *copy);
+  }
+  return plan.take();
+}
+
+/// "3 materials, 7 joints", by sections.
+std::string describe(const NewModel& made, const AssetCopies& copies) {
+  std::string text;
+  const auto add = [&](std::size_t number, std::string noun) {
+    std::replace(noun.begin(), noun.end(), '_', ' ');
+    if (noun.ends_with('s')) noun.pop_back();
+    text += (text.empty() ? "" : ", ") + counted(number, noun);
+  };
+  for (const NewFile& file : made.files) add(file.section.children.size(), file.suffix);
+  if (!copies.empty()) add(copies.size(), "copied file");
+  return text;
+}
+
+/// What a user may miss: without motors, or with such, a robot does not move.
+std::string remark_on_motors(const NewModel& made, MotorChoice choice, std::size_t dead_motors) {
+  if (dead_motors > 0) {
+    return counted(dead_motors, "motor value") + " missing, which MARS takes for 0 (SML4103): "
+                                                 "the joints have no `velocity` or `effort`";
+  }
+  const bool has_motors = std::any_of(made.files.begin(), made.files.end(),
+                                      [](const NewFile& file) { return file.suffix == "motors"; });
+  if (has_motors || choice == MotorChoice::none) return {};
+  if (choice == MotorChoice::all) return "no motors: no joint moves";
+  return "no motors: no transmission or ros2_control of the URDF drives a joint; see --motors all";
+}
+
+/// "wrote 4 files to kuka/: 2 materials, 7 joints; no motors: ..."
+void tell(const Conversion& conversion, const std::string& folder, std::size_t files,
+          const std::string& content, const std::string& remark) {
+  const bool is_here = folder.empty();
+  std::string text = counted(files, "file") + " to " + (is_here ? "this folder" : folder);
+  if (!is_here && !folder.ends_with('/')) text += "/";
+  if (!content.empty()) text += ": " + content;
+  if (!remark.empty()) text += "; " + remark;
+  conversion.tell_written(text);
 }
 
 }  // namespace
@@ -157,7 +242,7 @@ int main(int argc, char** argv) {
 
   const auto current = current_folder(kTool);
   if (!current) return kFailed;
-  Conversion conversion(kTool, options.common);
+  Conversion conversion(kTool, options.common, {InputKind::urdf});
   auto loaded = conversion.load_model(options.urdf);
   if (!loaded) return conversion.fail();
   const LinkedModel& model = loaded->model;
@@ -175,26 +260,32 @@ int main(int argc, char** argv) {
                                  ? options.common.output
                                  : std::string(path::parent(model.urdf_path));
   std::vector<TextFile> files;
+  NewModel made;
+  AssetCopies copies;
   if (model.robot) {
-    const UrdfImport import{.name = file_name_of(options, model),
-                            .output_folder = folder,
-                            .current_folder = *current,
-                            .layout = options.in_place ? SmurfLayout::in_place
-                                      : options.flat   ? SmurfLayout::flat
-                                                       : SmurfLayout::phobos,
-                            .motors = options.motors,
-                            .srdf = srdf ? &*srdf : nullptr};
-    files = write_smurf(import_urdf(model, *loaded->sources, import, loaded->found));
+    UrdfImport import{.name = file_name_of(options, model),
+                      .output_folder = folder,
+                      .current_folder = *current,
+                      .layout = options.in_place ? SmurfLayout::in_place
+                                : options.flat   ? SmurfLayout::flat
+                                                 : SmurfLayout::phobos,
+                      .motors = options.motors,
+                      .srdf = srdf ? &*srdf : nullptr};
+    if (options.copies_meshes) copies = plan_copies(model, folder, conversion.files(), import);
+    made = import_urdf(model, *loaded->sources, import, loaded->found);
+    files = write_smurf(made);
   }
-  std::vector<std::string> outputs;
+  std::vector<std::string> outputs = places_of(copies, conversion.inputs());
   for (const TextFile& file : files) outputs.push_back(path::join(folder, file.path));
   if (!options.dry_run && !conversion.keeps_inputs(outputs)) return kFailed;
-  const ExitCode verdict = conversion.report(*loaded);
+  const ExitCode verdict = conversion.report(*loaded, loss_of);
   if (verdict == kFailed) return kFailed;
-  if (!model.robot) return kFindings;
-  if (verdict != kDone && !options.force) return conversion.refuse("has errors; see --force");
-  const std::string problem = verify(model, folder, files, options.common, verdict == kDone);
-  if (!problem.empty()) return conversion.refuse(problem);
+  if (!model.robot) return conversion.refuse(conversion.why());
+  if (verdict != kDone && !options.force) {
+    return conversion.refuse(conversion.why() + "; see --force");
+  }
+  const Verification verification = verify(model, folder, files, options.common, verdict == kDone);
+  if (!verification.problem.empty()) return conversion.refuse(verification.problem);
   if (options.dry_run) {
     std::string names;
     for (const std::string& output : outputs) names += render::escape(output) + "\n";
@@ -202,5 +293,11 @@ int main(int argc, char** argv) {
   }
   std::vector<OutputFile> written;
   for (const TextFile& file : files) written.push_back({folder, file.path, file.text});
-  return write_files(kTool, written, options.overwrite) ? kDone : kFailed;
+  const bool is_written =
+      copy_files(kTool, copies, conversion.files(), options.common.limits, options.overwrite,
+                 [&] { return write_files(kTool, written, options.overwrite); });
+  if (!is_written) return kFailed;
+  tell(conversion, folder, outputs.size(), describe(made, copies),
+       remark_on_motors(made, options.motors, verification.dead_motors));
+  return kDone;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -92,6 +93,9 @@ struct UrdfImport {
   SmurfLayout layout = SmurfLayout::phobos;
   MotorChoice motors = MotorChoice::declared;
   const xml::Document* srdf = nullptr;  ///< may be null
+  /// Where meshes and textures will have copies, which the model is to name instead: absolute paths
+  /// by MeshReference::path.
+  std::map<std::string, std::string> copies{};
 };
 
 /// A SMURF model around a URDF, which stays whole: mesh paths are re-based, and an unnamed

@@ -24,6 +24,7 @@ struct Summary {
   std::size_t files = 0;
   std::size_t models = 0;
   std::size_t scenes = 0;
+  std::size_t xacro = 0;  ///< .xacro files beside them, which nobody checked
 };
 /// The counts by severity; the others are the caller's.
 Summary summarize(std::span<const Diagnostic> diagnostics);
@@ -45,7 +46,10 @@ std::string render_full(const Diagnostic& diagnostic, const SourceMap& sources,
 /// "path:line:col: severity[ID] message (help)" and a line end.
 std::string render_concise(const Diagnostic& diagnostic, const SourceMap& sources,
                            const TextStyle& style = {});
-/// "found 1 error and 2 warnings in 3 files (1 model)" and a line end.
+/// "3 .xacro files were not checked: expand them first (xacro FILE | smurf-lint -)".
+std::string xacro_remark(std::size_t files);
+/// "found 1 error and 2 warnings in 3 files (1 model)" and a line end; further lines say what was
+/// suppressed and what was not checked.
 std::string render_summary(const Summary& summary, const TextStyle& style);
 /// Two columns: what becomes of the files in each reader, and the first reason with its place.
 std::string render_targets(std::span<const TargetVerdict> targets, const SourceMap& sources,

@@ -23,8 +23,4 @@ std::string shortened(std::string_view text, std::size_t most) {
 
 std::string quoted(std::string_view text) { return "`" + shortened(text, kMostQuoted) + "`"; }
 
-std::string counted(std::size_t number, std::string_view noun) {
-  return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
-}
-
 }  // namespace smurf

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Words of messages, and texts of files inside them. A hostile name has millions of bytes, a message
-// must not.
+// Texts of files inside messages. A hostile name has millions of bytes, a message must not.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +13,5 @@ std::string shortened(std::string_view text, std::size_t most);
 
 /// As messages show what is written: in backquotes, shortened.
 std::string quoted(std::string_view text);
-
-/// "1 file", "2 files".
-std::string counted(std::size_t number, std::string_view noun);
 
 }  // namespace smurf

@@ -66,9 +66,14 @@ void report(const std::vector<passes::CollapsedLink>& collapsed, const LinkedMod
 }  // namespace
 
 std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& folder,
-                               const std::string& current_folder) {
+                               const std::string& current_folder,
+                               const std::map<std::string, std::string>& copies) {
   std::vector<Edit> edits;
   for (const MeshReference& mesh : model.meshes) {
+    if (const auto copy = copies.find(mesh.path); copy != copies.end()) {
+      edits.push_back({mesh.span, escape_xml(path::relative(copy->second, folder))});
+      continue;
+    }
     const bool is_relative = !mesh.filename.empty() && !path::is_absolute(mesh.filename) &&
                              mesh.filename.find("://") == std::string_view::npos;
     if (!is_relative) continue;

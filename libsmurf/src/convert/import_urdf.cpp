@@ -63,7 +63,10 @@ Folders folders_of(SmurfLayout layout) {
 std::string import::texture_path(const UrdfImport& options, std::string_view path) {
   const std::string folder = path::join(path::join(options.current_folder, options.output_folder),
                                         folders_of(options.layout).main);
-  return path::relative(path::join(options.current_folder, path), folder);
+  const auto copy = options.copies.find(std::string(path));
+  const bool is_copied = copy != options.copies.end();
+  return path::relative(is_copied ? copy->second : path::join(options.current_folder, path),
+                        folder);
 }
 
 NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const UrdfImport& options,
@@ -88,7 +91,8 @@ NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const U
   }
   result.urdf_path = path::join(folders.urdf, options.name + ".urdf");
   result.urdf_entry = path::relative(absolute(result.urdf_path), absolute(folders.main));
-  std::vector<Edit> edits = rebase_paths(model, absolute(folders.urdf), options.current_folder);
+  std::vector<Edit> edits =
+      rebase_paths(model, absolute(folders.urdf), options.current_folder, options.copies);
   edits.insert(edits.end(), context.edits.begin(), context.edits.end());
   result.urdf = apply_edits(sources.text(model.robot->document.source), edits);
   return result;

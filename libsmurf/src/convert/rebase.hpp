@@ -2,6 +2,7 @@
 // Mesh and texture paths for another folder.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@
 namespace smurf {
 
 /// Edits of the relative mesh and texture paths that do not resolve as they are written from the
-/// absolute `folder`.
+/// absolute `folder`, and of all that have `copies` (UrdfImport::copies).
 std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& folder,
-                               const std::string& current_folder);
+                               const std::string& current_folder,
+                               const std::map<std::string, std::string>& copies = {});
 
 }  // namespace smurf

@@ -82,6 +82,7 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                        {"info", summary.infos},   {"suppressed", summary.suppressed},
                        {"files", summary.files},  {"models", summary.models},
                        {"scenes", summary.scenes}};
+  if (summary.xacro > 0) report["summary"]["xacro"] = summary.xacro;
   report["diagnostics"] = Json::array();
   for (const TargetVerdict& target : targets) {
     report["targets"][std::string(target.reader->name)] = to_json(target, sources);

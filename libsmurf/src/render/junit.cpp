@@ -3,6 +3,7 @@
 #include <map>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "base/edits.hpp"
 #include "base/utf8.hpp"
 #include "render/json_text.hpp"
@@ -14,10 +15,6 @@ namespace {
 
 /// Text as XML can hold it: control characters and invalid bytes become visible.
 std::string xml_text(std::string_view text) { return escape_xml(render::escape(text)); }
-
-std::string counted(std::size_t number, std::string_view noun) {
-  return std::to_string(number) + " " + std::string(noun) + (number == 1 ? "" : "s");
-}
 
 struct TestCase {
   std::vector<const Diagnostic*> failures;  ///< errors and warnings

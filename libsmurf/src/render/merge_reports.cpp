@@ -69,7 +69,7 @@ void merge_target(Json& target, const Json& other) {
 
 void add(Json& merged, const Json& report) {
   for (const auto& [name, count] : report.at("summary").items()) {
-    Json& total = merged["summary"][name];
+    Json& total = merged["summary"].emplace(name, 0U).first.value();
     total = sum(total, count);
   }
   for (const Json& diagnostic : report.at("diagnostics"))

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/quoted.hpp"
+#include "base/counted.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
 #include "smurf/render.hpp"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/counted.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "smurf/archive_files.hpp"

@@ -6,6 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "skips the blanks", kRun},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };
 

@@ -6,15 +6,28 @@
 namespace smurf::rules {
 namespace {
 
+/// A link as anchor: whoever writes it often takes it for the place where the entity stands.
+void check_link(const Use& use, Findings& findings) {
+  const Entity& entity = use.entity;
+  if (entity.parent.written || use.placement.anchor.kind != Attachment::Kind::link) return;
+  Diagnostic& diagnostic =
+      findings.report(entity.anchor.span, title(entity) + " is fixed to " + quoted(*entity.anchor) +
+                                              ", but placed from the origin of the scene");
+  diagnostic.help = "write " + quoted("parent: " + *entity.anchor) +
+                    " to place it there, or `parent: world` if the origin is meant";
+}
+
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_use(scene, [&](const Use& use) {
-    if (!use.entity.anchor || *use.entity.anchor != "parent") return;
+    if (!use.entity.anchor) return;
     if (!use.placement.is_known || use.placement.parent.kind != Attachment::Kind::none) return;
     // `WORLD`, and a key that is nearly `parent`, are reported.
     if (use.entity.parent.written && *use.entity.parent != "world") return;
     if (!use.entity.parent.written && slip_of(use.entity, "parent") != nullptr) return;
+    if (*use.entity.anchor != "parent") return check_link(use, findings);
     Diagnostic& diagnostic = findings.report(
         use.entity.anchor.span, title(use.entity) + " is anchored to its parent, but has none");
+    diagnostic.construct = "parent";
     diagnostic.help = "write `world` if that is meant";
     const Field<std::string>& file = use.entity.file;
     if (!use.entity.parent.written && file.written) {
@@ -24,8 +37,8 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "fixes the entity to the world",
-     "MARS SimEntity.cpp:452-453"},
+    {&readers::mars, Effect::changes, "fixes the entity to the world", "MARS SimEntity.cpp:452-453",
+     "#parent"},
 };
 
 }  // namespace
@@ -34,8 +47,11 @@ extern constinit const Rule sml5108_anchor_without_parent{
     .id = "SML5108",
     .name = "anchor-without-parent",
     .severity = Severity::warning,
-    .summary = "`anchor: parent` stands on an entity that has no parent.",
-    .remedy = "Add `parent`, or write `anchor: world`.",
+    .summary = "An entity has an anchor to its parent or to a link, but no parent.",
+    .why = "`anchor` fixes an entity where it is. Only `parent` places it on a link: without it, "
+           "the entity starts at its position in the scene.",
+    .remedy = "Add `parent`, or write `anchor: world`; `parent: world` says that the position is "
+              "one in the scene.",
     .check_scene = check,
     .facts = kFacts};
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copies of the files that models name: where each goes, and all of them written or none.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/input.hpp"
+#include "smurf/file_reader.hpp"
+#include "smurf/limits.hpp"
+
+namespace smurf::tools {
+
+/// A file that is copied to a folder which the user names.
+struct AssetCopy {
+  std::string from;
+  std::string folder;  ///< the user's
+  std::string inside;  ///< the path from there
+
+  std::string to() const;
+};
+using AssetCopies = std::vector<AssetCopy>;
+
+/// Finds a place for every copy.
+class CopyPlan {
+ public:
+  /// `folder` is the user's. No copy takes the place of one of `sources`, which are absolute.
+  CopyPlan(const FileReader& files, std::string current_folder, std::string folder,
+           std::set<std::string> sources);
+
+  /// The absolute path of the copy of `file`, in a folder `group`; the same for a file that is
+  /// asked for again. None when there is no such file.
+  std::optional<std::string> copy_of(const std::string& file, const std::string& group);
+  AssetCopies take() { return std::move(list_); }
+
+ private:
+  std::string in_first_folder(const std::string& file);
+  std::string add(const std::string& from, const std::string& group);
+  std::string unique(const std::string& group, const std::string& from, bool has_materials);
+  bool is_source(const std::string& inside, const std::string& from) const;
+
+  const FileReader& files_;
+  std::string current_, folder_;
+  std::set<std::string> sources_;
+  std::map<std::pair<std::string, std::string>, std::optional<std::string>> copies_;
+  std::set<std::string> taken_;
+  std::map<std::string, int> numbers_;
+  std::map<std::string, std::string> folders_;        ///< the first name, by any
+  std::map<std::string, std::string> first_folders_;  ///< by identity
+  AssetCopies list_;
+};
+
+/// Where copies are made: not where the file itself is already.
+std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& inputs);
+
+/// Copies the files and then calls `write_result`: all or nothing. False when something cannot be
+/// written; that has been said. Names come from the model: only files with the name of a mesh or an
+/// image are copied, and no other file is replaced unless `overwrite`.
+bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
+                const Limits& limits, bool overwrite, const std::function<bool()>& write_result);
+
+}  // namespace smurf::tools
