@@ -2,9 +2,11 @@
 // From byte spans back to YAML pointers and XPaths: rules report places, people and programs want
 // names of places too.
 #include <algorithm>
+#include <iterator>
 
 #include "base/quoted.hpp"
 #include "base/readers.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf {
@@ -55,21 +57,54 @@ void locate_in(const yaml::Document& document, std::span<Diagnostic> diagnostics
   }
 }
 
-/// MuJoCo discards visuals, unless the file says otherwise.
-bool keeps_visuals(const xml::Document& document) {
-  if (document.root == xml::kNoElement) return false;
-  const xml::View mujoco = xml::View(document, document.root).child("mujoco");
-  const xml::View compiler = mujoco ? mujoco.child("compiler") : xml::View();
-  const xml::Attribute* discards = compiler ? compiler.attribute("discardvisual") : nullptr;
-  return discards != nullptr && discards->value() == "false";
+void add_construct(Diagnostic& diagnostic, std::string_view construct) {
+  if (diagnostic.construct.find(construct) == std::string::npos) diagnostic.construct += construct;
 }
 
-void mark_visuals(const xml::Document& document, std::span<Diagnostic> diagnostics) {
+/// Adds to the construct of what is found at such places.
+void mark(const xml::Document& document, std::string_view place, std::string_view construct,
+          std::span<Diagnostic> diagnostics) {
   for (Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.span.source != document.source) continue;
-    const bool is_marked = diagnostic.construct.find(kVisualsKept) != std::string::npos;
-    if (is_marked || diagnostic.pointer.find("/visual") == std::string::npos) continue;
-    diagnostic.construct += kVisualsKept;
+    if (diagnostic.pointer.find(place) != std::string::npos) add_construct(diagnostic, construct);
+  }
+}
+
+/// The one of links or joints, which are in the order of the file, that holds a place.
+template <class Part>
+const Part* part_at(const std::vector<Part>& parts, Span place) {
+  const auto next = std::upper_bound(
+      parts.begin(), parts.end(), place.begin,
+      [](std::uint32_t begin, const Part& part) { return begin < part.span.begin; });
+  if (next == parts.begin()) return nullptr;
+  const Part& part = *std::prev(next);
+  return place.begin < part.span.end ? &part : nullptr;
+}
+
+/// Does nothing but what the link is fixed to make it move, or nothing at all?
+bool is_carried(const LinkedModel& model, const urdf::Link& link) {
+  const auto index = static_cast<std::size_t>(&link - model.robot->links.data());
+  const auto above = model.tree.parent_joint[index];
+  return !above || model.joint(*above).type == urdf::JointType::fixed;
+}
+
+/// What readers make of inertials depends on what moves, and of the parts of a joint on its type:
+/// "#in-fixed/limit/@lower/".
+void mark_motion(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.span.source != model.robot->document.source) continue;
+    constexpr std::string_view kJoint = "/robot/joint/";
+    const std::string path = fact_path(diagnostic);
+    if (path.starts_with("/robot/link/inertial/")) {
+      const urdf::Link* link = part_at(model.robot->links, diagnostic.span);
+      if (link != nullptr && is_carried(model, *link)) add_construct(diagnostic, "#carried");
+    } else if (path.starts_with(kJoint) && path.find("#in-") == std::string::npos) {
+      const urdf::Joint* joint = part_at(model.robot->joints, diagnostic.span);
+      if (joint == nullptr || joint->type == urdf::JointType::unknown) continue;
+      const std::size_t end = std::min(path.find('#'), path.size());
+      add_construct(diagnostic, "#in-" + *joint->type_name + "/" +
+                                    path.substr(kJoint.size(), end - kJoint.size()));
+    }
   }
 }
 
@@ -87,8 +122,14 @@ void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
       point(diagnostic, model.robot->document, *paths);
     }
   }
-  if (model.robot && keeps_visuals(model.robot->document)) {
-    mark_visuals(model.robot->document, diagnostics);
+  if (!model.robot) return;
+  mark_motion(model, diagnostics);
+  if (balances_inertias(model)) {
+    mark(model.robot->document, "/inertia", kBalanced, diagnostics);
+  }
+  if (keeps_visuals(model)) mark(model.robot->document, "/visual", kVisualsKept, diagnostics);
+  if (is_told_where_meshes_are(model)) {
+    mark(model.robot->document, "/mesh/@filename", kElsewhere, diagnostics);
   }
 }
 
