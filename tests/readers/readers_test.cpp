@@ -50,43 +50,6 @@ Severity severity_for(const Diagnostic& diagnostic, std::vector<std::string_view
   return finished[0].severity;
 }
 
-constexpr std::string_view kRobot = R"(<robot name="r">
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-  </inertial>
-  <collision><geometry><box size="1 1 1"/></geometry></collision>
-</link>
-<link name="arm">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-  </inertial>
-  <collision><geometry><sphere radius="1"/></geometry></collision>
-</link>
-<joint name="a" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="1" velocity="1"/>
-</joint>
-</robot>
-)";
-
-/// What becomes of the robot with `text` in the place of `original`; "" is nowhere.
-Answer answer_for(std::string_view target, std::string_view original, std::string_view text) {
-  std::string robot(kRobot);
-  for (std::size_t at = original.empty() ? std::string::npos : robot.find(original);
-       at != std::string::npos; at = robot.find(original, at + text.size())) {
-    robot.replace(at, original.size(), text);
-  }
-  Loaded loaded;
-  loaded.files.add("robot.urdf", robot);
-  loaded.load("robot.urdf");
-  return judge_target(*find_target(target), loaded.diagnostics).answer();
-}
-
 }  // namespace
 
 TEST_CASE("readers say who they are") {
@@ -259,48 +222,6 @@ TEST_CASE("a slip is also what it leaves out") {
   slip.consequences.push_back(find_rule("SML1404"));
   CHECK(effect_of("ros", slip) == Effect::refuses);
   CHECK(severity_for(slip, {"ros"}) == Severity::error);
-}
-
-TEST_CASE("a slip in a name that readers need is judged as what is missing") {
-  using enum Answer;
-  struct Slip {
-    const char* original;
-    const char* text;
-    Answer ros, gazebo, mujoco;  // as the programs answered
-  };
-  constexpr Slip kSlips[] = {
-      {"", "", takes, takes, takes},
-      {"effort=", "efrot=", refuses, refuses, loses},
-      {"velocity=", "velocty=", refuses, refuses, loses},
-      {"<limit ", "<limt ", refuses, refuses, loses},
-      {"<limit ", "<Limit ", refuses, refuses, loses},
-      {"<parent link=\"base\"/>", "<parnet link=\"base\"/>", refuses, refuses, refuses},
-      {"<parent link=", "<parent lnik=", refuses, refuses, refuses},
-      {"<child link=\"arm\"/>", "<chid link=\"arm\"/>", refuses, refuses, refuses},
-      {"<child link=\"arm\"/>", "<Child link=\"arm\"/>", refuses, refuses, refuses},
-      {"joint name=", "joint Name=", refuses, refuses, refuses},
-      {"<robot name=", "<robot nmae=", refuses, refuses, loses},
-      {"mass value=", "mass vlaue=", loses, loses, refuses},
-      {"<mass value=\"1\"/>", "<mas value=\"1\"/>", loses, loses, refuses},
-      {"sphere radius=", "sphere raduis=", loses, loses, refuses},
-      {"<box size=\"1 1 1\"/>", "<bxo size=\"1 1 1\"/>", loses, loses, refuses},
-      {"<box size=\"1 1 1\"/>", "<thing/>", loses, loses, refuses},
-      {"axis xyz=", "axis xzy=", loses, refuses, refuses},
-  };
-  for (const Slip& slip : kSlips) {
-    CAPTURE(slip.text);
-    CHECK(to_string(answer_for("ros", slip.original, slip.text)) == to_string(slip.ros));
-    CHECK(to_string(answer_for("gazebo", slip.original, slip.text)) == to_string(slip.gazebo));
-    CHECK(to_string(answer_for("mujoco", slip.original, slip.text)) == to_string(slip.mujoco));
-  }
-}
-
-TEST_CASE("a file with elements of xacro is read and judged without them") {
-  CHECK(answer_for("ros", "<joint name", "<xacro:x/><joint name") == Answer::loses);
-  CHECK(answer_for("ros", "<link name=\"arm\">", "<xacro:x/><link>") == Answer::refuses);
-  CHECK(answer_for("mujoco", "mass value=\"1\"", "xacro:x/><mass value=\"-1\"") == Answer::refuses);
-  CHECK(answer_for("ros", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
-  CHECK(answer_for("mujoco", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
 }
 
 TEST_CASE("what readers do is said by facts, and not in the words of a rule as well") {
