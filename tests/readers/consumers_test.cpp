@@ -49,16 +49,16 @@ struct Collection {
 
 const Collection kCollections[] = {{"consumers",
                                     146,
-                                    {{"ros", "urdfdom", {0, 1, 2}},
-                                     {"gazebo", "sdformat", {0, 0, 2}},
-                                     {"dart", "dart", {0, 2, 2}},
+                                    {{"ros", "urdfdom", {0, 1, 1}},
+                                     {"gazebo", "sdformat", {0, 0, 1}},
+                                     {"dart", "dart", {0, 2, 1}},
                                      {"pybullet", "bullet", {0, 1, 13}},
-                                     {"mujoco", "mujoco", {0, 3, 1}}}},
+                                     {"mujoco", "mujoco", {0, 3, 0}}}},
                                    {"peer-suites",
                                     507,
-                                    {{"ros", "urdfdom", {0, 0, 1}},
-                                     {"gazebo", "sdformat", {4, 1, 1}},
-                                     {"mujoco", "mujoco", {1, 0, 9}}}}};
+                                    {{"ros", "urdfdom", {0, 0, 0}},
+                                     {"gazebo", "sdformat", {1, 1, 0}},
+                                     {"mujoco", "mujoco", {0, 0, 0}}}}};
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

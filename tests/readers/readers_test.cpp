@@ -51,43 +51,6 @@ Severity severity_for(const Diagnostic& diagnostic, std::vector<std::string_view
   return finished[0].severity;
 }
 
-constexpr std::string_view kRobot = R"(<robot name="r">
-<link name="base">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-  </inertial>
-  <collision><geometry><box size="1 1 1"/></geometry></collision>
-</link>
-<link name="arm">
-  <inertial>
-    <mass value="1"/>
-    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
-  </inertial>
-  <collision><geometry><sphere radius="1"/></geometry></collision>
-</link>
-<joint name="a" type="revolute">
-  <parent link="base"/>
-  <child link="arm"/>
-  <axis xyz="0 0 1"/>
-  <limit lower="-1" upper="1" effort="1" velocity="1"/>
-</joint>
-</robot>
-)";
-
-/// What becomes of the robot with `text` in the place of `original`; "" is nowhere.
-Answer answer_for(std::string_view target, std::string_view original, std::string_view text) {
-  std::string robot(kRobot);
-  for (std::size_t at = original.empty() ? std::string::npos : robot.find(original);
-       at != std::string::npos; at = robot.find(original, at + text.size())) {
-    robot.replace(at, original.size(), text);
-  }
-  test::Loaded loaded;
-  loaded.files.add("robot.urdf", robot);
-  loaded.load("robot.urdf");
-  return judge_target(*find_target(target), loaded.diagnostics).answer();
-}
-
 }  // namespace
 
 TEST_CASE("readers say who they are") {
@@ -264,48 +227,6 @@ TEST_CASE("a slip is also what it leaves out") {
   CHECK(severity_for(slip, {"ros"}) == Severity::error);
 }
 
-TEST_CASE("a slip in a name that readers need is judged as what is missing") {
-  using enum Answer;
-  struct Slip {
-    const char* original;
-    const char* text;
-    Answer ros, gazebo, mujoco;  // as the programs answered
-  };
-  constexpr Slip kSlips[] = {
-      {"", "", takes, takes, takes},
-      {"effort=", "efrot=", refuses, refuses, loses},
-      {"velocity=", "velocty=", refuses, refuses, loses},
-      {"<limit ", "<limt ", refuses, refuses, loses},
-      {"<limit ", "<Limit ", refuses, refuses, loses},
-      {"<parent link=\"base\"/>", "<parnet link=\"base\"/>", refuses, refuses, refuses},
-      {"<parent link=", "<parent lnik=", refuses, refuses, refuses},
-      {"<child link=\"arm\"/>", "<chid link=\"arm\"/>", refuses, refuses, refuses},
-      {"<child link=\"arm\"/>", "<Child link=\"arm\"/>", refuses, refuses, refuses},
-      {"joint name=", "joint Name=", refuses, refuses, refuses},
-      {"<robot name=", "<robot nmae=", refuses, refuses, loses},
-      {"mass value=", "mass vlaue=", loses, loses, refuses},
-      {"<mass value=\"1\"/>", "<mas value=\"1\"/>", loses, loses, refuses},
-      {"sphere radius=", "sphere raduis=", loses, loses, refuses},
-      {"<box size=\"1 1 1\"/>", "<bxo size=\"1 1 1\"/>", loses, loses, refuses},
-      {"<box size=\"1 1 1\"/>", "<thing/>", loses, loses, refuses},
-      {"axis xyz=", "axis xzy=", loses, refuses, refuses},
-  };
-  for (const Slip& slip : kSlips) {
-    CAPTURE(slip.text);
-    CHECK(to_string(answer_for("ros", slip.original, slip.text)) == to_string(slip.ros));
-    CHECK(to_string(answer_for("gazebo", slip.original, slip.text)) == to_string(slip.gazebo));
-    CHECK(to_string(answer_for("mujoco", slip.original, slip.text)) == to_string(slip.mujoco));
-  }
-}
-
-TEST_CASE("a file with elements of xacro is read and judged without them") {
-  CHECK(answer_for("ros", "<joint name", "<xacro:x/><joint name") == Answer::loses);
-  CHECK(answer_for("ros", "<link name=\"arm\">", "<xacro:x/><link>") == Answer::refuses);
-  CHECK(answer_for("mujoco", "mass value=\"1\"", "xacro:x/><mass value=\"-1\"") == Answer::refuses);
-  CHECK(answer_for("ros", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
-  CHECK(answer_for("mujoco", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
-}
-
 TEST_CASE("what is written for a reader is nothing to report where no other matters") {
   const auto count_for = [](std::vector<std::string_view> targets) {
     RuleSelection selection;
@@ -321,43 +242,6 @@ TEST_CASE("what is written for a reader is nothing to report where no other matt
   CHECK(count_for({"drake", "ros"}) == 1);
   const Diagnostic plain = at("SML1201", "/robot/joint/parent/@link");
   CHECK(severity_for(plain, {"drake"}) == Severity::error);
-}
-
-TEST_CASE("a joint of Drake's is one to Drake") {
-  constexpr std::string_view kStandard = "<joint name=\"a\" type=\"revolute\">";
-  constexpr std::string_view kBall = "<drake:joint name=\"a\" type=\"ball\">";
-  std::string robot(kRobot);
-  robot.replace(robot.find(kStandard), kStandard.size(), kBall);
-  robot.replace(robot.find("</joint>"), 8, "</drake:joint>");
-  const auto count = [&](std::string_view target, std::string_view rule) {
-    MemoryFiles files;
-    files.add("robot.urdf", robot);
-    CheckSettings settings;
-    if (!target.empty()) settings.selection.targets.push_back(find_target(target));
-    Session session(files);
-    const std::vector<Diagnostic> found = session.check("robot.urdf", settings).diagnostics;
-    return std::ranges::count_if(found,
-                                 [&](const Diagnostic& one) { return one.rule->id == rule; });
-  };
-  CHECK(count("drake", "SML1204") == 0);
-  CHECK(count("ros", "SML1204") == 1);
-  CHECK(count("", "SML1204") == 1);
-  CHECK(count("drake", "SML1450") == 0);
-  CHECK(count("drake", "SML1451") == 0);
-  CHECK(count("", "SML1451") == 1);
-  robot.replace(robot.find("type=\"ball\""), 11, "type=\"revolute\"");
-  CHECK(count("drake", "SML1450") == 1);
-  CHECK(count("", "SML1450") == 0);
-  CHECK(count("ros", "SML1450") == 0);
-}
-
-TEST_CASE("Drake reads nothing in what it is told to ignore") {
-  constexpr std::string_view kBroken = "<visual/><collision>";
-  CHECK(answer_for("drake", "<collision>", kBroken) == Answer::refuses);
-  std::string robot = "<link name=\"c\" drake_ignore=\"true\"><visual/></link><joint name";
-  CHECK(answer_for("drake", "<joint name", robot) == Answer::takes);
-  robot.replace(robot.find("true"), 4, "no");
-  CHECK(answer_for("drake", "<joint name", robot) == Answer::refuses);
 }
 
 TEST_CASE("what readers do is said by facts, and not in the words of a rule as well") {

@@ -501,6 +501,7 @@ MUTANTS = [
     walker("transmission-misspelt", "<transmission name", "<transmision name"),
     walker("gazebo-unknown-reference", '<gazebo reference="trunk">', '<gazebo reference="trunck">'),
     walker("gazebo-reference-case", '<gazebo reference="trunk">', '<gazebo reference="Trunk">'),
+    walker("mujoco-flag", "</robot>", '<mujoco><compiler discardvisual="no"/></mujoco></robot>'),
     walker("gazebo-misspelt-attribute", '<gazebo reference="trunk">', '<gazebo refrence="trunk">'),
     # The same in a URDF of many lines, seen through the SMURF model that lists it.
     ("arm-misspelt-type", ARM, 'type="revolute"', 'type="revolut"'),

@@ -4,6 +4,7 @@
 #include "ast/urdf_numbers.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,15 @@ namespace smurf {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Of what is no number: is it written like one?
+bool is_out_of_range(std::string_view text) {
+  return !text.empty() &&
+         std::all_of(
+             text.begin(), text.end(),
+             [](char c) { return is_digit(c) || c == '.' || c == 'e' || c == '-' || c == '+'; }) &&
+         text.find('e') != std::string_view::npos && text.find('.') == text.rfind('.');
+}
 
 struct Token {
   std::uint32_t begin = 0;
@@ -120,14 +130,15 @@ class NumberReader {
       sink_.report(rules::sml1803_nan, place(token),
                    shown + " is not a number that a reader can use");
     } else if (bare == "inf" || bare == "infinity") {
-      sink_.report(rules::sml1804_inf, place(token), shown + " is infinite, which urdfdom refuses");
+      sink_.report(rules::sml1804_inf, place(token), shown + " is infinite, which urdfdom refuses")
+          .construct = lower.starts_with('-') ? "not-positive" : "";
     } else if (is_decimal_comma(text)) {
       report_comma(token, text);
     } else if (bare.starts_with("0x") || has_suffix(bare)) {
       sink_
           .report(rules::sml1809_hex_or_suffix, place(token),
                   shown + " is not a plain decimal number")
-          .construct = bare.starts_with("0x") ? "hex" : "suffix";
+          .construct = kind_of_hex_or_suffix(text);
     } else if (std::any_of(text.begin(), text.end(),
                            [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
       sink_
@@ -139,7 +150,7 @@ class NumberReader {
       sink_
           .report(rules::sml1810_overflow_underflow, place(token),
                   shown + " is outside the range of a double")
-          .construct = bare.find("e-") != std::string_view::npos ? "underflow" : "overflow";
+          .construct = is_underflow(text) ? "underflow" : "overflow";
     } else {
       sink_.report(rules::sml1801_not_a_number, place(token), shown + " is not a number");
     }
@@ -183,20 +194,17 @@ class NumberReader {
     diagnostic.fixes.push_back({Applicability::unsafe, {{place(token), point}}});
   }
 
+  static std::string kind_of_hex_or_suffix(std::string_view text) {
+    const std::optional<double> value = parse_hexadecimal(text);
+    if (!value) return path::to_lower(text).find("0x") < 2 ? "hex" : "suffix";
+    return *value > 0 ? "hex" : "hex#not-positive";
+  }
+
   /// A number followed by letters: "1kg", "1.0f", "90deg".
   static bool has_suffix(std::string_view text) {
     std::size_t at = text.size();
     while (at > 0 && !is_digit(text[at - 1]) && text[at - 1] != '.') --at;
     return at > 0 && at < text.size() && parse_number(text.substr(0, at)).has_value();
-  }
-
-  static bool is_out_of_range(std::string_view text) {
-    return !text.empty() &&
-           std::all_of(text.begin(), text.end(),
-                       [](char c) {
-                         return is_digit(c) || c == '.' || c == 'e' || c == '-' || c == '+';
-                       }) &&
-           text.find('e') != std::string_view::npos && text.find('.') == text.rfind('.');
   }
 
   bool check_count(const std::vector<Token>& tokens, std::size_t count) {
@@ -279,6 +287,23 @@ bool is_xacro(std::string_view value) {
 void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
   sink.report(rules::sml1012_percent_in_value, place, quoted(value) + " holds a `%`")
       .notes.push_back("urdfdom up to 5.0 passes this text to printf, which may crash");
+}
+
+std::optional<double> parse_hexadecimal(std::string_view text) {
+  const bool is_negative = text.starts_with('-');
+  if (is_negative || text.starts_with('+')) text.remove_prefix(1);
+  if (!text.starts_with("0x") && !text.starts_with("0X")) return std::nullopt;
+  text.remove_prefix(2);
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value, std::chars_format::hex);
+  if (text.starts_with('-') || read.ec != std::errc() || read.ptr != end) return std::nullopt;
+  return is_negative ? -value : value;
+}
+
+bool is_underflow(std::string_view text) {
+  const std::string lower = path::to_lower(text);
+  return !parse_number(text) && is_out_of_range(lower) && lower.find("e-") != std::string::npos;
 }
 
 bool read_numbers(const xml::Attribute& attribute, std::span<double> out, DiagnosticSink& sink) {

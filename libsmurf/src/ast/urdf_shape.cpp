@@ -152,9 +152,13 @@ class ShapeChecker {
         {Applicability::unsafe, {{attribute.name_span(), std::string(meant)}}});
   }
 
-  /// Without a name a link is none, which is worse than what else may be missing in a link; a
-  /// material needs none where its colour stands with it.
-  static std::string owner_of_name(View element) { return element.name() == "link" ? "link" : ""; }
+  /// Without a name a link is none, which is worse than what else may be missing in a link; the
+  /// material of a visual needs none where its colour stands with it.
+  static std::string owner_of_name(View element) {
+    if (element.name() == "link") return "link";
+    const bool is_look = element.name() == "material" && element.parent().name() == "visual";
+    return is_look && !element.child("color") ? "colourless" : "";
+  }
 
   /// True when an attribute is missing; what stands there instead is shown with it.
   bool required_attributes(View element, const ElementSpec& spec,

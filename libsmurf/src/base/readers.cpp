@@ -66,8 +66,10 @@ bool is_about_content(const Rule& rule) {
 
 const Fact* find_unread(const Reader& reader, const Rule& rule, std::string_view path) {
   if (!is_about_content(rule) || path.find(kVisualsKept) != std::string_view::npos) return nullptr;
-  for (const Fact& fact : reader.unread) {
-    if (path.find(fact.where) != std::string_view::npos) return &fact;
+  for (const Reader* known = &reader; known != nullptr; known = known->like) {
+    for (const Fact& fact : known->unread) {
+      if (path.find(fact.where) != std::string_view::npos) return &fact;
+    }
   }
   return nullptr;
 }

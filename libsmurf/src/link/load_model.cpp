@@ -18,6 +18,7 @@
 #include "base/utf8.hpp"
 #include "link/file_index.hpp"
 #include "link/kinematics.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "link/read_file.hpp"
 #include "link/resources.hpp"
 #include "smurf/load.hpp"
@@ -289,6 +290,7 @@ class ModelLoader {
     name_all(model_.annotations.motors, model_.motor_names);
     name_all(model_.annotations.sensors, model_.sensor_names);
     resolve_resources(model_, context_);
+    check_meshes_of_mujoco(model_, context_);
     if (!model_.robot) return;
     const urdf::Robot& robot = *model_.robot;
     name_all(robot.links, model_.link_names);

@@ -2,12 +2,14 @@
 // From byte spans back to YAML pointers and XPaths: rules report places, people and programs want
 // names of places too.
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "base/quoted.hpp"
 #include "base/readers.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf {
@@ -52,40 +54,57 @@ class BySource {
     }
   }
 
-  std::span<Diagnostic* const> of(SourceId source) const {
-    const auto found = found_.find(source);
-    if (found == found_.end()) return {};
-    return found->second;
+  /// Once: models may share a file.
+  std::vector<Diagnostic*> take(SourceId source) {
+    const auto found = found_.extract(source);
+    return found ? std::move(found.mapped()) : std::vector<Diagnostic*>();
   }
 
  private:
   std::unordered_map<SourceId, std::vector<Diagnostic*>> found_;
 };
 
-void locate_in(const yaml::Document& document, const BySource& found) {
-  for (Diagnostic* diagnostic : found.of(document.source)) point(*diagnostic, document);
-}
-
-void locate_in(const xml::Document& document, const BySource& found) {
-  xml::XPaths paths(document);
-  for (Diagnostic* diagnostic : found.of(document.source)) point(*diagnostic, document, paths);
-}
-
-/// MuJoCo discards visuals, unless the file says otherwise.
-bool keeps_visuals(const xml::Document& document) {
-  if (document.root == xml::kNoElement) return false;
-  const xml::View mujoco = xml::View(document, document.root).child("mujoco");
-  const xml::View compiler = mujoco ? mujoco.child("compiler") : xml::View();
-  const xml::Attribute* discards = compiler ? compiler.attribute("discardvisual") : nullptr;
-  return discards != nullptr && discards->value() == "false";
-}
-
-/// MuJoCo loads what is in visuals.
-void mark_visuals(const xml::Document& document, std::span<Diagnostic* const> found) {
-  if (!keeps_visuals(document)) return;
+/// Adds to the construct of what is found at such places.
+void mark(std::string_view place, std::string_view construct, std::span<Diagnostic* const> found) {
   for (Diagnostic* diagnostic : found) {
-    const bool is_in_visual = diagnostic->pointer.find("/visual") != std::string::npos;
-    if (is_in_visual) diagnostic->construct += kVisualsKept;
+    if (diagnostic->pointer.find(place) != std::string::npos) diagnostic->construct += construct;
+  }
+}
+
+/// The one of links or joints, which are in the order of the file, that holds a place.
+template <class Part>
+const Part* part_at(const std::vector<Part>& parts, Span place) {
+  const auto next = std::upper_bound(
+      parts.begin(), parts.end(), place.begin,
+      [](std::uint32_t begin, const Part& part) { return begin < part.span.begin; });
+  if (next == parts.begin()) return nullptr;
+  const Part& part = *std::prev(next);
+  return place.begin < part.span.end ? &part : nullptr;
+}
+
+/// Does nothing but what the link is fixed to make it move, or nothing at all?
+bool is_carried(const LinkedModel& model, const urdf::Link& link) {
+  const auto index = static_cast<std::size_t>(&link - model.robot->links.data());
+  const auto above = model.tree.parent_joint[index];
+  return !above || model.joint(*above).type == urdf::JointType::fixed;
+}
+
+/// What readers make of inertials depends on what moves, and of the parts of a joint on its type:
+/// "#in-fixed/limit/@lower/".
+void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
+  for (Diagnostic* diagnostic : found) {
+    constexpr std::string_view kJoint = "/robot/joint/";
+    const std::string path = fact_path(*diagnostic);
+    if (path.starts_with("/robot/link/inertial/")) {
+      const urdf::Link* link = part_at(model.robot->links, diagnostic->span);
+      if (link != nullptr && is_carried(model, *link)) diagnostic->construct += "#carried";
+    } else if (path.starts_with(kJoint)) {
+      const urdf::Joint* joint = part_at(model.robot->joints, diagnostic->span);
+      if (joint == nullptr || joint->type == urdf::JointType::unknown) continue;
+      const std::size_t end = std::min(path.find('#'), path.size());
+      diagnostic->construct +=
+          "#in-" + *joint->type_name + "/" + path.substr(kJoint.size(), end - kJoint.size());
+    }
   }
 }
 
@@ -107,28 +126,39 @@ void mark_ignored(const xml::Document& document, std::span<Diagnostic* const> fo
   }
 }
 
-void locate_in(const urdf::Robot& robot, const BySource& all) {
-  locate_in(robot.document, all);
-  const std::span<Diagnostic* const> found = all.of(robot.document.source);
-  mark_visuals(robot.document, found);
-  mark_ignored(robot.document, found);
+void locate_in(const yaml::Document& document, BySource& found) {
+  for (Diagnostic* diagnostic : found.take(document.source)) point(*diagnostic, document);
 }
 
-void locate_in(const LinkedModel& model, const BySource& found) {
+std::vector<Diagnostic*> locate_in(const xml::Document& document, BySource& all) {
+  xml::XPaths paths(document);
+  std::vector<Diagnostic*> found = all.take(document.source);
+  for (Diagnostic* diagnostic : found) point(*diagnostic, document, paths);
+  return found;
+}
+
+void locate_in(const LinkedModel& model, BySource& all) {
   for (const ModelFile& file : model.files) {
-    if (file.document) locate_in(*file.document, found);
+    if (file.document) locate_in(*file.document, all);
   }
-  if (model.robot) locate_in(*model.robot, found);
+  if (!model.robot) return;
+  const std::vector<Diagnostic*> found = locate_in(model.robot->document, all);
+  mark_motion(model, found);
+  if (balances_inertias(model)) mark("/inertia", kBalanced, found);
+  if (keeps_visuals(model)) mark("/visual", kVisualsKept, found);
+  if (is_told_where_meshes_are(model)) mark("/mesh/@filename", kElsewhere, found);
+  mark_ignored(model.robot->document, found);
 }
 
 }  // namespace
 
 void locate(const LinkedModel& model, std::span<Diagnostic> diagnostics) {
-  locate_in(model, BySource(diagnostics));
+  BySource found(diagnostics);
+  locate_in(model, found);
 }
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
-  const BySource found(diagnostics);
+  BySource found(diagnostics);
   for (const SceneFile& file : scene.scenes) {
     if (file.drawing) {
       locate_in(*file.drawing, found);

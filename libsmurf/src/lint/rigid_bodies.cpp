@@ -6,28 +6,72 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <string>
+#include <string_view>
 
+#include "base/path.hpp"
 #include "smurf/pose.hpp"
 
 namespace smurf {
 namespace {
 
+/// The joints by name that stay joints in sdformat although they are fixed.
+using KeptJoints = std::set<std::string_view>;
+
 /// By link: the topmost link of its body. Links that no root reaches are bodies of their own.
-std::vector<std::size_t> bodies(const LinkedModel& model) {
+std::vector<std::size_t> bodies(const LinkedModel& model, const KeptJoints& kept = {}) {
   std::vector<std::size_t> body(model.robot ? model.robot->links.size() : 0);
   std::iota(body.begin(), body.end(), std::size_t{0});
   for (const LinkIndex link : model.tree.order) {
     const std::size_t i = to_size(link);
     const auto above = model.tree.parent_joint[i];
-    const bool is_fixed = above && model.joint(*above).type == urdf::JointType::fixed;
-    if (is_fixed) body[i] = body[to_size(*model.tree.joint_parent[to_size(*above)])];
+    if (!above || model.joint(*above).type != urdf::JointType::fixed) continue;
+    if (!kept.empty() && kept.contains(model.joint(*above).name.value_or(""))) continue;
+    body[i] = body[to_size(*model.tree.joint_parent[to_size(*above)])];
   }
   return body;
+}
+
+/// As sdformat 12.3 reads a flag, run: in any case, from the attribute where there is one.
+bool is_set(xml::View flag) {
+  const xml::Attribute* value = flag.attribute("value");
+  const std::string text = path::to_lower(value != nullptr ? value->value() : flag.text());
+  return text == "true" || text == "yes" || text == "1";
+}
+
+KeptJoints joints_kept_by_sdformat(const LinkedModel& model) {
+  KeptJoints kept;
+  if (!model.robot) return kept;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    const xml::Attribute* joint = gazebo.attribute("reference");
+    if (gazebo.name() != "gazebo" || joint == nullptr) continue;
+    for (const xml::View flag : gazebo) {
+      const bool is_about_fixed_joints =
+          flag.name() == "preserveFixedJoint" || flag.name() == "disableFixedJointLumping";
+      if (is_about_fixed_joints && is_set(flag)) kept.insert(joint->value());
+    }
+  }
+  return kept;
+}
+
+std::vector<std::size_t> bodies_of_sdformat(const LinkedModel& model) {
+  return bodies(model, joints_kept_by_sdformat(model));
 }
 
 double mass_of(const LinkedModel& model, std::size_t link) {
   const std::optional<urdf::Inertial>& inertial = model.robot->links[link].inertial;
   return inertial ? std::max(inertial->mass.value_or(0), 0.0) : 0.0;
+}
+
+/// By link: the mass of its body.
+std::vector<double> masses_of(const LinkedModel& model, const std::vector<std::size_t>& body) {
+  std::vector<double> mass(body.size(), 0);  // by the topmost link
+  for (std::size_t i = 0; i < body.size(); ++i) mass[body[i]] += mass_of(model, i);
+  std::vector<double> result(body.size());
+  for (std::size_t i = 0; i < body.size(); ++i) result[i] = mass[body[i]];
+  return result;
 }
 
 /// Sums over the inertials of a body, in the frame of its topmost link.
@@ -107,17 +151,12 @@ bool has_fixed_mass(const LinkedModel& model, LinkIndex start) {
 }
 
 std::vector<double> masses_of_bodies(const LinkedModel& model) {
-  const std::vector<std::size_t> body = bodies(model);
-  std::vector<double> mass(body.size(), 0);  // by the topmost link
-  for (std::size_t i = 0; i < body.size(); ++i) mass[body[i]] += mass_of(model, i);
-  std::vector<double> result(body.size());
-  for (std::size_t i = 0; i < body.size(); ++i) result[i] = mass[body[i]];
-  return result;
+  return masses_of(model, bodies_of_sdformat(model));
 }
 
 std::vector<bool> fixed_to_heavier(const LinkedModel& model) {
   const std::vector<std::size_t> body = bodies(model);
-  const std::vector<double> mass = masses_of_bodies(model);
+  const std::vector<double> mass = masses_of(model, body);
   std::vector<bool> result(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) {
     const double beside = mass[i] - mass_of(model, i);
@@ -140,7 +179,7 @@ std::vector<bool> alone_in_motion(const LinkedModel& model) {
 }
 
 std::vector<bool> sound_together(const LinkedModel& model) {
-  const std::vector<std::size_t> body = bodies(model);
+  const std::vector<std::size_t> body = bodies_of_sdformat(model);
   std::vector<Pose> poses(body.size());  // of links in their bodies
   for (const LinkIndex link : model.tree.order) {
     const std::size_t i = to_size(link);

@@ -19,13 +19,14 @@ bool has_fixed_mass(const LinkedModel& model, LinkIndex link);
 /// them for one body then, whatever its own mass and inertia are.
 std::vector<bool> fixed_to_heavier(const LinkedModel& model);
 
-/// By link: the mass (kg) of the body that fixed joints make of it and other links.
+/// By link: the mass (kg) of the body that sdformat makes of it and other links: those that fixed
+/// joints connect, except for joints that a Gazebo element keeps.
 std::vector<double> masses_of_bodies(const LinkedModel& model);
 
 /// By link: is it the only one with an inertial in a body that moves?
 std::vector<bool> alone_in_motion(const LinkedModel& model);
 
-/// By link: do the inertials that fixed joints hold together come to one that sdformat takes,
+/// By link: do the inertials that sdformat makes one body of come to one that it takes,
 /// whatever each of them is? Like gz-math, it takes a moment of 0.
 std::vector<bool> sound_together(const LinkedModel& model);
 

@@ -25,6 +25,7 @@ void check_position(std::string_view text, SourceId id, std::size_t begin, Diagn
   const Span junk{id, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(declaration)};
   Diagnostic& diagnostic = sink.report(rules::sml1005_xml_junk_before_prolog, junk,
                                        "the XML declaration is not the first thing in the file");
+  if (trimmed(text.substr(begin, declaration - begin)).empty()) diagnostic.construct = "blanks";
   diagnostic.help = "delete what stands before it";
   diagnostic.fixes.push_back({Applicability::safe, {{junk, ""}}});
 }
@@ -55,6 +56,7 @@ void check_encoding(std::string_view text, SourceId id, std::size_t begin, Diagn
   if (!is_wide && is_ascii) return;  // the same bytes in every encoding that extends ASCII
   Diagnostic& diagnostic = sink.report(rules::sml1008_xml_encoding, place,
                                        "the file is UTF-8, but declares `" + written + "`");
+  if (is_wide) diagnostic.construct = "wide";
   diagnostic.help = "write `UTF-8`";
   diagnostic.fixes.push_back(
       {is_wide ? Applicability::safe : Applicability::unsafe, {{place, "UTF-8"}}});

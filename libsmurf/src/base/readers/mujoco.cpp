@@ -17,6 +17,8 @@ constexpr std::string_view kIgnores = "does not look at it";
 constexpr Fact kUnread[] = {
     {&mujoco, ignores, kVisuals, "MuJoCo (discardvisual), run", "/visual/origin/"},
     {&mujoco, ignores, kVisuals, "MuJoCo (discardvisual), run", "/visual/geometry/"},
+    {&mujoco, ignores, kIgnores, kRun, "#in-fixed/limit/"},
+    {&mujoco, ignores, kIgnores, kRun, "#in-fixed/dynamics/"},
     {&mujoco, ignores, kIgnores, kRun, "/texture/"},
     {&mujoco, ignores, kIgnores, kRun, "/calibration/"},
     {&mujoco, ignores, kIgnores, kRun, "/safety_controller/"},

@@ -20,6 +20,11 @@ constexpr FamilyFact kFamilies[] = {
       "/material/"}},
 };
 
+constexpr Fact kUnread[] = {
+    {&urdfdom, ignores, "does not read the axis of such a joint", kRun, "#in-fixed/axis/"},
+    {&urdfdom, ignores, "does not read the axis of such a joint", kRun, "#in-floating/axis/"},
+};
+
 }  // namespace
 
 extern constinit const Reader urdfdom{.name = "urdfdom",
@@ -28,6 +33,7 @@ extern constinit const Reader urdfdom{.name = "urdfdom",
                                       .like = &urdf,
                                       .version = "urdfdom 3.0.1",
                                       .families = kFamilies,
-                                      .is_target = false};
+                                      .is_target = false,
+                                      .unread = kUnread};
 
 }  // namespace smurf::readers

@@ -6,7 +6,8 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::takes, "skips the blanks", kRun},
+    {&readers::urdfdom, Effect::takes, "skips blanks", kRun, "#blanks"},
+    {&readers::mujoco, Effect::takes, "skips blanks", kRun, "#blanks"},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };
 

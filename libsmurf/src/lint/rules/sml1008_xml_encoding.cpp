@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
 #include "base/rules.hpp"
 
 namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "reads UTF-8 all the same", kRun, "#wide"},
+    {&readers::mujoco, Effect::takes, "reads UTF-8 all the same", kRun, "#wide"},
+};
+
+}  // namespace
 
 extern constinit const Rule sml1008_xml_encoding{
     .id = "SML1008",
@@ -14,6 +23,7 @@ extern constinit const Rule sml1008_xml_encoding{
         "MuJoCo, Bullet): names beyond ASCII differ from reader to reader.",
     .remedy = "Declare UTF-8, or leave the encoding out.",
     .sources = "urdfdom, MuJoCo and urdf-loader 0.13, executed; XML 1.0 section 4.3.3.",
+    .facts = kFacts,
     .blocks_building = true};
 
 }  // namespace smurf::rules

@@ -26,6 +26,7 @@ constexpr Fact kFacts[] = {
      "reports an error and drops the visuals and collisions of the link that follow", kRun,
      "/link/"},
     {&readers::urdfdom, Effect::crashes, kPrintf, kPrintfRun},
+    {&readers::gazebo, Effect::crashes, kPrintf, kRun, "/cylinder/"},
     {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@reference/"},
     {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@filename/"},
     {&readers::mujoco, Effect::takes, "reads the text", kRun, "/@type/"},

@@ -2,6 +2,7 @@
 #include "base/edits.hpp"
 #include "base/path.hpp"
 #include "base/readers.hpp"
+#include "base/words.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
@@ -10,7 +11,7 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   const Field<std::string>& name = model.robot->name;
-  if (name.written && !name->empty()) return;
+  if (name.written && !trimmed(*name).empty()) return;
   const Span tag = tag_name(model, model.robot->document.root);
   if (!name.written && is_slip(model, model.robot->document.root, "name", findings)) return;
   Diagnostic& diagnostic =

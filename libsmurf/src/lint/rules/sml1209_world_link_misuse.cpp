@@ -11,8 +11,15 @@ void check(const LinkedModel& model, Findings& findings) {
   const urdf::Link& link = model.robot->links[*index];
   if (const auto above = model.tree.parent_joint[*index]) {
     const urdf::Joint& joint = model.joint(*above);
-    findings.report(joint.child.span, title(joint) + " leads to the link `world`")
-        .labels.push_back({link.name.span, "Gazebo, Drake and MuJoCo take this for the world"});
+    Diagnostic& diagnostic =
+        findings.report(joint.child.span, title(joint) + " leads to the link `world`");
+    diagnostic.labels.push_back(
+        {link.name.span, "Gazebo, Drake and MuJoCo take this for the world"});
+    if (joint.is_movable()) diagnostic.construct = "moving";
+    return;
+  }
+  if (model.robot->links.size() == 1) {
+    findings.report(link.name.span, "the link `world` is the only one").construct = "alone";
     return;
   }
   if (!link.inertial && link.collisions.empty()) return;
@@ -23,13 +30,16 @@ void check(const LinkedModel& model, Findings& findings) {
       .labels.push_back({link.name.span, "Gazebo, Drake and MuJoCo take this for the world"});
 }
 
+constexpr std::string_view kDrops =
+    "takes it for the world itself, and drops its inertial and collisions";
+
 constexpr Fact kFacts[] = {
-    {&readers::gazebo, Effect::loses,
-     "takes it for the world itself: drops its inertial and collisions, or refuses a joint that leads to it",
-     "sdformat parser_urdf.cc:3397, run"},
-    {&readers::mujoco, Effect::loses,
-     "takes it for the world itself: drops its inertial and collisions, or refuses a joint that leads to it",
-     kRun},
+    {&readers::gazebo, Effect::refuses, "refuses a joint that moves the world", kRun, "#moving"},
+    {&readers::gazebo, Effect::refuses, "takes it for the world: a model without links", kRun,
+     "#alone"},
+    {&readers::gazebo, Effect::loses, kDrops, "sdformat parser_urdf.cc:3397, run"},
+    {&readers::mujoco, Effect::refuses, "refuses a joint that moves the world", kRun, "#moving"},
+    {&readers::mujoco, Effect::loses, kDrops, kRun},
     {&readers::drake, Effect::loses,
      "takes it for the world itself: drops its inertial and collisions, or refuses a joint that leads to it",
      "Drake detail_urdf_parser.cc:203-216"},

@@ -13,7 +13,9 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.name && joint.name->empty()) {
-      findings.report(tag_name(model, joint.element), "a joint has an empty name");
+      Diagnostic& diagnostic =
+          findings.report(tag_name(model, joint.element), "a joint has an empty name");
+      if (joint.type == urdf::JointType::fixed) diagnostic.construct = "fixed";
     }
   });
 }
@@ -23,6 +25,8 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "reports two roots and refuses the file", kRun},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
+    {&readers::gazebo, Effect::takes, "makes one link of two, and no joint", kRun, "/joint/#fixed"},
+    {&readers::gazebo, Effect::refuses, "refuses a joint without a name", kRun, "/joint/"},
     {&readers::mujoco, Effect::takes, "takes a joint without a name", kRun, "/joint/"},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
 };

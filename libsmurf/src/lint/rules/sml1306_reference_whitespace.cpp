@@ -12,7 +12,10 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(name.span, "a blank belongs to the name " + quoted(*name));
     const std::string_view meant = trimmed(*name);
-    if (meant.empty()) return;
+    if (meant.empty()) {
+      diagnostic.construct = "nothing-else";
+      return;
+    }
     diagnostic.fixes.push_back({Applicability::unsafe, {{name.span, std::string(meant)}}});
   });
 }
@@ -23,6 +26,10 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes, "does not look for the joint; it is left free", kRun,
      "/mimic/"},
     {&readers::urdfdom, Effect::takes, "keeps the blank in the name", kRun, "/joint/@name/"},
+    {&readers::gazebo, Effect::takes, "makes one link of two, and no joint", kRun,
+     "/joint/@name/#nothing-else#in-fixed/"},
+    {&readers::gazebo, Effect::refuses, "refuses a joint without a name", kRun,
+     "/joint/@name/#nothing-else"},
     {&readers::mujoco, Effect::takes, "keeps the blank in the name", kRun, "/joint/@name/"},
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <optional>
 
+#include "ast/urdf_numbers.hpp"
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/inertia.hpp"
@@ -10,6 +12,16 @@
 namespace smurf::rules {
 namespace {
 
+/// The place of an entry that is too small for a double, which most readers take for 0.
+std::optional<Span> find_underflow(const LinkedModel& model, const urdf::Inertial& inertial) {
+  const xml::View element = xml::View(model.robot->document, inertial.element).child("inertia");
+  if (!element) return std::nullopt;
+  for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
+    if (is_underflow(at->value())) return at->value_span();
+  }
+  return std::nullopt;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   std::vector<bool> sound;  // asked for where there is something to report
   std::size_t index = 0;
@@ -17,7 +29,13 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::size_t at = index++;
     if (!link.inertial) return;
     const auto moments = principal_moments(*link.inertial);
-    if (!moments) return;
+    if (!moments) {
+      const auto place = find_underflow(model, *link.inertial);
+      if (!place) return;
+      if (sound.empty()) sound = sound_together(model);
+      if (!sound[at]) findings.add_consequence(*place);
+      return;
+    }
     const auto& [low, middle, high] = *moments;
     if (high == 0 && low == 0) return;  // all zero is another defect
     if (is_positive_definite(*moments)) return;

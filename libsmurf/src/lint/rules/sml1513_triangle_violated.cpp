@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
@@ -41,6 +42,7 @@ constexpr Fact kFacts[] = {
      "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
     {&readers::dart, Effect::changes, "computes with it all the same", kRun},
+    {&readers::mujoco, Effect::changes, "balances the moments, as it is told", kRun, kBalanced},
     {&readers::mujoco, Effect::refuses, "refuses the inertia",
      "MuJoCo user_objects.cc:2762-2770, run"},
     {&readers::drake, Effect::changes, "puts a sphere of water with that mass in its place",

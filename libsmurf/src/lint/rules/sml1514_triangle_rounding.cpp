@@ -3,6 +3,7 @@
 
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 #include "lint/rigid_bodies.hpp"
@@ -29,7 +30,37 @@ const Field<double>* largest_of_diagonal(const urdf::Inertial& inertial) {
   return largest;
 }
 
+bool is_fixed_to_others(const LinkedModel& model, std::size_t link) {
+  const auto is_fixed = [&](JointIndex joint) {
+    return model.joint(joint).type == urdf::JointType::fixed;
+  };
+  const auto above = model.tree.parent_joint[link];
+  return (above && is_fixed(*above)) ||
+         std::ranges::any_of(model.tree.child_joints[link], is_fixed);
+}
+
+/// sdformat adds up the inertials of a body about another point than their centre. Of moments that
+/// are smaller than the rounding of what is added to them, nothing is left.
+void check_heavy(const LinkedModel& model, Findings& findings) {
+  std::size_t index = 0;
+  for_each_link(model, [&](const urdf::Link& link) {
+    const std::size_t at = index++;
+    if (!link.inertial || !is_fixed_to_others(model, at)) return;
+    const Vector3 center = link.inertial->origin.xyz.value_or(Vector3{});
+    const double square = center[0] * center[0] + center[1] * center[1] + center[2] * center[2];
+    const double rounding = kEpsilon * link.inertial->mass.value_or(0) * square;
+    if (!(rounding > link.inertial->ixx.value_or(0))) return;
+    const auto moments = principal_moments(*link.inertial);
+    if (!moments || !is_positive_definite(*moments) || triangle_excess(*moments) > 0) return;
+    findings
+        .report(inertia_place(model, *link.inertial),
+                "the inertia of " + title(link) + " is lost in rounding beside its mass")
+        .construct = "lost";
+  });
+}
+
 void check(const LinkedModel& model, Findings& findings) {
+  check_heavy(model, findings);
   constexpr double kNoise = 1e-14;   // of the eigenvalues
   constexpr double kMargin = 1e-12;  // what the sum is lowered by, relative
   std::vector<bool> sound;           // asked for where there is something to report
@@ -65,6 +96,10 @@ constexpr Fact kFacts[] = {
      "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia",
      "gz-math MassMatrix3.hh, run", "#sdformat"},
+    {&readers::gazebo, Effect::refuses,
+     "adds it to what it is fixed to, and reports error E18, an invalid inertia", kRun, "#lost"},
+    {&readers::mujoco, Effect::takes, "keeps the moments", kRun, "#lost"},
+    {&readers::mujoco, Effect::changes, "balances the moments, as it is told", kRun, kBalanced},
     {&readers::mujoco, Effect::refuses, "refuses the inertia: it tolerates nothing",
      "MuJoCo user_objects.cc:2762-2770, run"},
     {&readers::drake, Effect::changes, "puts a sphere of water with that mass in its place",

@@ -1,16 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+
+#include "ast/urdf_numbers.hpp"
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
+#include "base/words.hpp"
 #include "lint/inertia.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
+constexpr double kSmallest = 1e-14;  // kg m^2, mjEPS
+
+/// The places of the hexadecimal entries, which MuJoCo alone reads, and the tensor it makes of
+/// them.
+struct HexadecimalInertia {
+  urdf::Inertial inertial;
+  std::vector<Span> places;
+
+  HexadecimalInertia(const LinkedModel& model, const urdf::Inertial& written) {
+    const xml::View inertia = xml::View(model.robot->document, written.element).child("inertia");
+    if (!inertia) return;
+    using urdf::Inertial;
+    constexpr std::pair<const char*, Field<double> Inertial::*> kEntries[] = {
+        {"ixx", &Inertial::ixx}, {"ixy", &Inertial::ixy}, {"ixz", &Inertial::ixz},
+        {"iyy", &Inertial::iyy}, {"iyz", &Inertial::iyz}, {"izz", &Inertial::izz}};
+    for (const auto& [name, entry] : kEntries) {
+      inertial.*entry = written.*entry;
+      const xml::Attribute* attribute = inertia.attribute(name);
+      if (attribute == nullptr || written.*entry) continue;
+      if (const auto value = parse_hexadecimal(trimmed(attribute->value())))
+        add(*attribute, *value, inertial.*entry);
+    }
+  }
+
+ private:
+  void add(const xml::Attribute& attribute, double value, Field<double>& entry) {
+    entry.set(value);
+    Span place = attribute.value_span();
+    const std::size_t blanks = attribute.value().find_first_not_of(kBlanks);
+    place.begin += static_cast<std::uint32_t>(blanks);
+    place.end = place.begin + static_cast<std::uint32_t>(trimmed(attribute.value()).size());
+    places.push_back(place);
+  }
+};
+
+/// What MuJoCo refuses of them is a consequence of their being hexadecimal.
+void check_hexadecimal(const LinkedModel& model, const urdf::Inertial& written,
+                       Findings& findings) {
+  const HexadecimalInertia read(model, written);
+  if (read.places.empty()) return;
+  const auto moments = principal_moments(read.inertial);
+  const bool is_taken =
+      moments && (*moments)[0] >= kSmallest && (*moments)[0] + (*moments)[1] >= (*moments)[2];
+  if (!is_taken) findings.add_consequence(read.places.front());
+}
+
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kSmallest = 1e-14;     // kg m^2, mjEPS
   constexpr double kMassReported = 1e-6;  // kg; such a mass is reported instead
   for_each_link(model, [&](const urdf::Link& link) {
+    if (link.inertial) check_hexadecimal(model, *link.inertial, findings);
     if (!link.inertial || link.inertial->mass.value_or(0) <= kMassReported) return;
     const auto moments = principal_moments(*link.inertial);
     if (!moments || !is_positive_definite(*moments) || (*moments)[0] >= kSmallest) return;
@@ -24,6 +74,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::refuses,
+     "reads a hexadecimal number, and refuses the inertia that it makes", kRun, "#hex"},
     {&readers::mujoco, Effect::refuses, "refuses a principal moment below 1e-14 kg m2",
      "MuJoCo user_util.cc:862, run"},
 };
@@ -35,6 +87,7 @@ extern constinit const Rule sml1515_inertia_below_mujoco{
     .name = "inertia-below-mujoco",
     .severity = Severity::warning,
     .summary = "A moment of inertia is smaller than MuJoCo accepts.",
+    .why = "What it makes of hexadecimal entries, which others refuse, is judged likewise.",
     .remedy = "Write the real inertia, or remove the inertial of a link that is only a frame.",
     .sources = "176 inertials of the Tola/Corke dataset.",
     .check_model = check,

@@ -5,6 +5,7 @@
 
 #include "base/path.hpp"
 #include "base/readers.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/mesh_queries.hpp"
 
@@ -116,6 +117,7 @@ constexpr Fact kFacts[] = {
      "sdformat parser_urdf.cc:2416-2431", "#mesh"},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun, "#mesh"},
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun, "#package"},
+    {&readers::mujoco, Effect::takes, "looks where its element `compiler` says", kRun, kElsewhere},
     {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun,
      "#mesh"},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_path_utils.cc", "#mesh"},

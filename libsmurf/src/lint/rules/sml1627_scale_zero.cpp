@@ -1,40 +1,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
+double volume_of(const Vector3& edges) { return std::fabs(edges[0] * edges[1] * edges[2]); }
+
+/// The volume of the mesh at most, in the unit of the file: that of its box where the surface is
+/// open. None of a flat mesh, which is another defect.
+std::optional<double> unscaled_volume(const LinkedModel& model, const urdf::Mesh& mesh) {
+  const MeshFacts* facts = find_facts(model, mesh);
+  if (facts == nullptr || facts->defect || !facts->box) return std::nullopt;
+  const double around = volume_of(facts->box->size());
+  if (around == 0) return std::nullopt;
+  return facts->volume ? std::fabs(*facts->volume) : around;
+}
+
+void check_mesh(const LinkedModel& model, const urdf::Mesh& mesh, Findings& findings) {
+  constexpr double kSmallest = 1e-15;  // m^3, mjMINVAL
+  const double factor = volume_of(*mesh.scale);
+  if (std::ranges::count(*mesh.scale, 0) > 0) {
+    findings.report(mesh.scale.span, "the mesh is flat in one direction: its scale has a 0")
+        .construct = "zero";
+    return;
+  }
+  const auto volume = unscaled_volume(model, mesh);
+  if (!volume || *volume * factor >= kSmallest) return;
+  Diagnostic& diagnostic = findings.report(
+      mesh.scale.span, "its scale leaves a mesh of " + format_rounded(*volume * factor, 3) + " m3");
+  diagnostic.construct = "tiny";
+  diagnostic.severity = Severity::warning;
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for_each_geometry(model, [&](const GeometryUse& use) {
     const urdf::Mesh* mesh = use.mesh();
-    if (mesh == nullptr || !mesh->scale) return;
-    for (const double component : *mesh->scale) {
-      if (!(component == 0)) continue;
-      findings.report(mesh->scale.span, "the mesh is flat in one direction: its scale has a 0");
-      return;
-    }
+    if (mesh != nullptr && mesh->scale) check_mesh(model, *mesh, findings);
   });
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
-     "MARS NodePhysics.cpp:626-634"},
+     "MARS NodePhysics.cpp:626-634", "#zero"},
+    {&readers::dart, Effect::takes, "keeps the scale", kRun, "#tiny"},
     {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
+    {&readers::mujoco, Effect::refuses, "refuses a mesh of less than 1e-15 m3", kRun, "#tiny"},
     {&readers::mujoco, Effect::refuses, "refuses a scale of 0", kRun},
-    {&readers::drake, Effect::refuses, "refuses a scale below 1e-8", "Drake shape_specification.h"},
+    {&readers::drake, Effect::refuses, "refuses a scale below 1e-8", "Drake shape_specification.h",
+     "#zero"},
+    {&readers::urdfdom, Effect::takes, "keeps the scale", kRun, "#tiny"},
     {&readers::urdfdom, Effect::changes, "keeps a shape without volume", kRun},
 };
 
 }  // namespace
 
-extern constinit const Rule sml1627_scale_zero{.id = "SML1627",
-                                               .name = "scale-zero",
-                                               .severity = Severity::error,
-                                               .summary = "A mesh scale has a component of 0.",
-                                               .why = "The mesh is flat.",
-                                               .remedy = "Write the factor that was meant.",
-                                               .check_model = check,
-                                               .facts = kFacts};
+extern constinit const Rule sml1627_scale_zero{
+    .id = "SML1627",
+    .name = "scale-zero",
+    .severity = Severity::error,
+    .summary = "A mesh scale has a component of 0, or leaves next to nothing of the mesh.",
+    .why = "The mesh is flat, or smaller than any part of a robot.",
+    .remedy = "Write the factor that was meant.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -5,10 +5,14 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kCarried = "#carried";  // see locate()
+
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "computes with it until nothing has a position",
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
+    {&readers::mujoco, Effect::changes, "computes with it where the body does not move by itself",
+     kRun, kCarried},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
      "/inertial/origin/@rpy/"},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such a mass", kRun, "/mass/"},

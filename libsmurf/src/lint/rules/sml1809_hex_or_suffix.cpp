@@ -5,11 +5,17 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kNotPositive =
+    "reads a hexadecimal number, and refuses a size that is not positive";
+
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads a hexadecimal number",
      "Bullet UrdfParser.cpp (atof), run", "#hex"},
     {&readers::pybullet, Effect::changes, "reads the digits in front",
      "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@size/#hex#not-positive"},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@radius/#hex#not-positive"},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@length/#hex#not-positive"},
     {&readers::mujoco, Effect::changes, "reads a hexadecimal number", kRun, "#hex"},
     {&readers::drake, Effect::changes, "reads the digits in front", "Drake detail_tinyxml.h:60-73"},
 };

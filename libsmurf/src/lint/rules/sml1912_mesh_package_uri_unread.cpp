@@ -2,6 +2,7 @@
 #include <map>
 
 #include "base/readers.hpp"
+#include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -35,6 +36,7 @@ constexpr Fact kFacts[] = {
      "MARS misc.cpp:112-131"},
     {&readers::phobos, Effect::changes, "takes the folder above urdf/ for every package",
      "Phobos xml.py:89-98"},
+    {&readers::mujoco, Effect::takes, "looks where its element `compiler` says", kRun, kElsewhere},
     {&readers::mujoco, Effect::refuses, "takes `package://` for a part of the path", kRun},
     {&readers::dart, Effect::refuses, "knows no package that it was not told of", kRun},
 };

@@ -18,7 +18,21 @@ bool is_without_mass(const LinkedModel& model) {
                      [](const urdf::Joint& joint) { return joint.is_movable(); });
 }
 
+/// The root has no inertial either when numbers in it cannot be read, for readers that then drop
+/// it.
+void check_unreadable_root(const LinkedModel& model, Findings& findings) {
+  constexpr double kDropped = 1e-6;  // kg; sdformat drops bodies up to this
+  if (model.tree.roots.size() != 1) return;
+  const LinkIndex root = model.tree.roots.front();
+  const std::optional<urdf::Inertial>& inertial = model.link(root).inertial;
+  if (!inertial || masses_of_bodies(model)[to_size(root)] > kDropped) return;
+  const Field<double>& own = inertial->mass;
+  if (own) return;  // a mass of 0 is another finding
+  findings.add_consequence(own.written ? own.span : tag_name(model, inertial->element));
+}
+
 void check(const LinkedModel& model, Findings& findings) {
+  if (model.robot) check_unreadable_root(model, findings);
   std::vector<const urdf::Link*> links;
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial && link.name.value_or("") != "world") links.push_back(&link);
@@ -40,11 +54,14 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
+constexpr std::string_view kDropsRoot =
+    "drops the root with everything below it: a model without links";
+
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "gives each such link 1 kg and 1 kg m2",
      "Bullet UrdfParser.cpp:1051-1059"},
-    {&readers::gazebo, Effect::refuses,
-     "drops the root with everything below it: a model without links", kRun, "#root"},
+    {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, "#root"},
+    {&readers::gazebo, Effect::refuses, kDropsRoot, kRun, "/inertial/"},
     {&readers::dart, Effect::changes, "gives each such link 1 kg and 1 kg m2", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without mass or collision", kRun,
      "#massless-body"},

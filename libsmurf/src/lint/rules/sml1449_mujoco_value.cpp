@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "ast/urdf_numbers.hpp"
+#include "base/numbers.hpp"
+#include "base/path.hpp"
+#include "base/readers.hpp"
+#include "base/words.hpp"
+#include "link/mujoco_compiler.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// What MuJoCo reads of a `compiler`; it ignores other attributes.
+constexpr std::string_view kFlags[] = {"autolimits",    "balanceinertia", "strippath",
+                                       "discardvisual", "fusestatic",     "usethread",
+                                       "fitaabb",       "saveinertial",   "alignfree"};
+constexpr std::string_view kNumbers[] = {"boundmass", "boundinertia", "settotalmass"};
+
+bool is_number(std::string_view text) {
+  const std::string lower = path::to_lower(text);
+  const std::string_view bare =
+      lower.starts_with('-') || lower.starts_with('+') ? std::string_view(lower).substr(1) : lower;
+  return parse_number(text) || parse_hexadecimal(text) || bare == "nan" || bare == "inf";
+}
+
+/// None or one; no number leaves the default.
+bool is_at_most_one_number(std::string_view text) {
+  std::size_t at = 0;
+  const std::string_view first = next_word(text, at);
+  return first.empty() || (is_number(first) && next_word(text, at).empty());
+}
+
+bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
+  return std::ranges::count(words, text) > 0;
+}
+
+bool is_readable(std::string_view name, std::string_view text) {
+  if (std::ranges::count(kFlags, name) > 0) return is_one_of(text, {"true", "false"});
+  if (std::ranges::count(kNumbers, name) > 0) return is_at_most_one_number(text);
+  if (name == "inertiafromgeom") return is_one_of(text, {"true", "false", "auto"});
+  if (name == "angle") return is_one_of(text, {"radian", "degree"});
+  if (name == "coordinate") return text == "local";
+  return name != "eulerseq" || text.size() == 3;
+}
+
+/// A second one of what there may be once.
+void check_repeated(const xml::View parent, std::string_view name, Findings& findings) {
+  bool is_first = true;
+  for (const xml::View child : parent) {
+    if (child.name() != name) continue;
+    if (!is_first) {
+      findings.report(child.name_span(), "a second " + quoted(name) + " in one " +
+                                             quoted(parent.name()) + ", which MuJoCo refuses");
+      return;
+    }
+    is_first = false;
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  const xml::View root = model.robot->document.view();
+  check_repeated(root, "mujoco", findings);
+  if (const xml::View mujoco = root.child("mujoco")) check_repeated(mujoco, "compiler", findings);
+  const xml::View compiler = mujoco_compiler(model);
+  if (!compiler) return;
+  for (const auto* at = compiler.attributes_begin(); at != compiler.attributes_end(); ++at) {
+    if (is_readable(at->name(), at->value()) || is_xacro(at->value())) continue;
+    findings.report(at->span(),
+                    "MuJoCo cannot read " + quoted(at->value()) + " as " + quoted(at->name()));
+  }
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1449_mujoco_value{
+    .id = "SML1449",
+    .name = "mujoco-value",
+    .severity = Severity::warning,
+    .summary = "A setting for MuJoCo is repeated, or has a value that MuJoCo cannot read.",
+    .why = "Its element `compiler` takes `true` and `false` for flags, written exactly so.",
+    .remedy = "Write one element with a value that it knows.",
+    .check_model = check,
+    .facts = kFacts};
+
+}  // namespace smurf::rules

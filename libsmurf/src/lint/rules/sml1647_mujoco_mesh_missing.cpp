@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::mujoco, Effect::refuses, "cannot open the file, and refuses the model", kRun},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1647_mujoco_mesh_missing{
+    .id = "SML1647",
+    .name = "mujoco-mesh-missing",
+    .severity = Severity::warning,
+    .summary = "A mesh is not where the file tells MuJoCo to look for it.",
+    .why = "In the element `compiler`, `meshdir` or `assetdir` goes before the path of each mesh, "
+           "and `strippath` leaves the name of the file only. Other readers ignore both.",
+    .remedy = "Name the folder that holds the meshes, relative to the URDF.",
+    .needs_target = true,
+    .facts = kFacts};
+
+}  // namespace smurf::rules

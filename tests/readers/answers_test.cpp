@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What targets are said to make of whole robots.
+#include <doctest/doctest.h>
+
+#include <span>
+#include <string>
+
+#include "smurf/check.hpp"
+#include "smurf/readers.hpp"
+
+using namespace smurf;
+
+namespace {
+
+constexpr std::string_view kRobot = R"(<robot name="r">
+<link name="base">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+  <collision><geometry><box size="1 1 1"/></geometry></collision>
+</link>
+<link name="arm">
+  <inertial>
+    <mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>
+  </inertial>
+  <collision><geometry><sphere radius="1"/></geometry></collision>
+</link>
+<joint name="a" type="revolute">
+  <parent link="base"/>
+  <child link="arm"/>
+  <axis xyz="0 0 1"/>
+  <limit lower="-1" upper="1" effort="1" velocity="1"/>
+</joint>
+</robot>
+)";
+
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+/// The robot with `text` in the place of `original`; "" is nowhere.
+std::string damaged(std::string_view original, std::string_view text) {
+  std::string robot(kRobot);
+  for (std::size_t at = original.empty() ? std::string::npos : robot.find(original);
+       at != std::string::npos; at = robot.find(original, at + text.size())) {
+    robot.replace(at, original.size(), text);
+  }
+  return robot;
+}
+
+Answer answer_to(std::string_view target, const std::string& robot,
+                 std::span<const char* const> meshes = {}) {
+  MemoryFiles files;
+  files.add("robot.urdf", robot);
+  for (const char* path : meshes) files.add(path, kTetrahedron);
+  CheckSettings settings;
+  settings.selection.targets = {find_target(target)};
+  Session session(files);
+  const Report report = session.check("robot.urdf", settings);
+  REQUIRE(report.targets.size() == 1);
+  return report.targets.front().answer();
+}
+
+Answer answer_for(std::string_view target, std::string_view original, std::string_view text) {
+  return answer_to(target, damaged(original, text));
+}
+
+}  // namespace
+
+TEST_CASE("a slip in a name that readers need is judged as what is missing") {
+  using enum Answer;
+  struct Slip {
+    const char* original;
+    const char* text;
+    Answer ros, gazebo, mujoco;  // as the programs answered
+  };
+  constexpr Slip kSlips[] = {
+      {"", "", loses, takes, takes},  // KDL computes without the mass of the root
+      {"effort=", "efrot=", refuses, refuses, loses},
+      {"velocity=", "velocty=", refuses, refuses, loses},
+      {"<limit ", "<limt ", refuses, refuses, loses},
+      {"<limit ", "<Limit ", refuses, refuses, loses},
+      {"<parent link=\"base\"/>", "<parnet link=\"base\"/>", refuses, refuses, refuses},
+      {"<parent link=", "<parent lnik=", refuses, refuses, refuses},
+      {"<child link=\"arm\"/>", "<chid link=\"arm\"/>", refuses, refuses, refuses},
+      {"<child link=\"arm\"/>", "<Child link=\"arm\"/>", refuses, refuses, refuses},
+      {"joint name=", "joint Name=", refuses, refuses, refuses},
+      {"<robot name=", "<robot nmae=", refuses, refuses, loses},
+      {"mass value=", "mass vlaue=", loses, loses, refuses},
+      {"<mass value=\"1\"/>", "<mas value=\"1\"/>", loses, loses, refuses},
+      {"sphere radius=", "sphere raduis=", loses, loses, refuses},
+      {"<box size=\"1 1 1\"/>", "<bxo size=\"1 1 1\"/>", loses, loses, refuses},
+      {"<box size=\"1 1 1\"/>", "<thing/>", loses, loses, refuses},
+      {"axis xyz=", "axis xzy=", loses, refuses, refuses},
+  };
+  for (const Slip& slip : kSlips) {
+    CAPTURE(slip.text);
+    CHECK(to_string(answer_for("ros", slip.original, slip.text)) == to_string(slip.ros));
+    CHECK(to_string(answer_for("gazebo", slip.original, slip.text)) == to_string(slip.gazebo));
+    CHECK(to_string(answer_for("mujoco", slip.original, slip.text)) == to_string(slip.mujoco));
+  }
+}
+
+TEST_CASE("MuJoCo is judged by the hexadecimal numbers and infinities it reads") {
+  CHECK(answer_for("mujoco", "ixx=\"1\"", "ixx=\"0x1\"") == Answer::loses);
+  CHECK(answer_for("mujoco", "ixx=\"1\"", "ixx=\"0x5\"") == Answer::refuses);
+  CHECK(answer_for("mujoco", "ixy=\"0\"", "ixy=\" 0x1p1\"") == Answer::refuses);
+  CHECK(answer_for("gazebo", "ixx=\"1\"", "ixx=\"0x5\"") == Answer::loses);
+  CHECK(answer_for("mujoco", "radius=\"1\"", "radius=\"0x1\"") == Answer::loses);
+  for (const char* radius : {"-inf", "0x0", "-0x1"}) {
+    CAPTURE(radius);
+    const std::string text = "radius=\"" + std::string(radius) + "\"";
+    CHECK(answer_for("mujoco", "radius=\"1\"", text) == Answer::refuses);
+  }
+}
+
+TEST_CASE("MuJoCo needs the name of a visual's material without a colour") {
+  const auto answer_with = [](const std::string& material) {
+    const std::string visual =
+        "<visual><geometry><box size=\"1 1 1\"/></geometry>" + material + "</visual><collision>";
+    return answer_for("mujoco", "<collision>", visual);
+  };
+  CHECK(answer_with("<material/>") == Answer::refuses);
+  CHECK(answer_with("<material nmae=\"red\"/>") == Answer::refuses);
+  CHECK(answer_with("<material><color rgba=\"1 0 0 1\"/></material>") == Answer::takes);
+  CHECK(answer_for("mujoco", "</robot>", "<material/></robot>") == Answer::takes);
+}
+
+TEST_CASE("MuJoCo looks for meshes where the file tells it") {
+  const auto answer_with = [](const std::string& compiler, const std::string& mesh) {
+    std::string robot = damaged("<sphere radius=\"1\"/>", "<mesh filename=\"" + mesh + "\"/>");
+    robot.insert(robot.rfind("</robot>"), "<mujoco><compiler " + compiler + "/></mujoco>");
+    constexpr const char* kMeshes[] = {"there.obj", "folder/inner.obj"};
+    return answer_to("mujoco", robot, kMeshes);
+  };
+  CHECK(answer_with("", "there.obj") == Answer::takes);
+  CHECK(answer_with("meshdir=\"\"", "there.obj") == Answer::takes);
+  CHECK(answer_with("meshdir=\"gone\"", "there.obj") == Answer::refuses);
+  CHECK(answer_with("assetdir=\"gone\"", "there.obj") == Answer::refuses);
+  CHECK(answer_with("meshdir=\"folder\" assetdir=\"gone\"", "inner.obj") == Answer::takes);
+  CHECK(answer_with("", "package://r/there.obj") != Answer::takes);
+  CHECK(answer_with("strippath=\"true\"", "folder/inner.obj") == Answer::refuses);
+  CHECK(answer_with("strippath=\"true\" meshdir=\"folder\"", "gone/inner.obj") == Answer::takes);
+}
+
+TEST_CASE("sdformat looks at the inertia of a link whose fixed joint it is told to keep") {
+  const auto answer_with = [](const std::string& flag) {
+    std::string robot = damaged("revolute", "fixed");
+    robot.replace(robot.rfind("ixx=\"1\""), 7, "ixx=\"2.5\"");
+    robot.insert(robot.rfind("</robot>"), "<gazebo reference=\"a\">" + flag + "</gazebo>");
+    return answer_to("gazebo", robot);
+  };
+  CHECK(answer_with("") == Answer::takes);
+  CHECK(answer_with("<preserveFixedJoint>false</preserveFixedJoint>") == Answer::takes);
+  CHECK(answer_with("<preserveFixedJoint>Yes</preserveFixedJoint>") == Answer::refuses);
+  CHECK(answer_with("<preserveFixedJoint value=\"1\"/>") == Answer::refuses);
+  CHECK(answer_with("<disableFixedJointLumping>true</disableFixedJointLumping>") ==
+        Answer::refuses);
+}
+
+TEST_CASE("what stands in an inertial matters where the body moves by itself, or is the root") {
+  const auto carried = [](const char* target, std::string_view text) {
+    std::string robot = damaged("revolute", "fixed");
+    return answer_to(target, robot.replace(robot.rfind("ixx=\"1\""), 7, text));
+  };
+  CHECK(answer_for("mujoco", "ixx=\"1\"", "ixx=\"inf\"") == Answer::refuses);
+  CHECK(carried("mujoco", "ixx=\"inf\"") == Answer::loses);
+  CHECK(answer_for("gazebo", "mass value=\"1\"", "mass value=\"1 2\"") == Answer::refuses);
+  CHECK(answer_for("gazebo", "<mass value=\"1\"/>", "") == Answer::refuses);
+  CHECK(carried("gazebo", "ixx=\"1 2\"") == Answer::loses);
+  const auto with_0 = [](std::string_view target) {
+    return answer_for(target, "iyy=\"1\" iyz=\"0\" izz=\"1\"",
+                      "iyy=\"2\" iyz=\"0\" izz=\"1e-400\"");
+  };
+  CHECK(with_0("gazebo") == Answer::refuses);
+  CHECK(with_0("ros") == Answer::loses);
+  const std::string heavy = "<origin xyz=\"0 0 1\"/><mass value=\"1e30\"/>";
+  CHECK(answer_for("gazebo", "<mass value=\"1\"/>", heavy) == Answer::takes);
+  CHECK(answer_to("gazebo", [&] {
+          std::string robot = damaged("revolute", "fixed");
+          return robot.replace(robot.rfind("<mass value=\"1\"/>"), 17, heavy);
+        }()) == Answer::refuses);
+}
+
+TEST_CASE("readers do not look at all parts of a joint of every type") {
+  const auto fixed = [](const char* target, std::string_view original, std::string_view text) {
+    std::string robot = damaged(original, text);
+    return answer_to(target, robot.replace(robot.find("revolute"), 8, "fixed"));
+  };
+  CHECK(answer_for("mujoco", "effort=\"1\"", "effort=\"foo\"") == Answer::refuses);
+  CHECK(fixed("mujoco", "effort=\"1\"", "effort=\"foo\"") == Answer::takes);
+  CHECK(fixed("ros", "effort=\"1\"", "effort=\"foo\"") == Answer::refuses);
+  CHECK(answer_for("gazebo", "xyz=\"0 0 1\"", "xyz=\"foo\"") == Answer::refuses);
+  CHECK(fixed("gazebo", "xyz=\"0 0 1\"", "xyz=\"foo\"") == Answer::takes);
+  CHECK(fixed("mujoco", "xyz=\"0 0 1\"", "xyz=\"foo\"") == Answer::refuses);
+}
+
+TEST_CASE("a joint that moves the link `world` is refused, and a robot that is the world is none") {
+  CHECK(answer_for("gazebo", "\"arm\"", "\"world\"") == Answer::refuses);
+  CHECK(answer_for("mujoco", "\"arm\"", "\"world\"") == Answer::refuses);
+  const std::string world = "<robot name=\"r\"><link name=\"world\"/></robot>";
+  CHECK(answer_to("gazebo", world) == Answer::refuses);
+  CHECK(answer_to("mujoco", world) != Answer::refuses);
+}
+
+TEST_CASE("sdformat refuses a joint without a name that stays a joint") {
+  CHECK(answer_for("gazebo", "joint name=\"a\"", "joint name=\"\"") == Answer::refuses);
+  CHECK(answer_for("gazebo", "joint name=\"a\" type=\"revolute\"",
+                   "joint name=\"\" type=\"fixed\"") == Answer::takes);
+  CHECK(answer_for("gazebo", "joint name=\"a\"", "joint name=\" \"") == Answer::refuses);
+  CHECK(answer_for("gazebo", "joint name=\"a\" type=\"revolute\"",
+                   "joint name=\" \" type=\"fixed\"") != Answer::refuses);
+  CHECK(answer_for("gazebo", "robot name=\"r\"", "robot name=\" \"") == Answer::refuses);
+  CHECK(answer_for("dart", "robot name=\"r\"", "robot name=\" \"") == Answer::takes);
+}
+
+TEST_CASE("a file with elements of xacro is read and judged without them") {
+  CHECK(answer_for("ros", "<joint name", "<xacro:x/><joint name") == Answer::loses);
+  CHECK(answer_for("ros", "<link name=\"arm\">", "<xacro:x/><link>") == Answer::refuses);
+  CHECK(answer_for("mujoco", "mass value=\"1\"", "xacro:x/><mass value=\"-1\"") == Answer::refuses);
+  CHECK(answer_for("ros", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
+  CHECK(answer_for("mujoco", "effort=\"1\"", "effort=\"${e}\"") == Answer::refuses);
+}
+
+TEST_CASE("a joint of Drake's is one to Drake") {
+  constexpr std::string_view kStandard = "<joint name=\"a\" type=\"revolute\">";
+  constexpr std::string_view kBall = "<drake:joint name=\"a\" type=\"ball\">";
+  std::string robot(kRobot);
+  robot.replace(robot.find(kStandard), kStandard.size(), kBall);
+  robot.replace(robot.find("</joint>"), 8, "</drake:joint>");
+  const auto count = [&](std::string_view target, std::string_view rule) {
+    MemoryFiles files;
+    files.add("robot.urdf", robot);
+    CheckSettings settings;
+    if (!target.empty()) settings.selection.targets.push_back(find_target(target));
+    Session session(files);
+    const std::vector<Diagnostic> found = session.check("robot.urdf", settings).diagnostics;
+    return std::ranges::count_if(found,
+                                 [&](const Diagnostic& one) { return one.rule->id == rule; });
+  };
+  CHECK(count("drake", "SML1204") == 0);
+  CHECK(count("ros", "SML1204") == 1);
+  CHECK(count("", "SML1204") == 1);
+  CHECK(count("drake", "SML1450") == 0);
+  CHECK(count("drake", "SML1451") == 0);
+  CHECK(count("", "SML1451") == 1);
+  robot.replace(robot.find("type=\"ball\""), 11, "type=\"revolute\"");
+  CHECK(count("drake", "SML1450") == 1);
+  CHECK(count("", "SML1450") == 0);
+  CHECK(count("ros", "SML1450") == 0);
+}
+
+TEST_CASE("Drake reads nothing in what it is told to ignore") {
+  constexpr std::string_view kBroken = "<visual/><collision>";
+  CHECK(answer_for("drake", "<collision>", kBroken) == Answer::refuses);
+  std::string robot = "<link name=\"c\" drake_ignore=\"true\"><visual/></link><joint name";
+  CHECK(answer_for("drake", "<joint name", robot) == Answer::takes);
+  robot.replace(robot.find("true"), 4, "no");
+  CHECK(answer_for("drake", "<joint name", robot) == Answer::refuses);
+}
