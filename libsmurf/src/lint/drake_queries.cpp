@@ -76,7 +76,7 @@ std::vector<double> read_numbers(std::string_view text) {
 Names::Names(const LinkedModel& model) : model_(model) {
   for (const xml::View element : model.robot->document.view()) {
     const std::string_view name = value_of(element, "name");
-    if (is_passed_over(element)) continue;
+    if (name.empty() || is_passed_over(element)) continue;
     if (element.name() == "drake:joint") joints_.add(name, element);
     // Of a floating joint Drake makes none.
     const bool is_joint = element.name() == "joint" && value_of(element, "type") != "floating";
