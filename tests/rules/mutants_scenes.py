@@ -65,6 +65,7 @@ MUTANTS = [
     ("hall-misspelt-entities", HALL, "entities:", "entites:"),
     ("hall-case-of-entities", HALL, "entities:", "Entities:"),
     ("hall-entity-singular", HALL, "entities:", "entity:"),
+    ("hall-robots", CELL, "entities:\n", "robots:\n"),
     ("hall-entities-map", CELL, "entities:\n  - {name: Shelf,", "entities:\n  Shelf: {"),
     ("hall-entities-text", CELL, "entities:\n", "entities: none\nothers:\n"),
     ("hall-entity-scalar", HALL, "entities:\n", "entities:\n  - North\n"),

@@ -1,67 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <utility>
-
 #include "ast/key_renames.hpp"
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
-#include "base/suggest.hpp"
 #include "link/scene_link.hpp"
+#include "lint/misspelt_key.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
 namespace {
 
-bool takes(const KeySpec& spec, yaml::View value) {
-  DiagnosticSink found;
-  read_value(spec, value, {}, found);
-  return found.diagnostics().empty();
-}
-
-/// `my_physics` is a name of one's own, no slip of the pen.
-constexpr int kMostEdits = 2;
-
-/// Words of other formats, and singulars, for keys of scenes and entities.
-constexpr std::pair<std::string_view, std::string_view> kOtherWords[] = {
-    {"entity", "entities"}, {"objects", "entities"},     {"models", "entities"},
-    {"light", "lights"},    {"orientation", "rotation"}, {"rot", "rotation"},
-    {"rpy", "rotation"},    {"quaternion", "rotation"},  {"translation", "position"},
-    {"pos", "position"},    {"xyz", "position"},         {"radius", "extend"},
-    {"size", "extend"},     {"extent", "extend"},        {"extents", "extend"},
-};
-
-/// Null when no reader has another word for it, or the value would not fit.
-const KeySpec* meant_by_other_word(yaml::View value, KeyRenames& renames,
-                                   std::span<const KeySpec> keys) {
-  for (const auto& [word, key] : kOtherWords) {
-    if (value.key() != word || renames.has(key)) continue;
-    const KeySpec* spec = find_key({keys}, key);
-    if (spec == nullptr || value.is_null()) continue;
-    const bool is_list = spec->type == ValueType::list;
-    if (!is_list || value.is_sequence()) return spec;
-  }
-  return nullptr;
-}
-
-/// The key that was meant: near, absent, and one that takes the value.
-const KeySpec* meant_by(yaml::View value, KeyRenames& renames, std::span<const KeySpec> keys) {
-  std::vector<std::string_view> names;
-  for (const KeySpec& spec : keys) {
-    if (spec.name != "URI") names.push_back(spec.name);  // nobody should write it
-  }
-  if (const KeySpec* other = meant_by_other_word(value, renames, keys)) return other;
-  const auto near = nearest(value.key(), names);
-  if (!near || renames.has(*near)) return nullptr;
-  if (edit_distance(value.key(), *near, kMostEdits) > kMostEdits) return nullptr;
-  const KeySpec* spec = find_key({keys}, *near);
-  return takes(*spec, value) ? spec : nullptr;
-}
-
 void report(yaml::View value, const KeySpec& meant, KeyRenames& renames, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       value.key_span(), quoted(value.key()) + " is no key that readers of scenes know");
   diagnostic.help = "did you mean " + quoted(meant.name) + "?";
-  if (takes(meant, value)) renames.offer(diagnostic.fixes, value, meant.name);
+  if (takes_value(meant, value)) renames.offer(diagnostic.fixes, value, meant.name);
 }
 
 /// The keys of a mapping and of the mappings in it that have tables of their own.
@@ -70,7 +23,7 @@ void check_mapping(yaml::View mapping, std::span<const KeySpec> keys, Findings& 
   for (const yaml::View value : mapping) {
     const KeySpec* spec = find_key({keys}, value.key());
     if (spec == nullptr) {
-      const KeySpec* meant = meant_by(value, renames, keys);
+      const KeySpec* meant = misspelt_key(value, renames, keys);
       if (meant != nullptr) report(value, *meant, renames, findings);
     } else if (spec->type == ValueType::mapping && value.is_mapping()) {
       check_mapping(value, spec->members.keys(), findings);
@@ -95,8 +48,8 @@ void check_entity(const LinkedScene& scene, const SceneFile& file, const Entity&
     if (find_key({all_entity_keys()}, key) || find_section(key)) continue;
     if (is_node && find_key({sections::node_keys()}, key)) continue;
     const yaml::View value(*file.document, extra.node);
-    const KeySpec* meant = meant_by(value, renames, all_entity_keys());
-    if (meant == nullptr && is_node) meant = meant_by(value, renames, sections::node_keys());
+    const KeySpec* meant = misspelt_key(value, renames, all_entity_keys());
+    if (meant == nullptr && is_node) meant = misspelt_key(value, renames, sections::node_keys());
     if (meant == nullptr || is_reported_as_missing(*meant, entity)) continue;
     report(value, *meant, renames, findings);
   }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keys of scenes that are almost known ones.
+#pragma once
+
+#include <span>
+
+#include "ast/key_renames.hpp"
+#include "ast/keys.hpp"
+
+namespace smurf {
+
+bool takes_value(const KeySpec& spec, yaml::View value);
+
+/// The key of `keys` that was meant by a key, of the mapping of `renames`, that none of them is:
+/// near, absent, and one that takes the value. Null when there is none.
+const KeySpec* misspelt_key(yaml::View value, KeyRenames& renames, std::span<const KeySpec> keys);
+
+}  // namespace smurf

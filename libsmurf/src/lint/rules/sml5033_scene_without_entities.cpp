@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "ast/scene_keys.hpp"
+#include "base/readers.hpp"
+#include "lint/misspelt_key.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kLists[] = {"entities", "smurfs", "smurfa"};
+
+/// What is written in the place of the list: the first key that no reader of scenes knows.
+yaml::View unknown_key(yaml::View root) {
+  for (const yaml::View value : root) {
+    if (find_key({scene_keys()}, value.key()) == nullptr) return value;
+  }
+  return {};
+}
+
+/// A list that is none, and a key that is nearly that of a list, are reported.
+bool is_reported(yaml::View root) {
+  KeyRenames renames(root);
+  return std::any_of(root.begin(), root.end(), [&](const yaml::View value) {
+    const KeySpec* meant = find_key({scene_keys()}, value.key());
+    const bool is_known = meant != nullptr;
+    if (!is_known) meant = misspelt_key(value, renames, scene_keys());
+    const bool is_list =
+        meant != nullptr && std::ranges::find(kLists, meant->name) != std::end(kLists);
+    return is_list && !(is_known && value.is_sequence());
+  });
+}
+
+void check(const LinkedScene& scene, Findings& findings) {
+  for (const SceneFile& file : scene.scenes) {
+    if (!file.document || file.drawing || !file.scene.entities.empty()) continue;
+    const yaml::View root = file.document->view();
+    if (!root || !root.is_mapping() || root.size() == 0 || is_reported(root)) continue;
+    const yaml::View other = unknown_key(root);
+    Diagnostic& diagnostic = findings.report((other ? other : *root.begin()).key_span(),
+                                             "the scene has no entities, so it is empty");
+    if (other) diagnostic.caret = "no reader of scenes knows this key";
+    diagnostic.help = "list robots and objects under `entities`";
+  }
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, "loads an empty world", "MARS SMURFLoader.cpp:418-450"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml5033_scene_without_entities{
+    .id = "SML5033",
+    .name = "scene-without-entities",
+    .severity = Severity::warning,
+    .summary = "A scene has no entities.",
+    .why =
+        "Readers ignore keys they do not know: robots under any other key than `entities` are not "
+        "loaded, and nothing tells it.",
+    .remedy = "List the entities under `entities`: `- {name: arm, type: smurf, file: arm.smurf}`.",
+    .check_scene = check,
+    .facts = kFacts};
+
+}  // namespace smurf::rules
