@@ -2,6 +2,7 @@
 // What targets are said to make of whole robots.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
 
