@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "smurf/convert.hpp"
+#include "smurf/result_losses.hpp"
 #include "smurf/write.hpp"
 
 namespace smurf::python {
@@ -21,11 +22,11 @@ Report check_owned(Owner& owner) {
   return owner.model ? check(*owner.model) : check(*owner.scene);
 }
 
-void refuse_errors(Owner& owner, const std::string& path) {
+void refuse_errors(Owner& owner, const std::string& path,
+                   const std::function<bool(const Diagnostic&)>& is_loss) {
   Report report = check_owned(owner);
-  if (report.summary.errors == 0) return;
-  std::erase_if(report.diagnostics,
-                [](const Diagnostic& one) { return one.severity != Severity::error; });
+  std::erase_if(report.diagnostics, [&](const Diagnostic& one) { return !is_loss(one); });
+  if (report.diagnostics.empty()) return;
   raise_error("'" + path + "' has errors",
               to_findings(std::move(report.diagnostics), owner.sources()));
 }
@@ -185,7 +186,11 @@ py::bytes to_urdf(const Model& self, const py::object& output_folder, const py::
   options.strips_extensions = strip_extensions;
   options.is_canonical = canonical;
   check_export(*self, options);
-  if (!force) refuse_errors(*self.owner, self->path);
+  if (!force) {
+    refuse_errors(*self.owner, self->path, [&](const Diagnostic& one) {
+      return loss_in_urdf(one, *self, options).has_value();
+    });
+  }
   DiagnosticSink losses;
   const std::string urdf = export_urdf(*self, self.owner->sources(), options, losses);
   prove(*self, urdf, options);
@@ -353,8 +358,8 @@ void bind_functions(py::class_<Model>& model) {
           py::arg("strip_extensions") = false, py::arg("canonical") = false,
           py::arg("force") = false,
           "The plain URDF as bytes, as smurf2urdf writes it: the model's own, with mesh paths that "
-          "resolve from `output_folder`, and what the options ask for. Raises smurf.Error for a "
-          "model with errors, unless `force`; nothing is written.")
+          "resolve from `output_folder`, and what the options ask for. Raises smurf.Error for "
+          "errors that make it wrong, unless `force`; nothing is written.")
       .def(
           "to_json",
           [](const Model& self) {

@@ -2,6 +2,7 @@
 // What models and scenes have in common.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "common.hpp"
@@ -11,7 +12,9 @@ namespace smurf::python {
 /// May be called again and again.
 Report check_owned(Owner& owner);
 /// Raises smurf.Error when a check finds errors.
-void refuse_errors(Owner& owner, const std::string& path);
+/// Raises when there is a finding that makes a result wrong.
+void refuse_errors(Owner& owner, const std::string& path,
+                   const std::function<bool(const Diagnostic&)>& is_loss);
 /// ValueError when it is gone.
 std::string current_folder();
 

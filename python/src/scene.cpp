@@ -7,6 +7,7 @@
 #include "model.hpp"
 #include "smurf/dialect.hpp"
 #include "smurf/flatten.hpp"
+#include "smurf/result_losses.hpp"
 #include "smurf/write.hpp"
 
 namespace smurf::python {
@@ -127,8 +128,14 @@ Flat flatten_scene(const Scene& self, const py::object& dialect, bool links,
                          .current_folder = current_folder(),
                          .old_scenes = &loaded.old_scenes};
   // Without these there is no pose to give; what rules find leaves them all known.
-  if (loaded.found.has_errors()) raise_found(self, "has errors", loaded.found);
-  if (!force) refuse_errors(*self.owner, self->path);
+  const auto is_loss = [&](const Diagnostic& one) {
+    return loss_in_scene(one, *loaded.sources).has_value();
+  };
+  const auto unread = loaded.found.diagnostics();
+  if (std::any_of(unread.begin(), unread.end(), is_loss)) {
+    raise_found(self, "has errors", loaded.found);
+  }
+  if (!force) refuse_errors(*self.owner, self->path, is_loss);
   const OtherDialect other(read_as, loaded);
   DiagnosticSink found;
   const Limits& limits = self.owner->session->limits();

@@ -571,18 +571,18 @@ class CurrentFolder(StrangerTest):
 class Action(StrangerTest):
     def test_paths(self):
         text = (ROOT / "action.yml").read_text()
-        script = text[text.index("run: |") + 6:].replace("\n      ", "\n")
-        tool = self.folder / "bin/smurf-lint"
+        script = text[text.rindex("run: |") + 6:].replace("\n      ", "\n")
+        tool = self.folder / "smurf-tools/smurf-lint"
         tool.parent.mkdir()
         tool.write_text("#!/bin/sh\nprintf '%s\\n' \"$@\"\n")
         tool.chmod(0o755)
-        head = ["--format", "github", "--fail-on=error"]
+        head = ["--format", "github", "--format", f"full={self.folder}/smurf-lint.txt", "--fail-on=error"]
         for paths, wanted in {"robots models": ["robots", "models"], "one folder\nmore\n": ["one folder", "more"],
                               "--output=x": ["--output=x"], "a\n\n-ox\n": ["a", "-ox"], "": [],
                               "a b\n": ["a", "b"]}.items():
             done = subprocess.run(["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", script], cwd=self.project,
-                                  env={"PATH": f"{tool.parent}:{os.environ['PATH']}", "PATHS": paths,
-                                       "FAIL_ON": "error", "SARIF": ""},
+                                  env={"PATH": os.environ["PATH"], "RUNNER_TEMP": str(self.folder), "PATHS": paths,
+                                       "FAIL_ON": "error", "SARIF": "", "TARGETS": ""},
                                   capture_output=True, text=True, timeout=60, check=False)
             self.assertEqual((done.returncode, done.stdout.splitlines()), (0, [*head, "--", *wanted]), done.stderr)
 

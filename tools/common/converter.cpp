@@ -13,6 +13,7 @@
 #include "common/shared_options.hpp"
 #include "render/printable.hpp"
 #include "smurf/confine.hpp"
+#include "smurf/result_losses.hpp"
 
 namespace smurf::tools {
 
@@ -38,16 +39,6 @@ Setter take_one_operand(std::string& operand) {
     operand = value;
     return std::nullopt;
   };
-}
-
-bool is_unread(const Rule& rule) {
-  return rule.check_model == nullptr && rule.check_scene == nullptr;
-}
-
-std::optional<std::string> loss_in_robot(const Rule& rule) {
-  if (rule.blocks_building) return "its links form no robot";
-  if (is_unread(rule)) return "a value cannot be read";
-  return std::nullopt;
 }
 
 Conversion::Conversion(std::string_view tool, const ConverterOptions& options,
@@ -172,12 +163,6 @@ std::string count_by_section(std::span<const Diagnostic> losses) {
 }
 
 }  // namespace
-
-std::string_view section_of(const Diagnostic& finding) {
-  std::string_view pointer = finding.pointer;
-  if (pointer.starts_with('/')) pointer.remove_prefix(1);
-  return pointer.substr(0, pointer.find('/'));
-}
 
 /// In full what spoils the result and what only the converter tells; the rest is counted.
 std::string Conversion::render_for_people(const Report& report, const LossOf& loss_of) {

@@ -41,14 +41,6 @@ Setter take_one_operand(std::string& operand);
 /// not be.
 using LossOf = std::function<std::optional<std::string>(const Diagnostic&)>;
 
-/// True for what a reader reports that could not understand a value, which is absent then.
-bool is_unread(const Rule& rule);
-/// Why what is made of a URDF with such an error would be wrong, when all its values are needed.
-std::optional<std::string> loss_in_robot(const Rule& rule);
-
-/// The section of the annotations that it is about: "motors" of "/motors/3/joint".
-std::string_view section_of(const Diagnostic& finding);
-
 /// One run of a converter. What is found goes to standard error, or where --report says.
 class Conversion {
  public:

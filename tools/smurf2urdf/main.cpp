@@ -6,7 +6,8 @@
 #include "common/converter.hpp"
 #include "common/process.hpp"
 #include "smurf/convert.hpp"
-#include "smurf2urdf/loss.hpp"
+#include "smurf/result_losses.hpp"
+
 #include "smurf2urdf/options.hpp"
 #include "smurf2urdf/verify.hpp"
 

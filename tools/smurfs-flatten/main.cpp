@@ -8,11 +8,11 @@
 #include "common/process.hpp"
 #include "render/printable.hpp"
 #include "smurf/dialect.hpp"
+#include "smurf/result_losses.hpp"
 #include "smurf/write_scene.hpp"
 #include "smurfs-flatten/assets.hpp"
 #include "smurfs-flatten/chain.hpp"
 #include "smurfs-flatten/compare.hpp"
-#include "smurfs-flatten/loss.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;

@@ -10,6 +10,7 @@
 #include "common/process.hpp"
 #include "render/printable.hpp"
 #include "smurf/convert.hpp"
+#include "smurf/result_losses.hpp"
 #include "smurf/write.hpp"
 
 using namespace smurf;
@@ -125,12 +126,6 @@ std::string file_name_of(const Options& options, const LinkedModel& model) {
     return safe_name(path::stem(model.urdf_path));
   }
   return "robot";
-}
-
-/// Why the model would be wrong with this finding in the URDF or SRDF.
-std::optional<std::string> loss_of(const Diagnostic& finding) {
-  if (finding.severity != Severity::error) return std::nullopt;
-  return loss_in_robot(*finding.rule);
 }
 
 struct Verification {
@@ -278,7 +273,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> outputs = places_of(copies, conversion.inputs());
   for (const TextFile& file : files) outputs.push_back(path::join(folder, file.path));
   if (!options.dry_run && !conversion.keeps_inputs(outputs)) return kFailed;
-  const ExitCode verdict = conversion.report(*loaded, loss_of);
+  const ExitCode verdict = conversion.report(*loaded, loss_in_model);
   if (verdict == kFailed) return kFailed;
   if (!model.robot) return conversion.refuse(conversion.why());
   if (verdict != kDone && !options.force) {

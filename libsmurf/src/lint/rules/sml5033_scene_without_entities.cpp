@@ -32,12 +32,20 @@ bool is_reported(yaml::View root) {
   });
 }
 
+/// Other scenes may include one that has only lights, physics or an environment.
+bool is_world(yaml::View root) {
+  return std::any_of(root.begin(), root.end(), [](const yaml::View value) {
+    return std::ranges::find(kLists, value.key()) == std::end(kLists);
+  });
+}
+
 void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneFile& file : scene.scenes) {
     if (!file.document || file.drawing || !file.scene.entities.empty()) continue;
     const yaml::View root = file.document->view();
     if (!root || !root.is_mapping() || root.size() == 0 || is_reported(root)) continue;
     const yaml::View other = unknown_key(root);
+    if (!other && is_world(root)) continue;
     Diagnostic& diagnostic = findings.report((other ? other : *root.begin()).key_span(),
                                              "the scene has no entities, so it is empty");
     if (other) diagnostic.caret = "no reader of scenes knows this key";

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smurf2urdf/loss.hpp"
+#include "smurf/result_losses.hpp"
 
 #include <algorithm>
 
-#include "common/converter.hpp"
-#include "smurf/readers.hpp"
+#include "base/readers.hpp"
+#include "smurf/check.hpp"
 
-namespace smurf::tools {
+namespace smurf {
 namespace {
 
-/// What loads URDFs for nearly everybody, and is asked about the result.
-const Reader& urdfdom() {
-  const auto readers = all_readers();
-  return **std::ranges::find(readers, "urdfdom", &Reader::name);
+/// What a reader of files reports itself: a value that is absent then, because it was not
+/// understood.
+bool is_unread(const Rule& rule) {
+  return rule.check_model == nullptr && rule.check_scene == nullptr;
+}
+
+std::optional<std::string> loss_in_robot(const Rule& rule) {
+  if (rule.blocks_building) return "its links form no robot";
+  if (is_unread(rule)) return "a value cannot be read";
+  return std::nullopt;
 }
 
 bool takes_annotations(const UrdfExport& wanted) {
@@ -38,8 +44,9 @@ bool computes(const UrdfExport& wanted) {
   return wanted.collapses_fixed || wanted.is_canonical || !wanted.version.empty();
 }
 
+/// urdfdom is what loads URDFs for nearly everybody, and is asked about the result.
 std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExport& wanted) {
-  const Fact* fact = find_fact(urdfdom(), finding);
+  const Fact* fact = find_fact(readers::urdfdom, finding);
   if (fact != nullptr && fact->effect >= Effect::refuses) {
     return std::string(fact->reader->title) + " " + std::string(fact->makes);
   }
@@ -65,13 +72,43 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
   return "the options ask for annotations that are not right";
 }
 
+std::optional<std::string> loss_in_model(const Diagnostic& finding) {
+  if (finding.severity != Severity::error) return std::nullopt;
+  return loss_in_robot(*finding.rule);
+}
+
+std::optional<std::string> loss_in_scene(const Diagnostic& finding, const SourceMap& sources) {
+  if (finding.severity != Severity::error) return std::nullopt;
+  const Rule& rule = *finding.rule;
+  switch (input_kind(sources.path(finding.span.source))) {
+  case InputKind::resource: return std::nullopt;
+  case InputKind::urdf: return loss_in_robot(rule);
+  case InputKind::annotation:
+    // Of annotations, only the named poses say where a link stands.
+    if (rule.id.starts_with("SML0")) return "a file cannot be read";
+    if (section_of(finding) == "poses") return "a named pose is not understood";
+    return std::nullopt;
+  case InputKind::model: return "a .smurf decides which files a robot is made of";
+  case InputKind::scene:
+  case InputKind::drawing:
+  case InputKind::other: break;
+  }
+  return "it is not known where everything stands";
+}
+
 bool may_ask_urdfdom(std::span<const Diagnostic> findings) {
   return std::none_of(findings.begin(), findings.end(), [](const Diagnostic& finding) {
-    const Fact* fact = find_fact(urdfdom(), finding);
+    const Fact* fact = find_fact(readers::urdfdom, finding);
     if (fact != nullptr) return fact->effect >= Effect::refuses;
     // Values that were read are safe, whatever a rule thinks of them.
     return finding.severity == Severity::error && is_unread(*finding.rule);
   });
 }
 
-}  // namespace smurf::tools
+std::string_view section_of(const Diagnostic& finding) {
+  std::string_view pointer = finding.pointer;
+  if (pointer.starts_with('/')) pointer.remove_prefix(1);
+  return pointer.substr(0, pointer.find('/'));
+}
+
+}  // namespace smurf
