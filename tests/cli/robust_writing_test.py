@@ -211,13 +211,15 @@ class WritingTest(unittest.TestCase):
                             next(iter(files.values())))
 
     @for_each_job
-    def test_missing_mesh(self, job, files):
+    def test_refused_result(self, job, files):
+        """A mesh is missing, which is as true of the result, and refused because the user says so."""
         if job.split()[0] not in ("smurf2urdf", "urdf2smurf"):
             return
         (self.folder / "in/meshes/forearm.obj").unlink(missing_ok=True)
-        done = self.run_job(job)
+        done = subprocess.run([*self.command(job), "--fail-on", "error"], cwd=self.folder, timeout=60,
+                              encoding="utf-8", capture_output=True, check=False)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("SML1604", done.stderr)
+        self.assertIn("1 error: see smurf-lint", done.stderr)
         self.assertIn("nothing was written", done.stderr)
         self.assertEqual(self.texts(self.target), files)
 
