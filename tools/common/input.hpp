@@ -64,7 +64,7 @@ class InputFiles final : public FileReader {
 bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
                   std::span<const std::string> outputs);
 
-/// Those of the run.
+/// Shared by the whole run, so that each path is looked up once.
 const CanonicalPaths& canonical_paths();
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path);

@@ -21,7 +21,7 @@ bool keeps_visuals(const LinkedModel& model);
 /// Does it tell MuJoCo to look for meshes elsewhere than their paths say?
 bool is_told_where_meshes_are(const LinkedModel& model);
 
-/// Does it tell MuJoCo to change inertias that no body can have?
+/// Whether `balanceinertia` tells MuJoCo to repair inertias that no body can have.
 bool balances_inertias(const LinkedModel& model);
 
 /// Reports the meshes that are not where MuJoCo is told to look for them.

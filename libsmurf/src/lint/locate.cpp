@@ -110,7 +110,7 @@ void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
 
 constexpr std::string_view kDrakeIgnored = "#drake-ignored";
 
-/// Drake does not read links and joints that are marked so.
+/// Marks what is found in links and joints with `drake_ignore="true"`, which Drake skips.
 void mark_ignored(const xml::Document& document, std::span<Diagnostic* const> found) {
   std::vector<Span> ignored;  // in the order of the file
   for (const xml::View element : document.view()) {
