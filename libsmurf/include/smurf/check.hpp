@@ -170,6 +170,9 @@ class Session {
   /// the same settings, sorted.
   std::vector<Diagnostic> finish(const LoadedModel& loaded, std::vector<Diagnostic> found) const;
   std::vector<Diagnostic> finish(const LoadedScene& loaded, std::vector<Diagnostic> found) const;
+  /// Only what is in one model of the scene: takes time for that model, not for the scene.
+  std::vector<Diagnostic> finish(const LoadedScene& loaded, const LinkedModel& model,
+                                 std::vector<Diagnostic> found) const;
 
   /// The disk or the reader it was made with, archives as folders, and the unsaved texts.
   const FileReader& files() const;

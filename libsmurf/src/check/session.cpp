@@ -283,6 +283,11 @@ std::vector<Diagnostic> Session::finish(const LoadedScene& loaded,
                        loaded.with->group().selection);
 }
 
+std::vector<Diagnostic> Session::finish(const LoadedScene& loaded, const LinkedModel& model,
+                                        std::vector<Diagnostic> found) const {
+  return finish_others(model, std::move(found), *loaded.sources, loaded.with->group().selection);
+}
+
 const FileReader& Session::files() const { return *state_->files; }
 const Limits& Session::limits() const { return state_->limits; }
 
