@@ -114,7 +114,8 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "time-limit",
        .metavar = "S",
-       .help = "Seconds of processor time that one check may take; 10 usually.",
+       .help = "Seconds of processor time for a model, or for a scene and all of its models; 10 "
+               "usually.",
        .set = set_time_limit(options.limits.seconds)},
       {.group = "Check",
        .name = "memory-limit",
