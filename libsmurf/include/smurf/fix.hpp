@@ -24,7 +24,8 @@ struct AppliedFixes {
 
 /// Applies the fixes of the diagnostics, in their order: the safe ones, and the unsafe ones too
 /// when `most` is unsafe. A fix is applied whole or not at all; one that touches what an earlier
-/// one touches is left for another round, because its bytes are no longer there.
+/// one touches is left for another round, because its bytes are no longer there, and so is one that
+/// gives a second key of a mapping the same new name.
 AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          Applicability most);
 
