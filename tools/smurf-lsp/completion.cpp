@@ -79,6 +79,7 @@ class Completer {
 
   void complete_yaml(KeyLanguage language) {
     const YamlContext context = yaml_context(text_, offset_);
+    if (context.is_comment) return;
     set_place(context.begin, context.end);
     if (!context.key.empty()) {
       KeyPath path = context.path;

@@ -71,28 +71,6 @@ std::optional<Said> mesh_at(Context& context, const PlaceView& place) {
   return std::nullopt;
 }
 
-/// The key or its value, with what the tables say of it.
-Lines lines_of(const KeyHelp& help) {
-  std::string first = "**" + help.name + "** (" + help.owner + ")";
-  if (help.required) first += ", required";
-  Lines lines{first};
-  if (!help.doc.empty()) lines.emplace_back(help.doc);
-  std::string value(help.value);
-  if (!help.unit.empty()) value += ", in " + std::string(help.unit);
-  if (!value.empty()) lines.push_back("Value: " + value);
-  if (!help.choices.empty() && help.form == ValueForm::scalar) {
-    std::string words;
-    for (const std::string_view one : help.choices) {
-      words += (words.empty() ? "`" : ", `") + std::string(one) + "`";
-    }
-    lines.push_back("One of " + words);
-  }
-  if (!help.fallback.empty()) {
-    lines.push_back("Absent, it is `" + std::string(help.fallback) + "`");
-  }
-  return lines;
-}
-
 std::optional<Said> yaml_key_at(const Context& context, const PlaceView& place) {
   const std::string& path = context.workspace.loaded_sources().path(place.view.source);
   const auto language = key_language(path);
@@ -103,7 +81,7 @@ std::optional<Said> yaml_key_at(const Context& context, const PlaceView& place) 
   if (!help) return std::nullopt;
   const yaml::Node& node = place.view.yaml->nodes[static_cast<std::size_t>(id)];
   const bool is_key = node.key_span().begin <= place.offset && place.offset <= node.key_span().end;
-  return Said{is_key ? node.key_span() : node.span, lines_of(*help)};
+  return Said{is_key ? node.key_span() : node.span, describe(*help)};
 }
 
 bool holds(Span span, std::uint32_t offset) { return span.begin <= offset && offset <= span.end; }
@@ -131,7 +109,7 @@ std::optional<Said> xml_key_at(const Context&, const PlaceView& place) {
     if (const auto link = link_around(*model, element)) pose = describe_place(*model, *link);
   }
   if (holds(element.name_span(), place.offset)) {
-    Lines lines{"**" + std::string(help->name) + "**", std::string(help->doc)};
+    Lines lines{"`" + std::string(help->name) + "`", std::string(help->doc)};
     lines.insert(lines.end(), pose.begin(), pose.end());
     return Said{element.name_span(), std::move(lines)};
   }
@@ -139,7 +117,7 @@ std::optional<Said> xml_key_at(const Context&, const PlaceView& place) {
     if (!holds(one->span(), place.offset)) continue;
     for (const KeyHelp& key : help->attributes) {
       if (key.name != one->name()) continue;
-      Lines lines = lines_of(key);
+      Lines lines = describe(key);
       lines.insert(lines.end(), pose.begin(), pose.end());
       return Said{one->span(), std::move(lines)};
     }
@@ -153,11 +131,9 @@ Lines entity_pose(const PlaceView& place) {
   if (scene == nullptr || place.view.yaml == nullptr || place.view.model != nullptr) return {};
   for (std::uint32_t i = 0; i < scene->instances.size(); ++i) {
     const Instance& instance = scene->instances[i];
-    const Entity& entity = scene->entity(instance);
-    if (scene->file(scene->use(instance)).source != place.view.source ||
-        !holds(entity.span, place.offset) || !instance.X_WE) {
-      continue;
-    }
+    if (scene->file(scene->use(instance)).source != place.view.source || !instance.X_WE) continue;
+    const yaml::View entity(*place.view.yaml, scene->entity(instance).node);
+    if (!entity || !holds(entity.span(), place.offset)) continue;
     Lines lines{"in the world: " + describe(*instance.X_WE)};
     const auto steps = explain(*scene, InstanceIndex{i}, *dialects().front());
     constexpr std::size_t kMost = 12;
@@ -176,10 +152,9 @@ std::optional<Said> said_at(Context& context, const PlaceView& place) {
   if (place.view.yaml == nullptr) return std::nullopt;
   auto key = yaml_key_at(context, place);
   if (!key) return std::nullopt;
-  const std::string_view text = context.workspace.loaded_sources().text(key->span);
   const bool is_pose =
-      key->lines[0].starts_with("**position") || key->lines[0].starts_with("**rotation");
-  if (is_pose && !text.empty()) {
+      key->lines[0].starts_with("`position`") || key->lines[0].starts_with("`rotation`");
+  if (is_pose) {
     const Lines pose = entity_pose(place);
     key->lines.insert(key->lines.end(), pose.begin(), pose.end());
   }

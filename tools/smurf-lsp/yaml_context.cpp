@@ -147,6 +147,22 @@ std::vector<std::string> siblings_at(const Lines& lines, std::size_t begin, std:
   return keys;
 }
 
+/// Whether a "#" begins a comment in the line, as far as it is written.
+bool is_in_comment(std::string_view before) {
+  char quote = '\0';
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const char c = before[i];
+    if (quote != '\0') {
+      if (c == quote) quote = '\0';
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#' && (i == 0 || kBlank.find(before[i - 1]) != kBlank.npos)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Keys and the value within "{name: a, joint: ".
 void read_flow(std::string_view inside, std::size_t offset, YamlContext& context) {
   context.is_flow = true;
@@ -177,6 +193,8 @@ YamlContext yaml_context(std::string_view text, std::size_t offset) {
   Line own = read(before);
   YamlContext context;
   context.end = offset;
+  context.is_comment = is_in_comment(before);
+  if (context.is_comment) return context;
   context.begin = begin + own.value;
   const std::size_t brace = before.find('{', own.value);
   const bool is_flow = brace != before.npos && before.find('}', brace) == before.npos;

@@ -12,12 +12,13 @@
 namespace smurf::lsp {
 
 struct YamlContext {
-  KeyPath path;            ///< of the mapping or list that the cursor is in
-  std::string key;         ///< whose value is written; "": a key, or an item of a list
-  std::size_t begin = 0;   ///< of the word that is written
-  std::size_t end = 0;     ///< behind it
-  std::size_t column = 0;  ///< in bytes, of the keys around it
-  bool is_flow = false;    ///< within braces
+  KeyPath path;             ///< of the mapping or list that the cursor is in
+  std::string key;          ///< whose value is written; "": a key, or an item of a list
+  std::size_t begin = 0;    ///< of the word that is written
+  std::size_t end = 0;      ///< behind it
+  std::size_t column = 0;   ///< in bytes, of the keys around it
+  bool is_flow = false;     ///< within braces
+  bool is_comment = false;  ///< it is in a comment, and nothing else is said
   std::vector<std::string> siblings = {};  ///< keys that the mapping has already
 };
 

@@ -64,6 +64,9 @@ std::optional<ElementHelp> element_help(std::string_view name);
 /// That of a document.
 std::string_view root_element();
 
+/// Meaning, value, unit and default; the first line is the name. Names stand in backticks.
+std::vector<std::string> describe(const KeyHelp& help);
+
 /// All keys of this name: "maxEffort", or "motors.maxEffort" and "limit.effort" for one of them.
 std::vector<KeyHelp> find_keys(std::string_view name);
 /// The names that find_keys() knows.
