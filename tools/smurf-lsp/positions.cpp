@@ -12,13 +12,14 @@ struct Character {
   std::uint32_t units = 1;
 };
 
+bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
+
 /// What clients send is UTF-8; a byte of a file that is not counts as one character.
 Character first_of(std::string_view text, Encoding encoding) {
   const auto lead = static_cast<unsigned char>(text.front());
   const std::size_t promised = lead < 0xc0 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
   std::size_t bytes = 1;
-  while (bytes < promised && bytes < text.size() &&
-         (static_cast<unsigned char>(text[bytes]) & 0xc0U) == 0x80U) {
+  while (bytes < promised && bytes < text.size() && is_continuation(text[bytes])) {
     ++bytes;
   }
   if (bytes < promised) return {1, 1};
@@ -81,6 +82,7 @@ std::size_t offset_in(std::string_view text, const Json& position, Encoding enco
 Json Positions::position(SourceId source, std::uint32_t offset) const {
   const std::string_view text = sources_.text(source);
   offset = std::min(offset, static_cast<std::uint32_t>(text.size()));
+  while (offset < text.size() && is_continuation(text[offset])) ++offset;  // to a whole character
   const std::uint32_t line = sources_.line_of(source, offset);
   const std::uint32_t begin = sources_.line_span(source, line).begin;
   const std::uint32_t units = units_in(text.substr(begin, offset - begin), encoding_);

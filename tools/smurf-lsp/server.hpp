@@ -20,6 +20,7 @@ class Server {
   /// Tells what is found in the texts as they are now. To be called when no message waits.
   void rest();
 
+  const Workspace& workspace() const { return context_.workspace; }
   /// After `exit`: 0 when `shutdown` came before it.
   std::optional<int> exit_code() const { return exit_code_; }
 
