@@ -159,6 +159,8 @@ async function drive(client, file) {
   await ask("textDocument/semanticTokens/full", kOptional("lsp.SemanticTokens"), {});
   await ask("textDocument/semanticTokens/range", kOptional("lsp.SemanticTokens"), { range: whole });
   await ask("textDocument/inlayHint", kOptional("lsp.InlayHint[]"), { range: whole });
+  note(kOptional("lsp.WorkspaceEdit"), await client.connection.sendRequest("workspace/willRenameFiles", {
+    files: [{ oldUri: uri, newUri: uri + ".new" }] }));
   note(kOptional("lsp.SymbolInformation[]"), await client.connection.sendRequest("workspace/symbol", { query: "a" }));
   // A change in the middle, and back.
   const middle = place(text, Math.floor(text.length / 2));

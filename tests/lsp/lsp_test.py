@@ -315,7 +315,7 @@ class Names(LspTest):
             else:
                 pathlib.Path(path).write_text(apply(text, change["edits"]))
         self.client.notify("workspace/didChangeWatchedFiles", {"changes": []})
-        self.assertEqual(self.client.published(self.motors), [])
+        self.expect_soon(self.motors, [])
 
     def test_rename_in_a_scene(self):
         scene = self.folder / "nested/outer.smurfs"
@@ -324,6 +324,20 @@ class Names(LspTest):
         name = next(line.split("name:")[1].split(",")[0].strip() for line in text.split("\n") if "name:" in line)
         edit = self.client.at("textDocument/rename", scene, text.index(name) + 1, newName="other_name")
         self.assertIn("other_name", self.applied(scene, edit))
+
+    def test_rename_a_file(self):
+        for new, main in (("arm/smurf/drives.yml", "- drives.yml"), ("arm/other/drives.yml", "- ../other/drives.yml")):
+            edit = self.client.request("workspace/willRenameFiles", {"files": [{
+                "oldUri": uri(self.motors), "newUri": uri(self.folder / new)}]})
+            self.open(self.main)
+            self.assertEqual(self.applied(self.main, edit),
+                             self.main.read_text().replace("- arm_motors.yml", main))
+        edit = self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.folder / "arm/meshes/forearm.obj"), "newUri": uri(self.folder / "arm/meshes/new.obj")}]})
+        self.open(self.urdf)
+        self.assertIn("meshes/new.obj", self.applied(self.urdf, edit))
+        self.assertIsNone(self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.folder / "nothing"), "newUri": uri(self.folder / "new")}]}))
 
     def test_rename_to_a_name_that_is_taken(self):
         with self.assertRaisesRegex(client.RequestError, "there is a joint `joint2_shoulder` already"):

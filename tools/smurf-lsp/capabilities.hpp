@@ -45,6 +45,10 @@ Json definition(Context& context, const Json& params);
 Json references(Context& context, const Json& params);
 Json highlights(Context& context, const Json& params);
 
+// file_renaming.cpp
+Json rename_files(Context& context, const Json& params);
+Json file_filters();
+
 // renaming.cpp
 Json prepare_rename(Context& context, const Json& params);
 Json rename(Context& context, const Json& params);

@@ -17,6 +17,8 @@ constexpr std::string_view kQuickFix = "quickfix";
 constexpr std::string_view kFixAll = "source.fixAll";
 /// Of the protocol.
 constexpr int kInfo = 3;
+/// Nobody reads a longer menu.
+constexpr std::size_t kMostFindings = 100;
 
 /// Whether the client asks for actions of this kind or of all that it is one of.
 bool is_wanted(const Json& params, std::string_view kind) {
@@ -59,8 +61,10 @@ class Actions {
   Json run() {
     const Report& report = context_.workspace.report();
     const SourceMap& sources = context_.workspace.sources();
+    std::size_t shown = 0;
     for (const Diagnostic& one : report.diagnostics) {
-      if (sources.path(one.span.source) == path_ && is_in_range(one.span)) add(one);
+      const bool is_here = sources.path(one.span.source) == path_ && is_in_range(one.span);
+      if (is_here && shown++ < kMostFindings) add(one);
     }
     if (is_wanted(params_, kFixAll)) fix_all(report);
     return std::move(actions_);

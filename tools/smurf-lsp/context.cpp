@@ -2,6 +2,8 @@
 #include "smurf-lsp/context.hpp"
 
 #include <map>
+#include <set>
+#include <utility>
 
 #include "smurf-lsp/uri.hpp"
 
@@ -47,11 +49,12 @@ Json location(const Context& context, Span span) {
 Json workspace_edit(const Context& context, std::span<const Edit> edits, const SourceMap& sources) {
   const Positions positions(sources, context.client.encoding);
   std::map<std::string, Json> files;
+  std::set<std::pair<std::string, Json>> seen;  // two models that share a file have read it twice
   for (const Edit& edit : edits) {
-    Json& list = files.try_emplace(sources.path(edit.span.source), Json::array()).first->second;
+    const std::string& path = sources.path(edit.span.source);
+    Json& list = files.try_emplace(path, Json::array()).first->second;
     Json one = {{"range", positions.range(edit.span)}, {"newText", edit.text}};
-    // Two models that share a file have read it twice.
-    if (std::find(list.begin(), list.end(), one) == list.end()) list.push_back(std::move(one));
+    if (seen.emplace(path, one).second) list.push_back(std::move(one));
   }
   Json changes = Json::object();
   Json documents = Json::array();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What smurf-lint finds, pushed and pulled.
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -27,7 +28,11 @@ int severity_of(Severity severity) {
 
 /// Whether all that is known of readers is that they have no use for it.
 bool has_no_effect(const Diagnostic& diagnostic) {
-  bool is_ignored = false;
+  const std::vector<const Fact*> facts = facts_about(*diagnostic.rule);
+  bool is_ignored = std::any_of(facts.begin(), facts.end(),
+                                [](const Fact* fact) { return fact->effect == Effect::ignores; });
+  if (!is_ignored) return false;  // which is quickly told of nearly all rules
+  is_ignored = false;
   for (const Reader* reader : all_readers()) {
     const Fact* fact = find_fact(*reader, diagnostic);
     if (fact == nullptr || fact->effect == Effect::takes) continue;

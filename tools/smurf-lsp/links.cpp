@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The names of files in a document, and where they lead.
-#include <algorithm>
+#include <set>
 
 #include "base/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
@@ -69,14 +69,13 @@ std::vector<FileLink> links_at(Context& context, const Json& params) {
 
 Json document_links(Context& context, const Json& params) {
   Json links = Json::array();
+  std::set<Json> seen;  // several models may read the file
   for (const FileView& view : context.workspace.views(path_in(params))) {
     for (const FileLink& link : links_in(context, view)) {
       if (!context.workspace.files().is_file(link.path)) continue;
       Json one = {{"range", loaded_positions(context).range(link.span)},
                   {"target", context.workspace.uri_of(link.path)}};
-      if (std::find(links.begin(), links.end(), one) == links.end()) {
-        links.push_back(std::move(one));
-      }
+      if (seen.insert(one).second) links.push_back(std::move(one));
     }
   }
   return links;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a name is defined and used, from the table of references.
-#include <algorithm>
+#include <set>
 
 #include "smurf-lsp/capabilities.hpp"
 
@@ -19,51 +19,57 @@ void for_each_place(Context& context, const Json& params, const Visit& visit) {
   }
 }
 
-void add_once(Json list_entry, Json& list) {
-  if (std::find(list.begin(), list.end(), list_entry) == list.end()) {
-    list.push_back(std::move(list_entry));
+/// Places that several models may have.
+class Places {
+ public:
+  void add(Json place) {
+    if (seen_.insert(place).second) places_.push_back(std::move(place));
   }
-}
+  bool empty() const { return places_.empty(); }
+  Json take() { return std::move(places_); }
+
+ private:
+  std::set<Json> seen_;
+  Json places_ = Json::array();
+};
 
 }  // namespace
 
 Json definition(Context& context, const Json& params) {
-  Json places = Json::array();
+  Places places;
   for_each_place(context, params, [&](const Reference& one) {
-    if (one.is_definition) add_once(location(context, one.span), places);
+    if (one.is_definition) places.add(location(context, one.span));
   });
-  if (!places.empty()) return places;
+  if (!places.empty()) return places.take();
   // The name of a file leads to the file.
   for (const FileLink& link : links_at(context, params)) {
     const Json start = {{"line", 0}, {"character", 0}};
-    add_once({{"uri", context.workspace.uri_of(link.path)},
-              {"range", {{"start", start}, {"end", start}}}},
-             places);
+    places.add({{"uri", context.workspace.uri_of(link.path)},
+                {"range", {{"start", start}, {"end", start}}}});
   }
-  return places;
+  return places.take();
 }
 
 Json references(Context& context, const Json& params) {
   const bool with_definition = flag_at(params, {"context", "includeDeclaration"}, true);
-  Json places = Json::array();
+  Places places;
   for_each_place(context, params, [&](const Reference& one) {
-    if (with_definition || !one.is_definition) add_once(location(context, one.span), places);
+    if (with_definition || !one.is_definition) places.add(location(context, one.span));
   });
-  return places;
+  return places.take();
 }
 
 Json highlights(Context& context, const Json& params) {
   constexpr int kRead = 2;  // DocumentHighlightKind
   constexpr int kWrite = 3;
   const std::string path = path_in(params);
-  Json places = Json::array();
+  Places places;
   for_each_place(context, params, [&](const Reference& one) {
     if (context.workspace.loaded_sources().path(one.span.source) != path) return;
-    add_once({{"range", loaded_positions(context).range(one.span)},
-              {"kind", one.is_definition ? kWrite : kRead}},
-             places);
+    places.add({{"range", loaded_positions(context).range(one.span)},
+                {"kind", one.is_definition ? kWrite : kRead}});
   });
-  return places;
+  return places.take();
 }
 
 }  // namespace smurf::lsp

@@ -33,6 +33,7 @@ constexpr std::pair<std::string_view, Handler> kHandlers[] = {
     {"textDocument/documentHighlight", highlights},
     {"textDocument/prepareRename", prepare_rename},
     {"textDocument/rename", rename},
+    {"workspace/willRenameFiles", rename_files},
     {"textDocument/documentSymbol", document_symbols},
     {"workspace/symbol", workspace_symbols},
     {"textDocument/foldingRange", folding_ranges},
@@ -70,7 +71,9 @@ Json capabilities(const Client& client) {
       {"colorProvider", true},
       {"semanticTokensProvider", {{"legend", token_legend()}, {"full", true}, {"range", true}}},
       {"inlayHintProvider", true},
-      {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
+      {"workspace",
+       {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}},
+        {"fileOperations", {{"willRename", file_filters()}}}}},
   };
 }
 

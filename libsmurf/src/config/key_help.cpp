@@ -306,7 +306,13 @@ std::optional<KeyHelp> key_help(KeyLanguage language, std::span<const std::strin
   if (path.size() == 1 && has_sections(language)) {
     if (const SectionSpec* section = find_section(name)) return help_of(*section, name);
   }
-  for (KeyHelp& help : keys_in(language, path.first(path.size() - 1))) {
+  const auto around = path.first(path.size() - 1);
+  if (language != KeyLanguage::configuration) {
+    const Place place = place_at(language, around);
+    if (const KeySpec* row = find_row(place, name)) return help_of(*row, place.owner);
+    if (!place.keys.empty() || place.key == nullptr) return std::nullopt;
+  }
+  for (KeyHelp& help : keys_in(language, around)) {
     if (help.name == name) return std::move(help);
   }
   return std::nullopt;
