@@ -12,6 +12,7 @@
 #include "common/process.hpp"
 #include "common/progress.hpp"
 #include "render/printable.hpp"
+#include "render/wrap.hpp"
 #include "smurf-lint/dump.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
@@ -20,6 +21,7 @@
 #include "smurf-lint/show_config.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
+#include "smurf/key_help.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -46,9 +48,21 @@ ExitCode write_text(const LintOptions& options, std::string_view text) {
   return write_output(kTool, options.output, text) ? kDone : kFailed;
 }
 
+/// What the tables say of all keys and attributes of a name; "" when there are none.
+std::string explain_keys(std::string_view name) {
+  std::string text;
+  for (const KeyHelp& key : find_keys(name)) {
+    if (!text.empty()) text += "\n";
+    for (const std::string& line : describe(key)) text += render::wrap(line, 0, 80);
+  }
+  return text;
+}
+
 ExitCode explain(const LintOptions& options) {
   const Rule* rule = find_rule(options.explain);
   if (rule == nullptr) {
+    const std::string keys = explain_keys(options.explain);
+    if (!keys.empty()) return write_text(options, keys);
     complain(kTool, no_such_rule(options.explain));
     return kFailed;
   }

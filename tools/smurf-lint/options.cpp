@@ -156,7 +156,8 @@ std::vector<Option> rule_options(LintOptions& options) {
       {.group = "Rules",
        .name = "explain",
        .metavar = "ID",
-       .help = "Show why a rule matters and what to do, and check nothing.",
+       .help = "Show why a rule matters and what to do, or what a key (motors.maxEffort) or an "
+               "attribute (limit.effort) means, and check nothing.",
        .suggestions = rule_words,
        .set = set_text(options.explain)},
       {.group = "Rules",
@@ -356,6 +357,7 @@ Command lint_command(LintOptions& options) {
       {"smurf-lint --shard 2/8 --format json=part-2.json datasets/",
        "One machine of eight; then --merge-reports part-*.json:"},
       {"smurf-lint --explain unknown-joint", "The page of a rule:"},
+      {"smurf-lint --explain motors.maxEffort", "What a key means, its unit and its default:"},
       {"smurf-lint --show-config robots/", "What holds there, and where it is said:"},
       {"smurf-lint --dump-model arm.smurf | jq '.model.joints[].limit'",
        "What is read of a model, for programs:"},

@@ -159,6 +159,8 @@ class Session {
   LoadedModel load_model(const std::string& path, const CheckSettings& settings = {});
   /// Loads a scene; a .smurf or .urdf counts as one.
   LoadedScene load_scene(const std::string& path, const CheckSettings& settings = {});
+  /// Gives up what was loaded, none of which may be used any more.
+  void forget_loaded();
   /// The texts of all that was loaded.
   const SourceMap& loaded_sources() const;
   /// For what is read besides, into the same sources and findings: an SRDF.

@@ -19,6 +19,7 @@ struct FixedText {
 
 struct AppliedFixes {
   std::vector<FixedText> texts;  ///< changed files only, sorted by path
+  std::vector<Edit> edits;       ///< the same, one by one
   std::size_t count = 0;         ///< diagnostics whose fix was applied
 };
 

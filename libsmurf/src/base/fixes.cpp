@@ -36,10 +36,10 @@ class FileEdits {
 
   void add(const Edit& edit) { edits_.emplace(edit.span.begin, edit); }
 
-  std::string apply(std::string_view text) const {
+  std::vector<Edit> list() const {
     std::vector<Edit> edits;
     for (const auto& [begin, edit] : edits_) edits.push_back(edit);
-    return apply_edits(text, edits);
+    return edits;
   }
 
  private:
@@ -99,8 +99,11 @@ AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMa
   }
   for (const auto& [path, file] : files) {
     const std::string_view before = sources.text(file.first);
-    std::string after = file.second.apply(before);
-    if (after != before) applied.texts.push_back({path, std::move(after)});
+    const std::vector<Edit> edits = file.second.list();
+    std::string after = apply_edits(before, edits);
+    if (after == before) continue;
+    applied.texts.push_back({path, std::move(after)});
+    applied.edits.insert(applied.edits.end(), edits.begin(), edits.end());
   }
   return applied;
 }

@@ -223,6 +223,12 @@ std::string Session::baseline_of(const Report& report, const std::string& path) 
   return write_baseline(report.diagnostics, state_->sources, path);
 }
 
+void Session::forget_loaded() {
+  state_->loaded_with.clear();
+  state_->loaded_sources = {};
+  state_->read = std::make_shared<ReadFiles>();
+}
+
 const SourceMap& Session::loaded_sources() const { return state_->loaded_sources; }
 
 LoadContext Session::context_of(Loaded& loaded) {

@@ -104,7 +104,7 @@ class Renamer {
     for (const auto& [name, to] : new_names_) check_clash(name, to);
     if (result_.problems.empty()) collect();
     if (result_.problems.empty()) apply();
-    if (!result_.problems.empty()) result_.texts.clear();
+    if (!result_.problems.empty()) result_ = {{}, {}, std::move(result_.problems)};
     return std::move(result_);
   }
 
@@ -271,7 +271,9 @@ class Renamer {
     for (const auto& [path, edits] : files) {
       const std::string_view before = sources_.text(ids.at(path));
       std::string after = apply_edits(before, edits);
-      if (after != before) result_.texts.push_back({std::string(path), std::move(after)});
+      if (after == before) continue;
+      result_.texts.push_back({std::string(path), std::move(after)});
+      result_.edits.insert(result_.edits.end(), edits.begin(), edits.end());
     }
   }
 
