@@ -78,6 +78,8 @@ struct KeySpec {
   std::string_view unit = {};  ///< "rad/s"; may be empty
   std::string_view fallback =
       {};  ///< what MARS takes when it is absent, as JSON text; may be empty
+  /// Titles of readers, separated by commas, "Rock" or "nobody"; empty: the readers of the section.
+  std::string_view read_by = {};
   bool required = false;
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();

@@ -25,6 +25,7 @@ struct SectionSpec {
   std::span<const std::string_view> aliases = {};  ///< other names of the same section: "motor"
   std::string_view entry;                          ///< what one entry is: "motor"
   std::string_view doc;                            ///< one sentence, for the schema
+  std::string_view read_by;                        ///< the programs, as text
   SectionForm form = SectionForm::list;
   /// All rows of an entry, or those that `takes` is true for.
   std::vector<const KeySpec*> (*filtered_keys)(KeyFilter takes) = nullptr;

@@ -21,6 +21,7 @@ constexpr Key<CollisionAnnotation> kKeys[] = {
     {{.name = "link",
       .type = text,
       .doc = "Link of the collision; MARS 2 and rock-cpp/smurf match by it as well.",
+      .read_by = "MARS 2, MARS with envire",
       .names = {NameKind::link}},
      &CollisionAnnotation::link},
     {{.name = "bitmask",
@@ -32,9 +33,15 @@ constexpr Key<CollisionAnnotation> kKeys[] = {
 };
 
 constexpr KeySpec kMoreKeys[] = {
-    {.name = "geometry", .type = any, .doc = "Shape, written by Phobos 2."},
-    {.name = "primitives", .type = any, .doc = "Replacement by simple shapes, Phobos 2."},
-    {.name = "capsules", .type = list, .doc = "Written by Phobos 0.7, read by nobody."},
+    {.name = "geometry", .type = any, .doc = "Shape, written by Phobos 2.", .read_by = "Phobos 2"},
+    {.name = "primitives",
+     .type = any,
+     .doc = "Replacement by simple shapes, Phobos 2.",
+     .read_by = "Phobos 2"},
+    {.name = "capsules",
+     .type = list,
+     .doc = "Written by Phobos 0.7, read by nobody.",
+     .read_by = "nobody"},
 };
 
 std::vector<const KeySpec*> keys(KeyFilter takes) {
@@ -50,12 +57,15 @@ constexpr std::string_view kAliases[] = {"collisions"};
 
 }  // namespace
 
-constinit const SectionSpec collision{.name = "collision",
-                                      .aliases = kAliases,
-                                      .entry = "collision",
-                                      .doc = "Contact parameters of URDF collisions.",
-                                      .filtered_keys = keys,
-                                      .read = read,
-                                      .entries = entries_of<&Annotations::collisions>};
+constinit const SectionSpec collision{
+    .name = "collision",
+    .aliases = kAliases,
+    .entry = "collision",
+    .doc = "Contact parameters of URDF collisions.",
+    .read_by =
+        "MARS 1 (matches by name), MARS 2 and MARS with envire (match by name and link), Phobos 2; `collisions` is read by Phobos 2 only, which writes it",
+    .filtered_keys = keys,
+    .read = read,
+    .entries = entries_of<&Annotations::collisions>};
 
 }  // namespace smurf::sections

@@ -55,6 +55,7 @@ constinit const SectionSpec exoskeletons{
     .name = "exoskeletons",
     .entry = "exoskeleton",
     .doc = "Exoskeletons and the joints of the body they follow, for Phobos and HyRoDyn.",
+    .read_by = "Phobos 2",
     .filtered_keys = keys,
     .read = read,
     .entries = entries_of<&Annotations::exoskeletons>};

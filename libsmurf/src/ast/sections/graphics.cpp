@@ -53,6 +53,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec graphics{.name = "graphics",
                                      .entry = "graphics entry",
                                      .doc = "Settings of the display, for the whole scene.",
+                                     .read_by = "MARS 1",
                                      .form = SectionForm::list_or_mapping,
                                      .filtered_keys = keys,
                                      .read = read,

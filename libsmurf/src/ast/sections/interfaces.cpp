@@ -45,6 +45,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec interfaces{.name = "interfaces",
                                        .entry = "interface",
                                        .doc = "Places where models can be joined, for Phobos.",
+                                       .read_by = "Phobos 2",
                                        .filtered_keys = keys,
                                        .read = read,
                                        .entries = entries_of<&Annotations::interfaces>};

@@ -12,11 +12,13 @@ constexpr Key<LinkAnnotation> kKeys[] = {
     {{.name = "name",
       .type = text,
       .doc = "Name of a link of the URDF, for MARS and Phobos.",
+      .read_by = "MARS 1, Phobos 2",
       .names = {NameKind::link}},
      &LinkAnnotation::name},
     {{.name = "link",
       .type = text,
       .doc = "The same name once more, for MARS 2, which stops at an entry without it.",
+      .read_by = "MARS 2",
       .names = {NameKind::link}},
      &LinkAnnotation::link},
 };
@@ -25,21 +27,27 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "visuals",
      .type = name_list,
      .doc = "Visuals of the link, written by Phobos 2.",
+     .read_by = "Phobos 2",
      .names = {NameKind::visual}},
     {.name = "collisions",
      .type = name_list,
      .doc = "Collisions of the link, written by Phobos 2.",
+     .read_by = "Phobos 2",
      .names = {NameKind::collision}},
     {.name = "is_human",
      .type = boolean,
      .doc = "The link is part of a human (Phobos 2).",
-     .fallback = "false"},
+     .fallback = "false",
+     .read_by = "Phobos 2"},
     {.name = "anchor",
      .type = text,
      .doc = "On the root link, `world` fixes the model there unless its scene says otherwise "
             "(Phobos)."},
-    {.name = "kccd_hull", .type = any, .doc = "Hull for collision detection by KCCD (Phobos 2)."},
-    {.name = "origin", .type = any, .doc = "Pose of the link (Phobos 2)."},
+    {.name = "kccd_hull",
+     .type = any,
+     .doc = "Hull for collision detection by KCCD (Phobos 2).",
+     .read_by = "Phobos 2"},
+    {.name = "origin", .type = any, .doc = "Pose of the link (Phobos 2).", .read_by = "Phobos 2"},
 };
 
 std::vector<const KeySpec*> keys(KeyFilter takes) {
@@ -55,12 +63,15 @@ constexpr std::string_view kAliases[] = {"links"};
 
 }  // namespace
 
-constinit const SectionSpec link{.name = "link",
-                                 .aliases = kAliases,
-                                 .entry = "link",
-                                 .doc = "Changes to the frame nodes of URDF links.",
-                                 .filtered_keys = keys,
-                                 .read = read,
-                                 .entries = entries_of<&Annotations::links>};
+constinit const SectionSpec link{
+    .name = "link",
+    .aliases = kAliases,
+    .entry = "link",
+    .doc = "Changes to the frame nodes of URDF links.",
+    .read_by =
+        "MARS 1 (matches by the key `name`), MARS 2 (matches by the key `link`), Phobos 2; `links` is read by Phobos 2 only, which writes it",
+    .filtered_keys = keys,
+    .read = read,
+    .entries = entries_of<&Annotations::links>};
 
 }  // namespace smurf::sections

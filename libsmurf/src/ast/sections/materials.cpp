@@ -74,9 +74,15 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "reflect", .type = boolean, .doc = "Mirror the surroundings.", .fallback = "false"},
     {.name = "getLight", .type = boolean, .doc = "Be lit by lights.", .fallback = "true"},
     {.name = "exists", .type = boolean, .doc = "The material is used.", .fallback = "true"},
-    {.name = "cullMask", .type = any, .doc = "Accepted and ignored by MARS."},
-    {.name = "brightness", .type = any, .doc = "Accepted and ignored by MARS."},
-    {.name = "users", .type = integer, .doc = "Counter of Phobos up to 1.0, without meaning."},
+    {.name = "cullMask", .type = any, .doc = "Accepted and ignored by MARS.", .read_by = "nobody"},
+    {.name = "brightness",
+     .type = any,
+     .doc = "Accepted and ignored by MARS.",
+     .read_by = "nobody"},
+    {.name = "users",
+     .type = integer,
+     .doc = "Counter of Phobos up to 1.0, without meaning.",
+     .read_by = "nobody"},
     {.name = "culling", .type = any, .doc = "Renderer of MARS: do not draw back sides."},
     {.name = "envMapSpecular", .type = any, .doc = "Renderer of MARS: environment map."},
     {.name = "envMapScale", .type = any, .doc = "Renderer of MARS: environment map."},
@@ -86,7 +92,7 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "instancesHeight", .type = number, .doc = "Renderer of MARS: extent of the copies."},
     {.name = "maxNumLights",
      .type = integer,
-     .doc = "Renderer of MARS: lights that count.",
+     .doc = "Renderer of MARS: most lights that shine on it.",
      .minimum = 0},
     {.name = "renderBin", .type = any, .doc = "Renderer of MARS: order of drawing."},
     {.name = "shader", .type = any, .doc = "Renderer of MARS: shader program."},
@@ -108,12 +114,15 @@ constexpr std::string_view kAliases[] = {"material"};
 
 }  // namespace
 
-constinit const SectionSpec materials{.name = "materials",
-                                      .aliases = kAliases,
-                                      .entry = "material",
-                                      .doc = "Colours and textures of URDF materials.",
-                                      .filtered_keys = keys,
-                                      .read = read,
-                                      .entries = entries_of<&Annotations::materials>};
+constinit const SectionSpec materials{
+    .name = "materials",
+    .aliases = kAliases,
+    .entry = "material",
+    .doc = "Colours and textures of URDF materials.",
+    .read_by =
+        "MARS 1, MARS 2, Phobos 2; MARS with envire reads ambientColor, specularColor and shininess only",
+    .filtered_keys = keys,
+    .read = read,
+    .entries = entries_of<&Annotations::materials>};
 
 }  // namespace smurf::sections

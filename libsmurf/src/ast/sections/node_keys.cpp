@@ -215,7 +215,7 @@ constexpr KeySpec kNodeKeys[] = {
     {.name = "t_tex_scale_y", .type = number, .doc = "Scale of a terrain's texture along y."},
     {.name = "noDataPackage",
      .type = boolean,
-     .doc = "Publish no data of this node; sensors that read it starve.",
+     .doc = "Publish no data of this node; sensors that read it get nothing.",
      .fallback = "false"},
     {.name = "reducedDataPackage",
      .type = boolean,

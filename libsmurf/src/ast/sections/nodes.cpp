@@ -50,6 +50,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec nodes{.name = "nodes",
                                   .entry = "node",
                                   .doc = "Changes to nodes of MARS, and new nodes.",
+                                  .read_by = "MARS 1; Phobos 2 stops with an error at this section",
                                   .filtered_keys = keys,
                                   .read = read,
                                   .entries = entries_of<&Annotations::nodes>};

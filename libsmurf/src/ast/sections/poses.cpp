@@ -51,6 +51,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec poses{.name = "poses",
                                   .entry = "joint pose set",
                                   .doc = "Named joint positions.",
+                                  .read_by = "MARS 1, MARS 2, Phobos 2",
                                   .filtered_keys = keys,
                                   .read = read,
                                   .entries = entries_of<&Annotations::poses>};

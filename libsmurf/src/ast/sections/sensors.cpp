@@ -259,7 +259,10 @@ constexpr KeySpec kRayKeys[] = {
     {.name = "orientation",
      .type = orientation,
      .doc = "ScanningSonar: a quaternion, or roll, pitch, yaw in degrees."},
-    {.name = "taskInstanceName", .type = text, .doc = "Rock task of the sensor (rock-cpp/smurf)."},
+    {.name = "taskInstanceName",
+     .type = text,
+     .doc = "Rock task of the sensor (rock-cpp/smurf).",
+     .read_by = "MARS with envire"},
 };
 
 std::vector<const KeySpec*> keys(KeyFilter takes) {
@@ -284,12 +287,15 @@ NameKinds measured_by(std::string_view type) {
   return holds("Motor") ? NameKinds(NameKind::motor) : NameKinds();
 }
 
-constinit const SectionSpec sensors{.name = "sensors",
-                                    .aliases = kAliases,
-                                    .entry = "sensor",
-                                    .doc = "Sensors and what they measure.",
-                                    .filtered_keys = keys,
-                                    .read = read,
-                                    .entries = entries_of<&Annotations::sensors>};
+constinit const SectionSpec sensors{
+    .name = "sensors",
+    .aliases = kAliases,
+    .entry = "sensor",
+    .doc = "Sensors and what they measure.",
+    .read_by =
+        "MARS 1, Phobos 2; MARS 2 and MARS with envire read the types CameraSensor, RaySensor, RotatingRaySensor and Joint6DOF only",
+    .filtered_keys = keys,
+    .read = read,
+    .entries = entries_of<&Annotations::sensors>};
 
 }  // namespace smurf::sections

@@ -104,6 +104,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 constinit const SectionSpec submechanisms{.name = "submechanisms",
                                           .entry = "submechanism",
                                           .doc = "Mechanisms of the robot, for Phobos and HyRoDyn.",
+                                          .read_by = "Phobos 2",
                                           .filtered_keys = keys,
                                           .read = read,
                                           .entries = entries_of<&Annotations::submechanisms>};

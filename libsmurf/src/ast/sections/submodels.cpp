@@ -35,6 +35,7 @@ constinit const SectionSpec submodels{
     .name = "submodels",
     .entry = "submodel",
     .doc = "Parts of the model that Phobos exported as models of their own.",
+    .read_by = "Phobos 2",
     .form = SectionForm::named,
     .filtered_keys = keys,
     .read = read,

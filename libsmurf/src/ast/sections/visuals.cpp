@@ -24,8 +24,11 @@ constexpr Key<VisualAnnotation> kKeys[] = {
 };
 
 constexpr KeySpec kMoreKeys[] = {
-    {.name = "geometry", .type = any, .doc = "Shape, written by Phobos 2."},
-    {.name = "lod", .type = any, .doc = "Levels of detail, written by Phobos up to 1.0."},
+    {.name = "geometry", .type = any, .doc = "Shape, written by Phobos 2.", .read_by = "Phobos 2"},
+    {.name = "lod",
+     .type = any,
+     .doc = "Levels of detail, written by Phobos up to 1.0.",
+     .read_by = "nobody"},
 };
 
 std::vector<const KeySpec*> keys(KeyFilter takes) {
@@ -45,6 +48,7 @@ constinit const SectionSpec visuals{.name = "visuals",
                                     .aliases = kAliases,
                                     .entry = "visual",
                                     .doc = "Changes to how URDF visuals are shown.",
+                                    .read_by = "MARS 1, Phobos 2",
                                     .filtered_keys = keys,
                                     .read = read,
                                     .entries = entries_of<&Annotations::visuals>};
