@@ -82,10 +82,10 @@ class DriveReader {
     drive->gain = above_zero(motor.p.value()).value_or(drive->gain);
   }
 
-  void of_extensions(std::string_view name, void (DriveReader::*read)(xml::View)) {
+  void of_extensions(std::string_view name, void (DriveReader::*take)(xml::View)) {
     for (const xml::ElementId id : model_.robot->extensions) {
       const xml::View element(model_.robot->document, id);
-      if (element.name() == name) (this->*read)(element);
+      if (element.name() == name) (this->*take)(element);
     }
   }
 
