@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Processor time of the language server for each key stroke, and its memory.
 
-lsp_latency.py SMURF-LSP [EDITS]   p50 and p99 in ms over EDITS (1000) key strokes, in a model of 42 and one of 4,200
-                                   links; each is checked and its findings told before the next one.
+lsp_latency.py SMURF-LSP [EDITS [LINKS]]   p50 and p99 in ms over EDITS (1000) key strokes, in a model of 42 and one
+                                           of 4,200 links, or only that of LINKS; each is checked and its findings
+                                           told before the next one.
 """
 import pathlib
 import random
@@ -69,7 +70,10 @@ def measure(tool, links, edits, folder):
 
 def main():
     edits = int(sys.argv[2]) if len(sys.argv) > 2 else 1000
+    wanted = int(sys.argv[3]) if len(sys.argv) > 3 else 0
     for links, target in TARGETS.items():
+        if wanted not in (0, links):
+            continue
         with tempfile.TemporaryDirectory() as folder:
             times, early, late = measure(sys.argv[1], links, edits, pathlib.Path(folder))
         p50, p99 = (times[min(len(times) - 1, int(len(times) * share))] for share in (0.5, 0.99))

@@ -462,6 +462,18 @@ class Usage(LintTest):
 
 
 class Rules(LintTest):
+    def test_keys_are_explained(self):
+        """By the tables of the readers: keys of YAML files, settings, and attributes of URDF."""
+        for name, parts in (("motors.maxEffort", ["`maxEffort` (motor)", "N m"]),
+                            ("limit.effort", ["`effort` (limit)", "Largest torque or force", "N m or N"]),
+                            ("entities.position", ["`position` (entity)", "in m", "Absent, it is"]),
+                            ("config.targets", ["`targets` (configuration)"]),
+                            ("joint.type", ["`prismatic`"])):
+            page = self.expect(0, "--explain", name).stdout
+            for part in parts:
+                self.assertIn(part, page)
+        self.assertGreater(self.expect(0, "--explain", "name").stdout.count("`name` ("), 5)
+
     def test_every_rule_is_explained(self):
         rules = json.loads(self.expect(0, "--list-rules", "json").stdout)
         self.assertGreater(len(rules), 50)

@@ -354,6 +354,10 @@ class Names(LspTest):
     def test_workspace_symbols(self):
         found = self.client.request("workspace/symbol", {"query": "jelbow"})
         self.assertIn(("joint3_elbow", "joint"), {(one["name"], one["containerName"]) for one in found})
+        self.client.close(self.motors)  # the folder still has it
+        found = self.client.request("workspace/symbol", {"query": "joint3_elbow"})
+        self.assertEqual(len({json.dumps(one) for one in found}), len(found))
+        self.assertEqual({one["containerName"] for one in found}, {"joint", "motor"})
 
 
 class Hover(LspTest):

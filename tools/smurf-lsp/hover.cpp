@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf/describe.hpp"
 #include "smurf/dialect.hpp"
@@ -31,7 +32,8 @@ std::optional<Said> name_at(Context& context, const PlaceView& place) {
     if (!one.is_definition || !is_same_thing(one, *named)) continue;
     const SourceMap& sources = context.workspace.loaded_sources();
     const Position at = sources.position(one.span.source, one.span.begin);
-    lines.push_back("defined in " + sources.path(one.span.source) + ":" + std::to_string(at.line));
+    const std::string_view file = path::file_name(sources.path(one.span.source));
+    lines.push_back("defined in " + std::string(file) + ":" + std::to_string(at.line));
     break;
   }
   return Said{named->span, std::move(lines)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Outlines: links and joints as a tree, sections with their entries, entities of scenes.
 #include <algorithm>
+#include <set>
 
 #include "base/path.hpp"
 #include "smurf-lsp/capabilities.hpp"
@@ -13,6 +14,8 @@ constexpr int kNamespace = 3, kClass = 5, kProperty = 7, kField = 8, kFunction =
               kObject = 19, kEvent = 24;
 /// Clients and JSON get into trouble with chains of thousands of links.
 constexpr int kDeepest = 40;
+/// Nobody reads more; more letters find fewer.
+constexpr std::size_t kMostSymbols = 2000;
 
 int kind_of(NameKind kind) {
   switch (kind) {
@@ -169,20 +172,20 @@ Json document_symbols(Context& context, const Json& params) {
 
 Json workspace_symbols(Context& context, const Json& params) {
   const std::string query = path::to_lower(text_at(params, {"query"}));
-  Json symbols = Json::array();
-  for (const std::vector<Reference>& part : context.workspace.names().names()) {
-    for (const Reference& one : part) {
-      if (!one.is_definition || !holds_letters(one.name, query)) continue;
-      Json symbol = {{"name", std::string(one.name)},
-                     {"kind", kind_of(one.kind)},
-                     {"containerName", to_string(one.kind)},
-                     {"location", location(context, one.span)}};
-      symbols.push_back(std::move(symbol));
-    }
+  const Workspace::Definitions found = context.workspace.definitions();
+  const Positions positions(*found.sources, context.client.encoding);
+  std::set<Json> symbols;  // a model that a scene loads may be loaded alone as well
+  for (const Workspace::Definition& one : found.list) {
+    if (!holds_letters(one.name, query)) continue;
+    Json symbol = {
+        {"name", one.name},
+        {"kind", kind_of(one.kind)},
+        {"containerName", to_string(one.kind)},
+        {"location",
+         {{"uri", context.workspace.uri_of(one.path)}, {"range", positions.range(one.span)}}}};
+    symbols.insert(std::move(symbol));
+    if (symbols.size() >= kMostSymbols) break;
   }
-  // A model that a scene loads may be loaded alone as well.
-  std::sort(symbols.begin(), symbols.end());
-  symbols.erase(std::unique(symbols.begin(), symbols.end()), symbols.end());
   return symbols;
 }
 

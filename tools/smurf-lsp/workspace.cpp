@@ -96,6 +96,7 @@ bool is_same_thing(const Reference& a, const Reference& b) {
 
 void Workspace::set_folders(std::vector<std::string> folders) {
   folders_ = std::move(folders);
+  folder_names_.reset();
   folder_session_.reset();
 }
 
@@ -103,6 +104,7 @@ void Workspace::touch(const std::string& path) {
   changed_.push_back(path);
   is_checked_ = false;
   names_.reset();
+  folder_names_.reset();
   if (decides_plan(path)) plan_.reset();
 }
 
@@ -130,6 +132,7 @@ void Workspace::close(const std::string& path) {
 void Workspace::forget_files() {
   is_checked_ = false;
   names_.reset();
+  folder_names_.reset();
   plan_.reset();
 }
 
@@ -198,6 +201,30 @@ Workspace::check_folders(std::function<void(std::size_t, std::size_t)> on_progre
   settings.on_progress = std::move(on_progress);
   Report report = folder_session_->check(make_plan(folders_), settings);
   return {std::move(report), &folder_session_->sources()};
+}
+
+Workspace::Definitions Workspace::definitions() {
+  if (!folder_session_) folder_session_.emplace();
+  if (!folder_names_) {
+    std::vector<std::string> paths = folders_;
+    for (const auto& [path, document] : documents_) {
+      folder_session_->set_text(path, document.text);
+      if (is_checkable(path)) paths.push_back(path);
+    }
+    folder_session_->forget_loaded();
+    CheckSettings settings = settings_of_check();
+    settings.opens_meshes = false;
+    folder_names_.emplace(make_plan(paths), settings, *folder_session_);
+  }
+  Definitions found{{}, &folder_session_->loaded_sources()};
+  for (const std::vector<Reference>& part : folder_names_->names()) {
+    for (const Reference& one : part) {
+      if (!one.is_definition) continue;
+      const std::string& path = found.sources->path(one.span.source);
+      found.list.push_back({std::string(one.name), one.kind, path, one.span});
+    }
+  }
+  return found;
 }
 
 void Workspace::load() {

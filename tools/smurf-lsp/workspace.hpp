@@ -66,6 +66,19 @@ class Workspace {
   };
   FolderReport check_folders(std::function<void(std::size_t, std::size_t)> on_progress);
 
+  /// All definitions in the folders and the open documents: a name, its kind, and its place.
+  struct Definition {
+    std::string name;
+    NameKind kind{};
+    std::string path;
+    Span span;
+  };
+  struct Definitions {
+    std::vector<Definition> list;
+    const SourceMap* sources = nullptr;
+  };
+  Definitions definitions();
+
   /// The models and scenes of the open documents.
   const tools::LoadedNames& names();
   const SourceMap& loaded_sources() const { return session_.loaded_sources(); }
@@ -97,6 +110,7 @@ class Workspace {
   Report report_;
   bool is_checked_ = false;
   std::optional<tools::LoadedNames> names_;
+  std::optional<tools::LoadedNames> folder_names_;  ///< loaded by folder_session_
 };
 
 }  // namespace smurf::lsp
