@@ -47,10 +47,11 @@ class Suppressions {
   struct Comment {
     Span span;
     Span removal;         ///< what to delete to be rid of the comment
-    std::uint32_t begin;  ///< of the bytes it speaks of
+    std::uint32_t begin;  ///< of the bytes it applies to
     std::uint32_t end;
     std::string problem;  ///< why it is no suppression; then the rest is empty
     std::vector<Item> items;
+    std::string rule_named;  ///< the first rule in its text, for the advice about a problem
   };
   struct File {
     std::vector<Comment> comments;
@@ -68,6 +69,10 @@ class Suppressions {
 
   std::map<std::string, File> files_;  ///< by path
 };
+
+/// False for mistakes in configurations, comments and baselines (SML9). They have no place of their
+/// own, so that one entry would suppress all of them.
+bool may_be_in_baseline(const Diagnostic& diagnostic);
 
 /// How a baseline names the file of a path: relative to its own folder.
 using BaselinePath = std::function<std::string(const std::string& path)>;

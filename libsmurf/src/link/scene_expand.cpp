@@ -82,7 +82,7 @@ class SceneExpander {
       }
       std::optional<Scene> scene;
       if (file.document) {
-        // One more, of which expand() tells.
+        // One above the limit, so that expand() can report it.
         scene = read_scene(*file.document, context_.sink, context_.limits.instances + 1);
       }
       if (scene) file.scene = std::move(*scene);
