@@ -103,9 +103,10 @@ std::string render_github(std::span<const Diagnostic> diagnostics, const SourceM
 /// A GitLab code quality report.
 std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                           const RepositoryPath& in_repository);
-/// A JUnit report: one test case a file, also for files without findings.
+/// A JUnit report: one test case a file, also for files without findings. Findings from
+/// `least_failure` on are failures, the others output; without it, nothing fails.
 std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
-                         const ToolName& tool);
+                         const ToolName& tool, std::optional<Severity> least_failure);
 
 /// Where the page of a rule is.
 std::string rule_address(const Rule& rule, std::string_view homepage);
