@@ -51,7 +51,7 @@ Subject subject(const urdf::Joint& joint);
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, const Subject& subject, Findings& findings);
 
-/// Same, for a whole list.
+/// check_reference() for every name of a list.
 void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
                       const Subject& subject, Findings& findings);
 
