@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A command line as data: parsed, explained by --help, and open to whoever generates manual pages
+// A command line as data: parsed, explained by --help, and the source of manual pages
 // or shell completions from it.
 #pragma once
 

@@ -169,7 +169,7 @@ class Planner {
     return ignore_files_.leaves_out(absolute(path), folder);
   }
 
-  /// Is a file that is named left out all the same?
+  /// True when a file is skipped although it is named.
   bool is_left_out_by_force(const std::string& path) {
     const Exclusions& exclusions = exclusions_[config_of_entry(path)];
     if (!exclusions.is_forced) return false;

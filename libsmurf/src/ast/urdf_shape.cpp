@@ -213,7 +213,7 @@ class ShapeChecker {
                     [&](const AttributeSpec& a) { return a.name == name; })) {
       return attribute_as_element(parent, child, is_required(spec, name));
     }
-    // Robots carry the elements of many vendors; only what looks like a slip is reported there.
+    // Robots contain elements of many vendors; only probable misspellings are reported there.
     std::vector<std::string_view> names;
     for (const ChildSpec& allowed : spec.children) names.push_back(allowed.name);
     const auto near = urdf::meant_name(name, names);

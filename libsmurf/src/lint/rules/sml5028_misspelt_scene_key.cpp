@@ -31,7 +31,7 @@ void check_mapping(yaml::View mapping, std::span<const KeySpec> keys, Findings& 
   }
 }
 
-/// True when the missing file is reported, together with the slip.
+/// True when SML5005 reports the missing file together with the misspelling.
 bool is_reported_as_missing(const KeySpec& meant, const Entity& entity) {
   if (meant.name != "file") return false;
   const std::string type = entity_type(entity);
