@@ -2,6 +2,7 @@
 """python3 -m smurf COMMAND ...: runs a program of the toolchain with the arguments that follow.
 
     lint        smurf-lint: checks models and scenes
+    lsp         smurf-lsp: a language server, for editors
     to-urdf     smurf2urdf: exports the URDF of a model
     from-urdf   urdf2smurf: makes a model around a URDF
     flatten     smurfs-flatten: expands a scene
@@ -17,6 +18,7 @@ from .try_all import try_all
 
 PROGRAMS = {
     "lint": "smurf-lint",
+    "lsp": "smurf-lsp",
     "to-urdf": "smurf2urdf",
     "from-urdf": "urdf2smurf",
     "flatten": "smurfs-flatten",

@@ -4,6 +4,7 @@ is no option, and no output takes the place of an input.
 
 Usage: stranger_test.py FOLDER_OF_TOOLS [unittest option]...
 """
+import ctypes
 import json
 import os
 import pathlib
@@ -14,6 +15,7 @@ import stat
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -481,6 +483,9 @@ class Fixes(StrangerTest):
                            ("s.smurfs", "lights: \nlihgts: []\nentites: []\nentitis: []\n"),
                            ("s.smurfs", "entities:\n- {name: e, type: urdf, file: , fiel: r.urdf}\n"),
                            ("s.smurfs", "entities:\n- {name: e, type: urdf, file: , URI: r.urdf}\n"),
+                           ("s.smurfs", "entities:\n- {name: e, type: heightmap, fiel: h.png, URI: h.png}\n"),
+                           ("s.yml", "motor:\n- {name: k, joint: j}\nmotrs:\n- {name: l, joint: j}\n"),
+                           ("s.yml", "joints:\n- {name: j}\njiont:\n- {name: j}\n"),
                            ("s.smurfs", "entities:\n- {name: e, file: r.urdf, rpy: {x: 0}, orientation: {x: 0}}\n")):
             with self.subTest(text=text):
                 shutil.rmtree(self.project)
@@ -491,6 +496,65 @@ class Fixes(StrangerTest):
                 self.run_tool("smurf-lint", "--fix", "--unsafe-fixes", "-q", ".")
                 done = self.run_tool("smurf-lint", "--format", "concise", "--no-ignores", ".")
                 self.assertNotIn("SML0011", done.stdout)
+
+    def test_fixes_that_leave_yaml_and_xml(self):
+        """After all fixes of a file that could be read, it still can."""
+        robot = '<robot name="r"><link name="b"/>{}</robot>'
+        for name, text in (
+                ("r.urdf", "<!-- smurf-lint: ignore[SML3101] -->" + robot.format("")),
+                ("s.yml", "  # smurf-lint: ignore[SML3101]\nmotors: []\n"),
+                ("r.urdf", robot.format('<link name=" x&quot;/&gt;&lt;link name=&quot;y "/>')),
+                ("r.urdf", robot.format('<link name=" a&quot;b&amp;lt;c "/>')),
+                ("r.urdf", robot.format('<link name="b "/><joint name="j" type="fixed"><parent link="b"/>'
+                                        '<child link="b "/></joint>')),
+                ("r.urdf", robot.format('<link name="c "/><link name=" c"/>')),
+                ("r.urdf", robot.format('<gazebo refrence="b" referense="b"><mu1>1</mu1></gazebo>')),
+                ("r.urdf", robot.format('<link nam="c" nme="d"/>')),
+                ("s.yml", "? |-\n  motrs\n: \n- {name: m, joint: j}\n"),
+                ("s.yml", "? >-\n  motrs\n: \n- {name: m, joint: j}\n"),
+                ("s.yml", "poses: [] # smurf-lint: ignore[SML3101]\u0085motors: [{name: m, joint: j}]\n"),
+                ("s.yml", 'motors:\n- name: m\n  type: |-\n    PDI\n'),
+                (".smurf-lint.yaml", "targets:\n- |-\n  rso\n")):
+            with self.subTest(text=text):
+                shutil.rmtree(self.project)
+                self.write("r.urdf", urdf())
+                self.write("s.yml", "motors: []\n")
+                self.write("m.smurf", "modelname: r\nfiles: [r.urdf, s.yml]\n")
+                self.write(name, text)
+                self.run_tool("smurf-lint", "--fix", "--unsafe-fixes", "-q", ".")
+                done = self.run_tool("smurf-lint", "--format", "concise", "--no-ignores", ".")
+                self.assertNotRegex(done.stdout, r"SML00\d\d|SML100\d|SML1301")
+                mended = (self.project / name).read_text()
+                for part in ("<link ", "motors:"):
+                    self.assertEqual(mended.count(part), text.count(part))
+
+
+class Exchanges(StrangerTest):
+    """Folders that become links while a tool runs."""
+
+    def test_the_folder_of_a_result(self):
+        self.write("r.urdf", urdf())
+        (self.project / "out").mkdir()
+        (self.project / "other").symlink_to("../victim")
+        exchange = ctypes.CDLL(None).syscall  # renameat2 with RENAME_EXCHANGE
+        is_over = threading.Event()
+
+        def exchange_all_the_time():
+            while not is_over.is_set():
+                exchange(316, -100, os.fsencode(self.project / "out"), -100, os.fsencode(self.project / "other"), 2)
+
+        thread = threading.Thread(target=exchange_all_the_time)
+        thread.start()
+        try:
+            for tool, *arguments in (["smurf-lint", "--format", "json", "-o", "out/o.json", "r.urdf"],
+                                     ["smurf2urdf", "-o", "out/o.urdf", "r.urdf"],
+                                     ["urdf2smurf", "--overwrite", "-o", "out", "r.urdf"]):
+                for _ in range(60):
+                    self.run_tool(tool, "-q", *arguments)
+                    self.assert_unharmed()
+        finally:
+            is_over.set()
+            thread.join()
 
 
 class Searches(StrangerTest):

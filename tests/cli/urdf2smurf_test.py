@@ -108,6 +108,53 @@ class Motors(ImportTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
+CONTACT = """<robot name="foot">
+  <link name="foot"><collision name="foot"><geometry><sphere radius="0.1"/></geometry></collision></link>
+  <link name="sole"><collision name="sole_hull"><geometry><sphere radius="0.1"/></geometry></collision></link>
+  <joint name="j" type="continuous"><parent link="foot"/><child link="sole"/><dynamics damping="0.1"/></joint>
+  <gazebo reference="sole"><sensor name="touch" type="contact"><contact><collision>sole_hull</collision></contact></sensor></gazebo>
+</robot>
+"""
+
+
+class Readers(ImportTest):
+    """What the readers of the model open and understand."""
+
+    def remark(self, *arguments):
+        done = self.run_tool(*arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stderr.splitlines()[-1]
+
+    def test_packages_become_paths(self):
+        text = self.read("in/urdf/arm.urdf").replace("../meshes/", "package://in/meshes/", 1)
+        self.write("in/urdf/arm.urdf", text)
+        said = self.remark("in/urdf/arm.urdf", "-o", "out", "--package", "in=in")
+        self.assertNotIn("package://", self.read("out/urdf/arm.urdf"))
+        self.assertIn('filename="../../in/meshes/upper_arm.obj"', self.read("out/urdf/arm.urdf"))
+        self.assertNotIn("URI", said)
+        said = self.remark("in/urdf/arm.urdf", "--in-place", "--package", "in=in")
+        self.assertIn("; 1 mesh path stays a URI, which MARS does not open: --in-place changes no URDF", said)
+
+    def test_packages_that_are_not_there_are_said(self):
+        self.write("in/urdf/arm.urdf", self.read("in/urdf/arm.urdf").replace("../meshes/", "package://none/nowhere/"))
+        said = self.remark("in/urdf/arm.urdf", "-o", "out")
+        self.assertRegex(said, "; [0-9]+ mesh paths stay URIs, which MARS does not open: no file was found")
+
+    def test_what_mars_makes_of_the_urdf_is_said(self):
+        self.write("foot.urdf", CONTACT)
+        self.assertIn("; MARS makes something else of the URDF (1 error): see smurf-lint out/smurf/foot.smurf",
+                      self.remark("foot.urdf", "-o", "out"))
+
+    def test_the_style_of_phobos(self):
+        self.write("foot.urdf", CONTACT)
+        self.remark("foot.urdf", "-o", "mars")
+        self.remark("foot.urdf", "-o", "phobos", "--style", "phobos")
+        self.assertIn("  id:\n  - sole_hull\n", self.read("mars/smurf/foot_sensors.yml"))
+        self.assertIn("  id:\n  - sole\n", self.read("phobos/smurf/foot_sensors.yml"))
+        self.assertIn("\njoint:\n", self.read("mars/smurf/foot_joint.yml"))
+        self.assertIn("\njoints:\n", self.read("phobos/smurf/foot_joints.yml"))
+
+
 class Copies(ImportTest):
     def test_the_folder_stands_on_its_own(self):
         self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--copy-meshes")

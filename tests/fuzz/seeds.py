@@ -15,7 +15,7 @@ YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
 
 def main() -> None:
     fixtures, out = map(pathlib.Path, sys.argv[1:3])
-    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives"):
+    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives", "lsp"):
         (out / target).mkdir(parents=True, exist_ok=True)
 
     def add(target: str, data: bytes) -> None:
@@ -25,6 +25,8 @@ def main() -> None:
     for path in sorted(fixtures.rglob("*")):
         if not path.is_file() or "crashes" in path.parts:
             continue
+        if path.suffix in {".urdf", ".yml"}:
+            add("lsp", path.read_bytes())
         if path.suffix == ".urdf":
             add("urdf", path.read_bytes())
             add("differential_urdf", path.read_bytes())

@@ -8,8 +8,10 @@ Links, and files that share others, make much of little: the cost of such a fold
 the number of its files times their size.
 """
 import pathlib
+import struct
 import sys
 import tempfile
+import zlib
 
 from hostile_cli_test import MEGABYTES, SECONDS, Run
 
@@ -152,14 +154,47 @@ def slips_of_many_rounds(write):
     write("m.smurf", "modelname: r\nfiles: [s.yml]\n")
 
 
+DEEP = "d/" * 600
+
+
+@folder(LINT, ("smurf-lint", "-q", DEEP + "r0.urdf"), ("smurf2urdf", "-q", "-o", "o.urdf", DEEP + "r0.urdf"),
+        ("smurf-load-check", "-q", "--time", "0.001", "."))
+def folders_in_folders(write):
+    """Each way down once was walked again for each folder on it."""
+    write(".git/HEAD", "")
+    for i in range(20):
+        write(f"{DEEP}r{i}.urdf", '<robot name="r"><link name="b"/></robot>')
+
+
+@folder(("smurf-load-check", "-q", "s.smurfs"))
+def an_image_with_packed_texts(write):
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    text = chunk(b"zTXt", b"a\0\0" + zlib.compress(bytes(7_000_000), 9))
+    write("h.png", b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 8, 8, 8, 0, 0, 0, 0)) + text * 145
+          + chunk(b"IDAT", zlib.compress(bytes(72))) + chunk(b"IEND", b""))
+    write("s.smurfs", "entities:\n" + "".join(
+        f"- {{name: h{i}, type: heightmap, file: h.png, width: 6.0, length: 6.0, height: 0.8}}\n" for i in range(5)))
+
+
+@folder(("smurfs-flatten", "-q", "--force", "--format", "mjcf", "-o", "o.xml", "s.smurfs"))
+def names_that_grow_when_they_are_written(write):
+    part = '<link name="l{}"/><joint name="j{}" type="continuous"><parent link="b"/><child link="l{}"/></joint>'
+    write("r.urdf", '<robot name="r"><link name="b"/>' + "".join(part.replace("{}", str(i)) for i in range(2000))
+          + "</robot>")
+    write("s.smurfs", "entities:\n" + "".join(
+        f'- {{name: "{chr(39) * 897}{100 + i}", type: urdf, file: r.urdf, position: [{i}, 0, 0]}}\n' for i in range(12)))
+
+
 def faults(tools, make, command):
     with tempfile.TemporaryDirectory(prefix="smurf-folder-cost-") as name:
         place = pathlib.Path(name)
 
         def write(path, text):
             target = place / path
-            target.parent.mkdir(exist_ok=True)
-            target.write_text(text)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(text if isinstance(text, bytes) else text.encode())
 
         write.link = lambda path, target: (place / path).symlink_to(target)
         make(write)

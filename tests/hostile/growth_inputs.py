@@ -445,3 +445,16 @@ def drake_groups_of_unknown_members(n, write):
     group = ('<drake:collision_filter_group name="g{0}"><drake:member link="m{0}"/><drake:member_group name="h{0}"/>'
              '<drake:ignored_collision_filter_group name="i{0}"/></drake:collision_filter_group>')
     write("a.urdf", '<robot name="a"><link name="l"/>' + "".join(group.format(i) for i in range(n)) + "</robot>")
+
+
+# The models of a scene in smurf-load-check.
+
+
+@grows(40, "smurf-load-check", "--time", "0.001", "s.smurfs")
+def models_to_load(n, write):
+    model = '<robot name="r"><link name="l"/>{}</robot>'.format(
+        "".join(f'<link name="l{i}"/><joint name="j{i}" type="fixed"><parent link="l"/><child link="l{i}"/></joint>'
+                for i in range(20)))
+    for i in range(n):
+        write(f"m{i}.urdf", model)
+    write("s.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: urdf, file: m{i}.urdf}}\n" for i in range(n)))

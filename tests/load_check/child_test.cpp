@@ -13,6 +13,8 @@
 #include <fstream>
 #include <functional>
 #include <new>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,16 +39,30 @@ void forget_handlers() {
   while (true) all.emplace_back(1U << 20U, 'x');
 }
 
-std::vector<ChildOutcome> outcomes_of(std::size_t count, int jobs, const ChildLimits& limits,
-                                      const ChildTask& task) {
-  std::vector<ChildOutcome> outcomes(count);
+std::vector<ChildOutcome> outcomes_of(std::span<const std::size_t> groups, int jobs,
+                                      const ChildLimits& limits, const ChildTask& task) {
+  std::vector<ChildOutcome> outcomes(groups.size());
   std::size_t finished = 0;
-  run_in_children(count, jobs, limits, task, [&](std::size_t one, ChildOutcome outcome) {
+  run_in_children(groups, jobs, limits, task, [&](std::size_t one, ChildOutcome outcome) {
     outcomes[one] = std::move(outcome);
     ++finished;
   });
-  CHECK(finished == count);
+  CHECK(finished == groups.size());
   return outcomes;
+}
+
+/// Each task is a group of its own.
+std::vector<ChildOutcome> outcomes_of(std::size_t count, int jobs, const ChildLimits& limits,
+                                      const ChildTask& task) {
+  std::vector<std::size_t> groups(count);
+  std::iota(groups.begin(), groups.end(), 0U);
+  return outcomes_of(groups, jobs, limits, task);
+}
+
+void take_all_time() {
+  volatile bool goes_on = true;
+  while (goes_on) {
+  }
 }
 
 }  // namespace
@@ -59,12 +75,7 @@ TEST_CASE("the end of a child is an outcome") {
   const std::vector<Case> cases = {{[] {}, End::finished},
                                    {[] { std::abort(); }, End::crashed},
                                    {[] { std::raise(SIGSEGV); }, End::crashed},
-                                   {[] {
-                                      volatile bool goes_on = true;
-                                      while (goes_on) {
-                                      }
-                                    },
-                                    End::out_of_time},
+                                   {take_all_time, End::out_of_time},
                                    {[] { std::raise(SIGALRM); }, End::out_of_time},
                                    {[] { throw std::bad_alloc(); }, End::out_of_memory},
                                    {[] { end_child(); }, End::finished}};
@@ -83,6 +94,38 @@ TEST_CASE("the end of a child is an outcome") {
     CHECK(outcomes[1].signal == SIGABRT);
     CHECK(outcomes[2].signal == SIGSEGV);
   }
+}
+
+TEST_CASE("tasks of a group end each on its own") {
+  const std::vector<std::size_t> groups(300, 7);
+  const auto is_fatal = [](std::size_t task) { return task % 50 == 3; };
+  for (const int jobs : {1, 3}) {
+    const std::vector<ChildOutcome> outcomes =
+        outcomes_of(groups, jobs, kLimits, [&](std::size_t task, const Write& write) {
+          write(std::to_string(task));
+          forget_handlers();
+          if (is_fatal(task)) std::abort();
+          write(" is done");
+        });
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      CAPTURE(i);
+      CHECK(outcomes[i].end == (is_fatal(i) ? End::crashed : End::finished));
+      CHECK(outcomes[i].output == std::to_string(i) + (is_fatal(i) ? "" : " is done"));
+    }
+  }
+}
+
+TEST_CASE("tasks of a group share the time, and other groups have their own") {
+  const std::vector<std::size_t> groups = {0, 0, 0, 1};
+  const std::vector<ChildOutcome> outcomes =
+      outcomes_of(groups, 1, kLimits, [](std::size_t task, const Write&) {
+        forget_handlers();
+        if (task == 1) take_all_time();
+      });
+  CHECK(outcomes[0].end == End::finished);
+  CHECK(outcomes[1].end == End::out_of_time);
+  CHECK(outcomes[2].end == End::no_time_left);
+  CHECK(outcomes[3].end == End::finished);
 }
 
 // A sanitizer reserves more than any limit, so that there is none.

@@ -78,7 +78,7 @@ class Sources(Case):
     def test_a_folder_without_a_program(self):
         shutil.copy("/bin/true", self.folder / "release/smurf-lint")
         message = self.refused(SMURF_PREBUILT=str(self.folder / "release"))
-        self.assertIn("there is no smurf2urdf and no urdf2smurf", message)
+        self.assertIn("there is no smurf-lsp and no smurf2urdf", message)
 
     def test_a_folder_without_a_physics_engine(self):
         (self.small / "smurf-load-check").unlink()

@@ -55,6 +55,33 @@ class Directives(reader.ReaderTest):
             "position": [0, 0.1, 0.05],
             "orientation": {"w": math.sqrt(0.5), "x": math.sqrt(0.5), "y": 0, "z": 0}}, 1e-7)
 
+    def test_a_link_called_world_is_the_world(self):
+        body = ('<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+                "</inertial>")
+        self.write("w.urdf", f'<robot name="w"><link name="world"/><link name="b">{body}</link>'
+                   '<joint name="j" type="fixed"><parent link="world"/><child link="b"/></joint></robot>')
+        self.write("s.smurfs", "entities:\n- {name: Here, type: urdf, file: w.urdf, anchor: world}\n"
+                               "- {name: There, type: urdf, file: w.urdf, anchor: world, position: [0, 0, 1]}\n"
+                               "- {name: Free, type: urdf, file: w.urdf}\n"
+                               "- {name: On, type: urdf, file: w.urdf, parent: \"Here::b\", anchor: parent}\n")
+        self.assertEqual([list(d) for d in self.directives("s.smurfs")], [["add_model"]])
+        text = (self.folder / "out.dmd").read_text()
+        self.assertNotIn("world", text.split("directives")[1].replace("w.urdf", ""))
+        done = self.run_tool("s.smurfs", "--format", "dmd", "-o", "out.dmd", "--strict")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.count("takes its link `world` for the world"), 3)
+
+    def test_the_package_is_written(self):
+        self.write("s.smurfs", "entities:\n- {name: B, type: primitive, geometry: {type: box}}\n")
+        self.assertEqual(self.directives("s.smurfs"), [])
+        self.assertIn("<name>scene</name>", (self.folder / "package.xml").read_text())
+        self.assertEqual(self.run_tool("s.smurfs", "--format", "dmd", "-o", "out.dmd").returncode, 0)
+        self.write("package.xml", "<package><name>mine</name></package>")
+        done = self.run_tool("s.smurfs", "--format", "dmd", "-o", "other.dmd")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("another file is there", done.stderr)
+        self.assertFalse((self.folder / "other.dmd").exists())
+
 
 if __name__ == "__main__":
     reader.main()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loads an SDF world with libsdformat and prints what it understood: the world pose of every link
-// and frame ("model::link x y z qw qx qy qz"), joints with their ends, gravity and step.
+// and frame ("model::link x y z qw qx qy qz"), sensors in their links, joints with their ends,
+// gravity and step.
 #include <cstdio>
 #include <filesystem>
 #include <sdf/sdf.hh>
@@ -26,6 +27,12 @@ void print(const sdf::Model& model, const ignition::math::Pose3d& X_WP, const st
   for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
     const sdf::Link& link = *model.LinkByIndex(i);
     print(scope + "::" + link.Name(), X_WM * resolve(link.SemanticPose()));
+    for (std::uint64_t k = 0; k < link.SensorCount(); ++k) {
+      const sdf::Sensor& sensor = *link.SensorByIndex(k);
+      const ignition::math::Vector3d at = resolve(sensor.SemanticPose()).Pos();
+      std::printf("sensor\t%s::%s::%s\t%.9g\t%.9g\t%.9g\n", scope.c_str(), link.Name().c_str(),
+                  sensor.Name().c_str(), at.X(), at.Y(), at.Z());
+    }
   }
   for (std::uint64_t i = 0; i < model.FrameCount(); ++i) {
     const sdf::Frame& frame = *model.FrameByIndex(i);

@@ -25,6 +25,20 @@ TEST_CASE("a link on a fixed joint becomes part of the link that carries it") {
   CHECK(Exported(Read(kUrdf), options).text == kUrdf);
 }
 
+TEST_CASE("a text that moves does not grow by the indentation of its new place") {
+  UrdfExport options;
+  options.collapses_fixed = true;
+  const std::string text = "<robot name=\"r\">\n" + std::string(999, ' ') +
+                           "<link name=\"a\"/>\n<link name=\"b\"><visual>" +
+                           std::string(10'000, '\n') +
+                           "<geometry><box size=\"1 1 1\"/></geometry></visual></link>"
+                           "<joint name=\"j\" type=\"fixed\"><parent link=\"a\"/>"
+                           "<child link=\"b\"/></joint></robot>";
+  const Exported collapsed(Read(text), options);
+  CHECK_FALSE(collapsed.has("<joint"));
+  CHECK(collapsed.text.size() < 2 * text.size());
+}
+
 TEST_CASE("a link with two parents hangs on both of them still") {
   UrdfExport options;
   options.collapses_fixed = true;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 
 #include "base/path.hpp"
@@ -21,6 +22,16 @@ bool is_link(int folder, const std::string& name) {
   struct stat status {};
   return ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
          S_ISLNK(status.st_mode);
+}
+
+/// Whether what was opened is not the folder that was judged before: a link may have taken its
+/// place. Where the system does not tell, it is not known.
+bool is_elsewhere(int folder, const std::string& judged) {
+  std::error_code error;
+  const std::filesystem::path opened =
+      std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(folder), error);
+  if (error) return false;
+  return opened != std::filesystem::path(judged.empty() ? "/" : judged).lexically_normal();
 }
 
 FileSet::Problem problem(const std::string& path, int error) {
@@ -93,11 +104,12 @@ std::optional<FileSet::Problem> FileSet::prepare_all(bool overwrite) {
 std::optional<FileSet::Problem> FileSet::prepare(const OutputFile& file, bool overwrite) {
   const std::string shown = path::join(file.folder, file.path);
   const std::string& chosen = file.written_as.empty() ? file.folder : file.written_as;
-  if (const auto link = link_out_of_repository(chosen); !link.empty()) {
-    return Problem{shown, reason_of_link(link)};
-  }
+  const FollowedPath followed = follow(chosen);
+  if (!followed.link_out.empty()) return Problem{shown, reason_of_link(followed.link_out)};
+  const std::string judged =
+      file.written_as.empty() ? followed.place : std::string(path::parent(followed.place));
   int folder = -1;
-  if (auto found = open_folder(file, folder)) return found;
+  if (auto found = open_folder(file, judged, folder)) return found;
   Written& written = written_.emplace_back(folder, std::string(path::file_name(file.path)));
   written.shown = shown;
   struct stat status {};
@@ -135,14 +147,20 @@ std::optional<FileSet::Problem> FileSet::place(Written& written, bool is_last) {
   return std::nullopt;
 }
 
-std::optional<FileSet::Problem> FileSet::open_folder(const OutputFile& file, int& folder) {
+std::optional<FileSet::Problem> FileSet::open_folder(const OutputFile& file,
+                                                     const std::string& judged, int& folder) {
   std::string path = file.folder.empty() ? "." : file.folder;
   if (missing_ == MissingFolders::make) {
     if (const int error = make_all(path); error != 0) return problem(path, error);
   }
   Descriptor& users = folders_[path];
-  if (!users.is_open()) users.reset(::open(path.c_str(), kFolder));
-  if (!users.is_open()) return problem(path, errno);
+  if (!users.is_open()) {
+    users.reset(::open(path.c_str(), kFolder));
+    if (!users.is_open()) return problem(path, errno);
+    if (is_elsewhere(users.number(), judged)) {
+      return Problem{path, "another folder has taken its place meanwhile"};
+    }
+  }
   folder = users.number();
   std::string_view rest = path::parent(file.path);
   while (!rest.empty()) {

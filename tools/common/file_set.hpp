@@ -55,7 +55,9 @@ class FileSet {
   std::optional<Problem> prepare(const OutputFile& file, bool overwrite);
   std::optional<Problem> prepare_all(bool overwrite);
   std::optional<Problem> place(Written& written, bool is_last);
-  std::optional<Problem> open_folder(const OutputFile& file, int& folder);
+  /// `judged` is where the folder has to be, without links.
+  std::optional<Problem> open_folder(const OutputFile& file, const std::string& judged,
+                                     int& folder);
   int open_below(int above, const std::string& name, int& folder);
   int make_all(const std::string& folder);
 

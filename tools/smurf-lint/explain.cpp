@@ -7,6 +7,7 @@
 #include "render/wrap.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf/format.hpp"
+#include "smurf/key_help.hpp"
 #include "smurf/lint.hpp"
 
 namespace smurf::tools {
@@ -64,6 +65,16 @@ std::string page_of(const FormatPart& part) {
   return text;
 }
 
+/// All keys and attributes of a name: "maxEffort", "motors.maxEffort", "limit.effort".
+std::string keys_called(std::string_view name) {
+  std::string text;
+  for (const KeyHelp& key : find_keys(name)) {
+    if (!text.empty()) text += "\n";
+    for (const std::string& line : describe(key)) text += render::wrap(line, 0, kColumns);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string explanation(std::string_view what, const TextStyle& style) {
@@ -74,11 +85,11 @@ std::string explanation(std::string_view what, const TextStyle& style) {
   for (const FormatPart& part : describe_format()) {
     if (is_called(part, what)) return page_of(part);
   }
-  return {};
+  return keys_called(what);
 }
 
 std::string nothing_to_explain(std::string_view what) {
-  return "there is no rule or section '" + std::string(what) + "'" +
+  return "there is no rule, section or key '" + std::string(what) + "'" +
          did_you_mean(what, explained_words());
 }
 

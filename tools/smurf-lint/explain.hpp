@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --explain: rules, families of rules, and sections of the format.
+// --explain: rules, families of rules, sections and keys of the format.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace smurf::tools {
 
-/// The page of a rule, the list of a family (SML31, 31), or the keys of a section; "" when `what`
-/// is none of these.
+/// The page of a rule, the list of a family (SML31, 31), the keys of a section, or a key; "" when
+/// `what` is none of these.
 std::string explanation(std::string_view what, const TextStyle& style);
 
 /// The message for a word that explanation() does not know.

@@ -167,8 +167,9 @@ std::vector<Option> rule_options(LintOptions& options) {
        .name = "explain",
        .metavar = "WHAT",
        .help =
-           "Explain a rule (SML3101, unknown-joint), list the rules of a family (SML31), or list "
-           "the keys of a section (motors, entity), and check nothing.",
+           "Explain a rule (SML3101, unknown-joint), list the rules of a family (SML31), list the "
+           "keys of a section (motors, entity), or explain a key (motors.maxEffort) or an "
+           "attribute (limit.effort), and check nothing.",
        .suggestions = explained_words,
        .set = set_text(options.explain)},
       {.group = "Rules",
@@ -376,6 +377,7 @@ Command lint_command(LintOptions& options) {
        "Check on one machine of eight, for --merge-reports part-*.json:"},
       {"smurf-lint --explain unknown-joint", "Explain a rule:"},
       {"smurf-lint --explain motors", "List the keys of a section:"},
+      {"smurf-lint --explain motors.maxEffort", "Explain a key:"},
       {"smurf-lint --show-config robots/", "Show which settings apply, and where they are set:"},
       {"smurf-lint --dump-model arm.smurf | jq '.model.joints[].limit'",
        "Read a model from another program:"},

@@ -11,10 +11,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
+#include <cstring>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <new>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -40,16 +44,33 @@ std::uint64_t address_space() {
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-void write_all(int descriptor, const std::string& text) {
+void write_all(int descriptor, const char* bytes, std::size_t size) {
   std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
+  while (done < size) {
+    const ssize_t count = ::write(descriptor, bytes + done, size - done);
     if (count < 0 && errno != EINTR) ::_exit(0);  // nobody listens any more
     if (count > 0) done += static_cast<std::size_t>(count);
   }
 }
 
-[[noreturn]] void run_child(std::size_t index, int descriptor, const ChildLimits& limits,
+/// What a child sends: pieces of the output of a task, each after its size. A piece of no size
+/// ends the task.
+using PieceSize = std::uint64_t;
+
+void write_piece(int descriptor, const std::string& text) {
+  const PieceSize size = text.size();
+  write_all(descriptor, reinterpret_cast<const char*>(&size), sizeof size);
+  write_all(descriptor, text.data(), text.size());
+}
+
+/// Tasks begin..end-1, of one group.
+struct Batch {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::size_t group = 0;
+};
+
+[[noreturn]] void run_child(const Batch& batch, int descriptor, const ChildLimits& limits,
                             const ChildTask& task) {
   limit(RLIMIT_CORE, 0);
   const rlimit nothing{0, 0};
@@ -67,7 +88,12 @@ void write_all(int descriptor, const std::string& text) {
   if (kHasMemoryLimit) limit(RLIMIT_AS, address_space() + limits.memory_bytes);
   std::set_new_handler([] { ::_exit(kOutOfMemory); });
   try {
-    task(index, [descriptor](const std::string& text) { write_all(descriptor, text); });
+    for (std::size_t i = batch.begin; i < batch.end; ++i) {
+      task(i, [descriptor](const std::string& text) {
+        if (!text.empty()) write_piece(descriptor, text);
+      });
+      write_piece(descriptor, "");
+    }
   } catch (const std::bad_alloc&) {
     ::_exit(kOutOfMemory);
   }
@@ -77,41 +103,90 @@ void write_all(int descriptor, const std::string& text) {
 struct Child {
   pid_t process = -1;
   int pipe = -1;
-  std::size_t task = 0;
-  ChildOutcome outcome = {};
+  Batch batch;            ///< its begin is the task that is run
+  std::string output;     ///< of that task
+  std::string header;     ///< bytes of the size of the next piece
+  PieceSize missing = 0;  ///< bytes of the piece that have not arrived
 };
+
+/// Seconds of processor time that a process took which has ended.
+double seconds_of(const rusage& usage) {
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
 
 class Pool {
  public:
-  Pool(const ChildLimits& limits, const ChildTask& task, const OnFinished& on_finished)
-      : limits_(limits), task_(task), on_finished_(on_finished) {}
+  Pool(std::span<const std::size_t> groups, int jobs, const ChildLimits& limits,
+       const ChildTask& task, const OnFinished& on_finished)
+      : groups_(groups),
+        jobs_(static_cast<std::size_t>(jobs)),
+        limits_(limits),
+        task_(task),
+        on_finished_(on_finished) {}
 
-  void run(std::size_t count, int jobs) {
-    std::size_t next = 0;
-    while (next < count || !running_.empty()) {
-      while (next < count && running_.size() < static_cast<std::size_t>(jobs)) start(next++);
+  void run() {
+    while (next_ < groups_.size() || !broken_off_.empty() || !running_.empty()) {
+      while (running_.size() < jobs_) {
+        const Batch batch = next_batch();
+        if (batch.begin == batch.end) break;
+        start(batch);
+      }
       if (!running_.empty()) read_some();
     }
   }
 
  private:
-  void start(std::size_t task) {
+  using End = ChildOutcome::End;
+
+  /// A new child costs as much as a small task, and gives back what libraries never free. Several
+  /// batches a job, so that all jobs end at about the same time.
+  std::size_t batch_size() const {
+    return std::clamp<std::size_t>(groups_.size() / (4 * jobs_), 1, 64);
+  }
+
+  /// Empty when none is left.
+  Batch next_batch() {
+    if (!broken_off_.empty()) {
+      const Batch batch = broken_off_.back();
+      broken_off_.pop_back();
+      return batch;
+    }
+    Batch batch{next_, next_, next_ < groups_.size() ? groups_[next_] : 0};
+    while (batch.end < groups_.size() && groups_[batch.end] == batch.group &&
+           batch.end - batch.begin < batch_size()) {
+      ++batch.end;
+    }
+    next_ = batch.end;
+    return batch;
+  }
+
+  void finish_all(const Batch& batch, End end) {
+    for (std::size_t i = batch.begin; i < batch.end; ++i) {
+      on_finished_(i, {.end = end, .signal = 0, .output = {}});
+    }
+  }
+
+  void start(const Batch& batch) {
+    ChildLimits limits = limits_;
+    limits.seconds -= static_cast<int>(std::lround(used_[batch.group]));
+    if (limits.seconds <= 0) return finish_all(batch, End::no_time_left);
     int ends[2];
     const bool has_pipe = ::pipe(ends) == 0;
     const pid_t process = has_pipe ? ::fork() : -1;
     if (process == 0) {
       ::close(ends[0]);
       for (const Child& other : running_) ::close(other.pipe);
-      run_child(task, ends[1], limits_, task_);
+      run_child(batch, ends[1], limits, task_);
     }
     if (has_pipe) ::close(ends[1]);
     if (process < 0) {
       if (has_pipe) ::close(ends[0]);
-      ChildOutcome outcome;
-      outcome.end = ChildOutcome::End::not_started;
-      return on_finished_(task, std::move(outcome));
+      return finish_all(batch, End::not_started);
     }
-    running_.push_back({process, ends[0], task});
+    running_.push_back({process, ends[0], batch, {}, {}});
   }
 
   void read_some() {
@@ -122,53 +197,86 @@ class Pool {
       if (waiting[i].revents == 0 || read_from(running_[i])) continue;
       Child child = std::move(running_[i]);
       running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
-      finish(child);
-      on_finished_(child.task, std::move(child.outcome));
+      finish(std::move(child));
     }
   }
 
   /// False at the end of the child's output.
-  static bool read_from(Child& child) {
+  bool read_from(Child& child) {
     char buffer[65536];
     const ssize_t count = ::read(child.pipe, buffer, sizeof buffer);
-    if (count > 0) child.outcome.output.append(buffer, static_cast<std::size_t>(count));
+    if (count > 0) take(std::string_view(buffer, static_cast<std::size_t>(count)), child);
     return count > 0 || (count < 0 && errno == EINTR);
   }
 
-  static void finish(Child& child) {
+  void take(std::string_view bytes, Child& child) {
+    const auto next = [&](std::size_t most) {
+      const std::string_view part = bytes.substr(0, most);
+      bytes.remove_prefix(part.size());
+      return part;
+    };
+    while (!bytes.empty()) {
+      if (child.missing > 0) {
+        const std::string_view part = next(child.missing);
+        child.output += part;
+        child.missing -= part.size();
+        continue;
+      }
+      child.header += next(sizeof(PieceSize) - child.header.size());
+      if (child.header.size() < sizeof(PieceSize)) return;
+      std::memcpy(&child.missing, child.header.data(), sizeof(PieceSize));
+      child.header.clear();
+      if (child.missing > 0) continue;
+      on_finished_(child.batch.begin++,
+                   {.end = End::finished, .signal = 0, .output = std::exchange(child.output, {})});
+    }
+  }
+
+  void finish(Child child) {
     ::close(child.pipe);
     int status = 0;
-    while (::waitpid(child.process, &status, 0) < 0 && errno == EINTR) {
+    rusage usage{};
+    while (::wait4(child.process, &status, 0, &usage) < 0 && errno == EINTR) {
     }
-    ChildOutcome& outcome = child.outcome;
+    Batch& batch = child.batch;
+    used_[batch.group] += seconds_of(usage);
+    if (batch.begin == batch.end) return;
+    ChildOutcome outcome{.end = End::finished, .signal = 0, .output = std::move(child.output)};
     if (WIFEXITED(status)) {
-      if (WEXITSTATUS(status) == kOutOfMemory) outcome.end = ChildOutcome::End::out_of_memory;
-      return;
+      if (WEXITSTATUS(status) == kOutOfMemory) outcome.end = End::out_of_memory;
+    } else {
+      outcome.signal = WTERMSIG(status);
+      outcome.end = end_of(outcome.signal);
     }
-    outcome.signal = WTERMSIG(status);
-    outcome.end = end_of(outcome.signal);
+    on_finished_(batch.begin++, std::move(outcome));
+    if (batch.begin < batch.end) broken_off_.push_back(batch);
   }
 
-  static ChildOutcome::End end_of(int signal) {
+  static End end_of(int signal) {
     switch (signal) {
     case SIGXCPU:
-    case SIGALRM: return ChildOutcome::End::out_of_time;
-    case SIGKILL: return ChildOutcome::End::out_of_memory;  // by the kernel, when all is taken
-    default: return ChildOutcome::End::crashed;
+    case SIGALRM: return End::out_of_time;
+    case SIGKILL: return End::out_of_memory;  // by the kernel, when all is taken
+    default: return End::crashed;
     }
   }
 
+  std::span<const std::size_t> groups_;
+  std::size_t jobs_;
   const ChildLimits& limits_;
   const ChildTask& task_;
   const OnFinished& on_finished_;
+  std::size_t next_ = 0;                ///< the first task that is in no batch yet
+  std::vector<Batch> broken_off_;       ///< what children that ended early have not begun
+  std::map<std::size_t, double> used_;  ///< seconds, by group
   std::vector<Child> running_;
 };
 
 }  // namespace
 
-void run_in_children(std::size_t count, int jobs, const ChildLimits& limits, const ChildTask& task,
-                     const OnFinished& on_finished) {
-  Pool(limits, task, on_finished).run(count, jobs);
+void run_in_children(std::span<const std::size_t> groups, int jobs, const ChildLimits& limits,
+                     const ChildTask& task, const OnFinished& on_finished) {
+  Pool(groups, jobs, limits, task, on_finished).run();
 }
 
 void end_child() { ::_exit(0); }

@@ -5,17 +5,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 
 namespace smurf::load_check {
 
 struct ChildLimits {
-  int seconds = 10;                            ///< of processor time
+  int seconds = 10;                            ///< of processor time, for a group of tasks
   std::uint64_t memory_bytes = 160ULL << 20U;  ///< above what the parent has
 };
 
 struct ChildOutcome {
-  enum class End : std::uint8_t { finished, crashed, out_of_time, out_of_memory, not_started };
+  enum class End : std::uint8_t {
+    finished,
+    crashed,
+    out_of_time,
+    no_time_left,  ///< never begun: its group has used the time
+    out_of_memory,
+    not_started
+  };
   End end = End::finished;
   int signal = 0;      ///< End::crashed
   std::string output;  ///< what was written before the end
@@ -28,11 +36,13 @@ using ChildTask =
 
 using OnFinished = std::function<void(std::size_t task, ChildOutcome outcome)>;
 
-/// Runs tasks 0..count-1, each in a child process, at most `jobs` at a time. `on_finished` is
-/// called in this process when one is done, before another one starts in its place. Precondition:
-/// this process has one thread.
-void run_in_children(std::size_t count, int jobs, const ChildLimits& limits, const ChildTask& task,
-                     const OnFinished& on_finished);
+/// Runs tasks in child processes, at most `jobs` at a time. A child runs tasks of one group only,
+/// one after the other; a group is a run of equal numbers in `groups`, which has one for each task.
+/// Others of the group are run whatever becomes of one, as long as they have time left.
+/// `on_finished` is called in this process when a task is done. Precondition: this process has one
+/// thread.
+void run_in_children(std::span<const std::size_t> groups, int jobs, const ChildLimits& limits,
+                     const ChildTask& task, const OnFinished& on_finished);
 
 /// Ends this child at once, with what was written so far.
 [[noreturn]] void end_child();

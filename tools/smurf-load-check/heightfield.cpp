@@ -48,8 +48,16 @@ std::size_t rows_of(const Reading& reading) {
   return png_get_image_height(reading.png, reading.info);
 }
 
+/// Texts and profiles would be unpacked, a thousandfold, and say nothing of heights.
+void skip_other_chunks(png_structp png) {
+  static constexpr png_byte kChunks[] =
+      "eXIf\0hIST\0iCCP\0iTXt\0pCAL\0sCAL\0sPLT\0tEXt\0tIME\0zTXt";
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kChunks, sizeof kChunks / 5);
+}
+
 /// One grey value of 16 bits a pixel, the more significant byte first.
 void decode(Reading& reading) {
+  skip_other_chunks(reading.png);
   png_set_read_fn(reading.png, &reading, Reading::read);
   png_read_info(reading.png, reading.info);
   png_set_expand_16(reading.png);

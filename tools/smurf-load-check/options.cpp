@@ -117,7 +117,8 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "time-limit",
        .metavar = "S",
-       .help = "Seconds of processor time that one check may take; the default is 10.",
+       .help = "Seconds of processor time for a model, or for a scene and all of its models; the "
+               "default is 10.",
        .set = set_time_limit(options.limits.seconds)},
       {.group = "Check",
        .name = "memory-limit",

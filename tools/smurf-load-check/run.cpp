@@ -24,7 +24,9 @@ void on_fault(const std::string& message) {
   end_child();
 }
 
-void run_job(const Job& job, const Inputs& inputs, CheckOptions options, const Write& write) {
+/// Returns the size of the trace.
+std::size_t run_job(const Job& job, const Inputs& inputs, CheckOptions options,
+                    const Write& write) {
   options.traced_as = field_of(job.path);
   fault_output = &write;
   start_engine(on_fault);
@@ -40,6 +42,7 @@ void run_job(const Job& job, const Inputs& inputs, CheckOptions options, const W
     write(result.trace);
   }
   write(encode(result));
+  return result.trace.size();
 }
 
 Span place_of(const Job& job) {
@@ -51,6 +54,9 @@ std::string reason(const ChildOutcome& outcome, const ChildLimits& limits) {
   switch (outcome.end) {
   case ChildOutcome::End::out_of_time:
     return "takes more than " + std::to_string(limits.seconds) + " s of processor time";
+  case ChildOutcome::End::no_time_left:
+    return "is not begun: the models of the scene take more than " +
+           std::to_string(limits.seconds) + " s of processor time together";
   case ChildOutcome::End::out_of_memory:
     return "takes more than " + std::to_string(limits.memory_bytes >> 20U) + " MB";
   case ChildOutcome::End::not_started: return "cannot be started: no more processes";
@@ -90,7 +96,9 @@ CheckResult result_of(const Job& job, ChildOutcome outcome, const ChildLimits& l
   Message message = decode(std::move(outcome.output));
   CheckResult result =
       message.result ? std::move(*message.result) : broken_off(job, outcome, message, limits);
-  result.diagnostics = session.finish(*job.loaded, std::move(result.diagnostics));
+  result.diagnostics = job.model != nullptr
+                           ? session.finish(*job.loaded, *job.model, std::move(result.diagnostics))
+                           : session.finish(*job.loaded, std::move(result.diagnostics));
   return result;
 }
 
@@ -124,15 +132,21 @@ Run run_checks(const Inputs& inputs, const RunOptions& options,
   Run run;
   run.trace = kTraceHeading;
   std::vector<std::size_t> to_run;
+  std::vector<std::size_t> groups;  // of one input share the time
   for (const Job& job : inputs.jobs) {
-    if (job.obstacles.empty()) to_run.push_back(run.checked.size());
+    if (job.obstacles.empty()) {
+      const bool is_new = to_run.empty() || run.checked[to_run.back()].job->loaded != job.loaded;
+      groups.push_back(groups.empty() ? 0 : groups.back() + (is_new ? 1 : 0));
+      to_run.push_back(run.checked.size());
+    }
     run.checked.push_back({&job, {}});
     run.checked.back().result.diagnostics = job.obstacles;
   }
+  std::size_t sent = 0;  // bytes of traces from this child
   const auto task = [&](std::size_t i, const Write& write) {
     CheckOptions check = options.check;
-    check.most_trace_bytes = kMostTraceBytes - run.trace.size();
-    run_job(*run.checked[to_run[i]].job, inputs, std::move(check), write);
+    check.most_trace_bytes = kMostTraceBytes - run.trace.size() - sent;
+    sent += run_job(*run.checked[to_run[i]].job, inputs, std::move(check), write);
   };
   std::size_t finished = 0;
   const auto keep = [&](std::size_t i, ChildOutcome outcome) {
@@ -142,7 +156,7 @@ Run run_checks(const Inputs& inputs, const RunOptions& options,
     on_finished(++finished);
   };
   const int jobs = options.check.trace ? 1 : options.jobs;
-  run_in_children(to_run.size(), jobs, options.limits, task, keep);
+  run_in_children(groups, jobs, options.limits, task, keep);
   return run;
 }
 

@@ -71,11 +71,15 @@ Json to_json(const Edit& edit) {
 Edit to_edit(const Json& json) { return {to_span(json[0]), json[1]}; }
 
 Json to_json(const Fix& fix) {
-  const auto& [applicability, edits] = fix;
-  return {static_cast<int>(applicability), to_list(edits)};
+  const auto& [applicability, edits, new_name] = fix;
+  Json json = {static_cast<int>(applicability), to_list(edits)};
+  if (new_name) json.push_back({to_json(new_name->among), new_name->name});
+  return json;
 }
 Fix to_fix(const Json& json) {
-  return {static_cast<Applicability>(json[0].get<int>()), from_list(json[1], to_edit)};
+  Fix fix{static_cast<Applicability>(json[0].get<int>()), from_list(json[1], to_edit), {}};
+  if (json.size() > 2) fix.new_name = Fix::NewName{to_span(json[2][0]), json[2][1]};
+  return fix;
 }
 
 /// The binding names every member, so that one more does not compile before it is sent, too.

@@ -205,11 +205,14 @@ std::optional<std::string> first_loss(const LoadedScene& loaded) {
   return std::nullopt;
 }
 
+/// A value that the result has and nobody wrote is no loss.
+bool is_loss(const Diagnostic& finding) {
+  return finding.rule->reported_by == Tool::converters && finding.rule->id != "SML8212";
+}
+
 bool has_losses(const DiagnosticSink& sink) {
   const auto findings = sink.diagnostics();
-  return std::any_of(findings.begin(), findings.end(), [](const Diagnostic& finding) {
-    return finding.rule->reported_by == Tool::converters;
-  });
+  return std::any_of(findings.begin(), findings.end(), is_loss);
 }
 
 /// None when the format does not have the form that is asked for; that has been said.
@@ -259,6 +262,7 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
                               .losses = loaded.found,
                               .links = options.links,
                               .form = form,
+                              .names_copies = !options.assets.empty(),
                               .meshes = mesh_source(flattening, result.copies, conversion.files(),
                                                     options.common.limits)});
   result.is_complete = !has_losses(loaded.found);
@@ -267,6 +271,25 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
     scene.joint_poses = std::move(documented_poses);
   }
   return result;
+}
+
+/// The result, and what its reader needs beside it.
+bool write_result(const SceneFormat& format, const Options& options, const std::string& text) {
+  const std::string& output = options.common.output;
+  const auto& [name, content] = format.companion;
+  if (name.empty() || options.compare_dialects || output.empty() || output == "-")
+    return write_output(kTool, output, text);
+  const std::string beside = path::join(path::parent(output), name);
+  const FileContent there = DiskFiles().read(beside, options.common.limits.file_bytes);
+  if (there.status == ReadStatus::ok && there.text == content) {
+    return write_output(kTool, output, text);
+  }
+  if (there.status != ReadStatus::not_found) {
+    complain(kTool, "cannot write '" + beside +
+                        "': another file is there; write to another folder; nothing was written");
+    return false;
+  }
+  return write_files(kTool, {named_by_user(beside, content), named_by_user(output, text)}, true);
 }
 
 }  // namespace
@@ -312,7 +335,7 @@ int main(int argc, char** argv) {
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");
   const bool is_written =
       copy_files(kTool, result.copies, conversion.files(), options.common.limits, options.overwrite,
-                 [&] { return write_output(kTool, options.common.output, result.text); });
+                 [&] { return write_result(format, options, result.text); });
   if (!is_written) return kFailed;
   const std::string& output = options.common.output;
   if (output.empty() || output == "-" || options.compare_dialects) return kDone;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // urdf2smurf: a SMURF model around a URDF, checked before it is written.
 #include <algorithm>
+#include <span>
 
 #include "base/counted.hpp"
 #include "base/path.hpp"
@@ -28,6 +29,7 @@ struct Options {
   bool in_place = false;
   bool flat = false;
   MotorChoice motors = MotorChoice::declared;
+  SmurfStyle style = SmurfStyle::mars;
   bool force = false;
   bool copies_meshes = false;
   bool overwrite = false;
@@ -55,6 +57,13 @@ std::vector<Option> own_options(Options& options) {
        .set = choose<MotorChoice>(options.motors, {{"declared", MotorChoice::declared},
                                                    {"all", MotorChoice::all},
                                                    {"none", MotorChoice::none}})},
+      {.name = "style",
+       .metavar = "WHICH",
+       .help = "Where MARS and Phobos 2 want different sections: as mars reads them (the default), "
+               "or as phobos writes them.",
+       .values = {"mars", "phobos"},
+       .set = choose<SmurfStyle>(options.style,
+                                 {{"mars", SmurfStyle::mars}, {"phobos", SmurfStyle::phobos}})},
       {.name = "srdf",
        .metavar = "FILE",
        .help = "Take named joint positions from an SRDF, and keep its text.",
@@ -128,29 +137,45 @@ std::string file_name_of(const Options& options, const LinkedModel& model) {
   return "robot";
 }
 
-struct Verification {
-  std::string problem;  ///< why the model must not be written; empty when all is well
-  std::size_t dead_motors =
-      0;  ///< whose joints have no limit of speed or effort, as wheels have none
+/// All that is to be written.
+struct Plan {
+  std::string folder;
+  NewModel made;
+  std::vector<TextFile> texts;
+  AssetCopies copies;
+  std::vector<std::string> outputs;
 };
+
+struct Verification {
+  std::string problem;          ///< why the model must not be written; empty when all is well
+  std::size_t dead_motors = 0;  ///< whose joints have no limit of speed or effort, as wheels have
+  std::size_t for_mars = 0;     ///< errors of the URDF that it has for readers of models only
+};
+
+bool has_rule(std::span<const Diagnostic> findings, const Rule& rule) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [&](const Diagnostic& one) { return one.rule == &rule; });
+}
 
 /// The last look at the model before it is written: read again, it must be the same robot, and no
 /// error may be new.
-Verification verify(const LinkedModel& source, const std::string& folder,
-                    const std::vector<TextFile>& texts, const ConverterOptions& options,
-                    bool source_is_sound) {
+Verification verify(const LinkedModel& source, std::span<const Diagnostic> known, const Plan& plan,
+                    const Options& options, bool source_is_sound) {
   // The result may be larger than what it was made of, and it is the user's own.
-  Limits limits = options.limits;
+  Limits limits = options.common.limits;
   for (const LimitInfo& info : kLimits) {
     limits.*info.value = std::max(limits.*info.value, Limits{}.*info.value);
   }
   Session session(limits);
-  for (const TextFile& file : texts) session.set_text(path::join(folder, file.path), file.text);
+  for (const TextFile& file : plan.texts) {
+    session.set_text(path::join(plan.folder, file.path), file.text);
+  }
   CheckSettings settings;
   settings.is_isolated = true;
   settings.opens_meshes = false;
-  settings.packages = options.packages;
-  LoadedModel written = session.load_model(path::join(folder, texts.back().path), settings);
+  settings.packages = options.common.packages;
+  LoadedModel written =
+      session.load_model(path::join(plan.folder, plan.texts.back().path), settings);
   const LinkedModel& result = written.model;
   if (!result.robot) return {"the result cannot be read again; this is a defect of this tool"};
   const Proof proof = compare_models(source, result);
@@ -160,9 +185,17 @@ Verification verify(const LinkedModel& source, const std::string& folder,
   for (const Diagnostic& diagnostic : session.check(written).diagnostics) {
     if (diagnostic.severity != Severity::error) continue;
     // What MARS makes of the URDF is for the author to know, and no fault of what is added to it.
-    if (written.sources->path(diagnostic.span.source).ends_with(".urdf")) continue;
+    if (written.sources->path(diagnostic.span.source).ends_with(".urdf")) {
+      verification.for_mars += !has_rule(known, *diagnostic.rule);
+      continue;
+    }
     if (diagnostic.rule == &rules::sml4103_dead_motor) {
       ++verification.dead_motors;
+      continue;
+    }
+    // Collisions for MARS, links for Phobos.
+    if (diagnostic.rule == &rules::sml3103_unknown_collision &&
+        options.style == SmurfStyle::phobos) {
       continue;
     }
     return {"the result would have an error, which is a defect of this tool: " +
@@ -224,20 +257,80 @@ void tell(const Conversion& conversion, const std::string& folder, std::size_t f
   conversion.tell_written(text);
 }
 
-}  // namespace
+/// Mesh paths that MARS does not open, as it knows no packages.
+std::size_t count_uris(const LinkedModel& model, const Options& options,
+                       const AssetCopies& copies) {
+  if (!copies.empty()) return 0;
+  return static_cast<std::size_t>(
+      std::count_if(model.meshes.begin(), model.meshes.end(), [&](const MeshReference& mesh) {
+        const bool is_uri = mesh.filename.find("://") != std::string::npos;
+        return is_uri && (options.in_place || mesh.path.empty() || !mesh.exists);
+      }));
+}
 
-int main(int argc, char** argv) {
-  prepare_process();
-  Options options;
-  if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
-  if (const std::string problem = problem_of(options); !problem.empty()) {
-    complain(kTool, problem);
-    return kFailed;
+Plan make_plan(const Options& options, const std::string& current, const LoadedModel& loaded,
+               const xml::Document* srdf, DiagnosticSink& found, const Conversion& conversion) {
+  const LinkedModel& model = loaded.model;
+  Plan plan;
+  plan.folder = !options.common.output.empty() ? options.common.output
+                                               : std::string(path::parent(model.urdf_path));
+  if (model.robot) {
+    UrdfImport import{.name = file_name_of(options, model),
+                      .output_folder = plan.folder,
+                      .current_folder = current,
+                      .layout = options.in_place ? SmurfLayout::in_place
+                                : options.flat   ? SmurfLayout::flat
+                                                 : SmurfLayout::phobos,
+                      .motors = options.motors,
+                      .style = options.style,
+                      .srdf = srdf};
+    if (options.copies_meshes) {
+      plan.copies = plan_copies(model, plan.folder, conversion.files(), import);
+    }
+    plan.made = import_urdf(model, *loaded.sources, import, found);
+    plan.texts = write_smurf(plan.made);
   }
+  plan.outputs = places_of(plan.copies, conversion.inputs());
+  for (const TextFile& file : plan.texts) {
+    plan.outputs.push_back(path::join(plan.folder, file.path));
+  }
+  return plan;
+}
 
+ExitCode write_names(const Plan& plan) {
+  std::string names;
+  for (const std::string& output : plan.outputs) names += render::escape(output) + "\n";
+  return write_output(kTool, {}, names) ? kDone : kFailed;
+}
+
+bool write_plan(const Plan& plan, const Options& options, const Conversion& conversion) {
+  std::vector<OutputFile> written;
+  for (const TextFile& file : plan.texts) written.push_back({plan.folder, file.path, file.text});
+  return copy_files(kTool, plan.copies, conversion.files(), options.common.limits,
+                    options.overwrite,
+                    [&] { return write_files(kTool, written, options.overwrite); });
+}
+
+/// What is no error, and keeps a robot from being what its author expects.
+std::string remarks_on(const LinkedModel& model, const Plan& plan, const Options& options,
+                       const Verification& verification) {
+  std::string text = remark_on_motors(plan.made, options.motors, verification.dead_motors);
+  const auto add = [&](const std::string& remark) { text += (text.empty() ? "" : "; ") + remark; };
+  if (const std::size_t uris = count_uris(model, options, plan.copies); uris > 0) {
+    add(counted(uris, "mesh path") + (uris == 1 ? " stays a URI" : " stay URIs") +
+        ", which MARS does not open: " +
+        (options.in_place ? "--in-place changes no URDF" : "no file was found"));
+  }
+  if (verification.for_mars > 0) {
+    add("MARS makes something else of the URDF (" + counted(verification.for_mars, "error") +
+        "): see smurf-lint " + path::join(plan.folder, plan.texts.back().path));
+  }
+  return text;
+}
+
+ExitCode convert(Conversion& conversion, const Options& options) {
   const auto current = current_folder(kTool);
   if (!current) return kFailed;
-  Conversion conversion(kTool, options.common, {InputKind::urdf});
   auto loaded = conversion.load_model(options.urdf);
   if (!loaded) return conversion.fail();
   const LinkedModel& model = loaded->model;
@@ -250,49 +343,35 @@ int main(int argc, char** argv) {
     srdf = conversion.load_xml(options.srdf, *loaded);
     if (!srdf) return conversion.fail();
   }
-
-  const std::string folder = !options.common.output.empty()
-                                 ? options.common.output
-                                 : std::string(path::parent(model.urdf_path));
-  std::vector<TextFile> files;
-  NewModel made;
-  AssetCopies copies;
-  if (model.robot) {
-    UrdfImport import{.name = file_name_of(options, model),
-                      .output_folder = folder,
-                      .current_folder = *current,
-                      .layout = options.in_place ? SmurfLayout::in_place
-                                : options.flat   ? SmurfLayout::flat
-                                                 : SmurfLayout::phobos,
-                      .motors = options.motors,
-                      .srdf = srdf ? &*srdf : nullptr};
-    if (options.copies_meshes) copies = plan_copies(model, folder, conversion.files(), import);
-    made = import_urdf(model, *loaded->sources, import, loaded->found);
-    files = write_smurf(made);
-  }
-  std::vector<std::string> outputs = places_of(copies, conversion.inputs());
-  for (const TextFile& file : files) outputs.push_back(path::join(folder, file.path));
-  if (!options.dry_run && !conversion.keeps_inputs(outputs)) return kFailed;
+  const Plan plan =
+      make_plan(options, *current, *loaded, srdf ? &*srdf : nullptr, loaded->found, conversion);
+  if (!options.dry_run && !conversion.keeps_inputs(plan.outputs)) return kFailed;
   const ExitCode verdict = conversion.report(*loaded, loss_in_model);
   if (verdict == kFailed) return kFailed;
   if (!model.robot) return conversion.refuse(conversion.why());
   if (verdict != kDone && !options.force) {
     return conversion.refuse(conversion.why() + "; see --force");
   }
-  const Verification verification = verify(model, folder, files, options.common, verdict == kDone);
+  const Verification verification =
+      verify(model, conversion.findings(), plan, options, verdict == kDone);
   if (!verification.problem.empty()) return conversion.refuse(verification.problem);
-  if (options.dry_run) {
-    std::string names;
-    for (const std::string& output : outputs) names += render::escape(output) + "\n";
-    return write_output(kTool, {}, names) ? kDone : kFailed;
-  }
-  std::vector<OutputFile> written;
-  for (const TextFile& file : files) written.push_back({folder, file.path, file.text});
-  const bool is_written =
-      copy_files(kTool, copies, conversion.files(), options.common.limits, options.overwrite,
-                 [&] { return write_files(kTool, written, options.overwrite); });
-  if (!is_written) return kFailed;
-  tell(conversion, folder, outputs.size(), describe(made, copies),
-       remark_on_motors(made, options.motors, verification.dead_motors));
+  if (options.dry_run) return write_names(plan);
+  if (!write_plan(plan, options, conversion)) return kFailed;
+  tell(conversion, plan.folder, plan.outputs.size(), describe(plan.made, plan.copies),
+       remarks_on(model, plan, options, verification));
   return kDone;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  prepare_process();
+  Options options;
+  if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
+  if (const std::string problem = problem_of(options); !problem.empty()) {
+    complain(kTool, problem);
+    return kFailed;
+  }
+  Conversion conversion(kTool, options.common, {InputKind::urdf});
+  return convert(conversion, options);
 }

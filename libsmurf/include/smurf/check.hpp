@@ -159,6 +159,8 @@ class Session {
   LoadedModel load_model(const std::string& path, const CheckSettings& settings = {});
   /// Loads a scene; a .smurf or .urdf counts as one.
   LoadedScene load_scene(const std::string& path, const CheckSettings& settings = {});
+  /// Gives up what was loaded, none of which may be used any more.
+  void forget_loaded();
   /// The texts of all that was loaded.
   const SourceMap& loaded_sources() const;
   /// For reading other files, such as an SRDF, into the same sources and findings.
@@ -170,6 +172,9 @@ class Session {
   /// sorted.
   std::vector<Diagnostic> finish(const LoadedModel& loaded, std::vector<Diagnostic> found) const;
   std::vector<Diagnostic> finish(const LoadedScene& loaded, std::vector<Diagnostic> found) const;
+  /// Only what is in one model of the scene: takes time for that model, not for the scene.
+  std::vector<Diagnostic> finish(const LoadedScene& loaded, const LinkedModel& model,
+                                 std::vector<Diagnostic> found) const;
 
   /// Reads the disk or the given reader, archives as folders, and the unsaved texts.
   const FileReader& files() const;

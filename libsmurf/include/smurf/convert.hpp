@@ -85,6 +85,12 @@ enum class SmurfLayout : std::uint8_t {
 /// Which joints get a motor.
 enum class MotorChoice : std::uint8_t { declared, all, none };
 
+/// Of what the two readers want differently, what the first one wants.
+enum class SmurfStyle : std::uint8_t {
+  mars,    ///< `joint`, contact sensors of collisions
+  phobos,  ///< `joints`, contact sensors of links
+};
+
 struct UrdfImport {
   std::string name{};  ///< of the files
   std::string output_folder = ".";
@@ -92,15 +98,16 @@ struct UrdfImport {
   std::string current_folder = "/";
   SmurfLayout layout = SmurfLayout::phobos;
   MotorChoice motors = MotorChoice::declared;
+  SmurfStyle style = SmurfStyle::mars;
   const xml::Document* srdf = nullptr;  ///< may be null
   /// Where meshes and textures will have copies, which the model is to name instead: absolute paths
   /// by MeshReference::path.
   std::map<std::string, std::string> copies{};
 };
 
-/// A SMURF model around a URDF, which stays whole: mesh paths are re-based, and an unnamed
-/// collision gets a name where a sensor must refer to it. Reports what has no section as SML8101.
-/// Precondition: model.robot is set.
+/// A SMURF model around a URDF, which stays whole: mesh paths are re-based, also those in packages,
+/// and an unnamed collision gets a name where a sensor must refer to it. Reports what has no
+/// section as SML8101. Precondition: model.robot is set.
 NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const UrdfImport& options,
                      DiagnosticSink& sink);
 

@@ -105,8 +105,17 @@ enum class Applicability : std::uint8_t { safe, unsafe };
 /// A remedy as byte edits. Safe fixes never change what the model means to any reader that loads
 /// it.
 struct Fix {
+  /// A name that something gets and that nothing else beside it may have: a key, an attribute.
+  struct NewName {
+    Span among;  ///< the mapping, the start tag, the robot
+    std::string name;
+    friend bool operator==(const NewName&, const NewName&) = default;
+  };
+
   Applicability applicability = Applicability::unsafe;
   std::vector<Edit> edits;
+  /// Of two fixes with the same one, only the first is applied.
+  std::optional<NewName> new_name = {};
 };
 
 struct Diagnostic {

@@ -19,12 +19,14 @@ struct FixedText {
 
 struct AppliedFixes {
   std::vector<FixedText> texts;  ///< changed files only, sorted by path
+  std::vector<Edit> edits;       ///< the same, one by one
   std::size_t count = 0;         ///< diagnostics whose fix was applied
 };
 
 /// Applies the fixes of the diagnostics, in their order: the safe ones, and the unsafe ones too
 /// when `most` is unsafe. A fix is applied whole or not at all; one that touches what an earlier
-/// one touches is left for another round, because its bytes are no longer there.
+/// one touches is left for another round, because its bytes are no longer there, and so is one that
+/// gives a second key of a mapping the same new name.
 AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          Applicability most);
 

@@ -24,9 +24,9 @@ struct FormatPart {
   std::string_view name;  ///< "motors"
   std::vector<std::string_view> aliases{};
   std::string_view doc;
-  std::string_view form;     ///< "a list of entries"
-  std::string_view read_by;  ///< may be empty
-  std::string_view more;  ///< name of the part whose keys an entry may have as well; may be empty
+  std::string_view form{};     ///< "a list of entries"
+  std::string_view read_by{};  ///< may be empty
+  std::string_view more{};  ///< name of the part whose keys an entry may have as well; may be empty
   std::vector<KeyDescription> keys{};
 };
 

@@ -23,6 +23,7 @@ struct Rename {
 
 struct Renamed {
   std::vector<FixedText> texts;       ///< changed files only, sorted by path
+  std::vector<Edit> edits;            ///< the same, one by one
   std::vector<std::string> problems;  ///< why nothing is changed; `texts` is empty then
 };
 

@@ -21,8 +21,16 @@ bool is_repository(const std::filesystem::path& folder);
 /// folder when there is none. Links are resolved, as code hosts know no file by two names.
 RepositoryPath in_repository();
 
-/// The first symbolic link on the way to `path` that lies in a repository and leads out of it, or
-/// to what git keeps of it: it may have come with a pull request. "" when there is none.
+/// Where a path leads.
+struct FollowedPath {
+  /// The first symbolic link on the way that lies in a repository and leads out of it, or to what
+  /// git keeps of it: it may have come with a pull request. "" when there is none.
+  std::string link_out;
+  std::string place;  ///< without links; what does not exist is as it is written
+};
+/// Looks at each part of the path once, so that `place` is what was judged.
+FollowedPath follow(const std::string& path);
+/// FollowedPath::link_out.
 std::string link_out_of_repository(const std::string& path);
 
 }  // namespace smurf

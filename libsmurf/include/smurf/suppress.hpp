@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -73,6 +74,13 @@ class Suppressions {
 /// False for mistakes in configurations, comments and baselines (SML9). They have no place of their
 /// own, so that one entry would suppress all of them.
 bool may_be_in_baseline(const Diagnostic& diagnostic);
+
+/// The comment that lets a finding in a file pass: at the end of its line, or where none can stand
+/// there, above its entry. None when neither can.
+std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const yaml::Document& document,
+                                  std::string_view text);
+std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const xml::Document& document,
+                                  std::string_view text);
 
 /// How a baseline names the file of a path: relative to its own folder.
 using BaselinePath = std::function<std::string(const std::string& path)>;

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/flatten.hpp"
@@ -35,7 +36,8 @@ struct SceneExport {
   DiagnosticSink& losses;    ///< takes what the format cannot say (SML82xx)
   bool links = false;  ///< write the world poses of all links, where there is a place for them
   SceneForm form = SceneForm::expand;
-  MeshSource meshes = {};  ///< for previews; when there is none, meshes are lost
+  bool names_copies = false;  ///< the files of models in `flat` are copies that will be made
+  MeshSource meshes = {};     ///< for previews; when there is none, meshes are lost
 };
 
 /// A format is one file in src/write that defines one of these, and its line in
@@ -45,6 +47,8 @@ struct SceneFormat {
   std::string_view help;
   /// Instances without a pose, which only scenes with errors have, are left out.
   std::string (*write)(const SceneExport& scene) = nullptr;
+  /// What its reader needs beside the result: a file name and its text.
+  std::pair<std::string_view, std::string_view> companion = {};
   bool has_reference_form = false;
   bool has_expanded_form = true;
   bool repeats_models = false;  ///< writes the model of each instance out

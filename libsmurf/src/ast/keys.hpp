@@ -90,6 +90,7 @@ struct KeySpec {
   /// found by this (link/references.cpp), so that a new key that names something needs no more.
   Naming names = {};
   Naming (*names_in)(yaml::View entry) = nullptr;  ///< where that depends on the rest of the entry
+  bool is_path = false;  ///< of a file, relative to the folder of the file that it stands in
 };
 
 inline std::span<const KeySpec> KeyTable::keys() const { return {first, size}; }

@@ -22,7 +22,8 @@ constexpr Key<Model> kMainKeys[] = {
       .type = names,
       .doc = "The URDF and the annotation files (.yml), relative to this file. Order matters: MARS "
              "merges them one after the other.",
-      .required = true},
+      .required = true,
+      .is_path = true},
      &Model::files},
     {{.name = "version",
       .type = text,

@@ -12,7 +12,10 @@
 namespace smurf::urdf {
 namespace {
 
-constexpr AttributeSpec kRobotAttributes[] = {{"name"}, {"version"}};
+constexpr AttributeSpec kRobotAttributes[] = {
+    {"name", false, "Name of the robot."},
+    {"version", false, "Version of URDF; urdfdom takes 1.0, and newer ones 1.1 and 1.2.", "",
+     "1.0"}};
 constexpr ChildSpec kRobotChildren[] = {{"link"}, {"joint"}, {"material"}};
 constexpr std::string_view kRobotExtensions[] = {"transmission",
                                                  "gazebo",
@@ -38,7 +41,9 @@ constexpr std::string_view kRobotExtensions[] = {"transmission",
                                                  "author",
                                                  "submodel"};
 
-constexpr AttributeSpec kLinkAttributes[] = {{"name", true}, {"type"}};
+constexpr AttributeSpec kLinkAttributes[] = {
+    {"name", true, "Name of the link; joints, motors and sensors refer to it, so it is unique."},
+    {"type", false, "Of old files; no reader looks at it."}};
 constexpr ChildSpec kLinkChildren[] = {{"inertial", true}, {"visual"}, {"collision"}};
 constexpr std::string_view kLinkExtensions[] = {
     "contact",     "collision_checking", "audio_source", "self_collision_checking",
@@ -47,16 +52,24 @@ constexpr std::string_view kLinkExtensions[] = {
     "drake_ignore"};
 
 constexpr ChildSpec kInertialChildren[] = {{"origin", true}, {"mass", true}, {"inertia", true}};
-constexpr AttributeSpec kMassAttributes[] = {{"value", true}};
+constexpr AttributeSpec kMassAttributes[] = {{"value", true, "Mass of the link.", "kg"}};
 /// What is missing of a tensor, or written below its diagonal, has rules of its own.
-constexpr AttributeSpec kInertiaAttributes[] = {{"ixx"}, {"ixy"}, {"ixz"},
-                                                {"iyy"}, {"iyz"}, {"izz"}};
+constexpr AttributeSpec kInertiaAttributes[] = {
+    {"ixx", false, "Moment about the x axis through the centre of mass.", "kg m^2"},
+    {"ixy", false, "Product of inertia: minus the integral of x y.", "kg m^2"},
+    {"ixz", false, "Product of inertia: minus the integral of x z.", "kg m^2"},
+    {"iyy", false, "Moment about the y axis through the centre of mass.", "kg m^2"},
+    {"iyz", false, "Product of inertia: minus the integral of y z.", "kg m^2"},
+    {"izz", false, "Moment about the z axis through the centre of mass.", "kg m^2"}};
 constexpr std::string_view kInertiaExtensions[] = {"iyx", "izx", "izy"};
-constexpr AttributeSpec kOriginAttributes[] = {{"xyz"}, {"rpy"}, {"quat_xyzw"}};
+constexpr AttributeSpec kOriginAttributes[] = {
+    {"xyz", false, "Position in the frame that the element stands in.", "m", "0 0 0"},
+    {"rpy", false, "Rotation about the fixed axes x, then y, then z.", "rad", "0 0 0"},
+    {"quat_xyzw", false, "Rotation as a quaternion; read since version 1.1 of URDF."}};
 
-constexpr AttributeSpec kVisualAttributes[] = {{"name"}};
+constexpr AttributeSpec kVisualAttributes[] = {{"name", false, "Name of the visual."}};
 constexpr ChildSpec kVisualChildren[] = {{"origin", true}, {"geometry", true}, {"material", true}};
-constexpr AttributeSpec kCollisionAttributes[] = {{"name"}};
+constexpr AttributeSpec kCollisionAttributes[] = {{"name", false, "Name of the collision."}};
 constexpr ChildSpec kCollisionChildren[] = {{"origin", true}, {"geometry", true}};
 constexpr std::string_view kCollisionExtensions[] = {
     "group",        "mask",   "concave",         "verbose", "material", "contact_coefficients",
@@ -65,18 +78,32 @@ constexpr std::string_view kCollisionExtensions[] = {
 constexpr ChildSpec kGeometryChildren[] = {
     {"box"}, {"sphere"}, {"cylinder"}, {"capsule"}, {"mesh"}};
 constexpr std::string_view kGeometryExtensions[] = {"plane", "cdf", "ellipsoid", "verbose"};
-constexpr AttributeSpec kBoxAttributes[] = {{"size", true}};
-constexpr AttributeSpec kSphereAttributes[] = {{"radius", true}};
-constexpr AttributeSpec kCylinderAttributes[] = {{"radius", true}, {"length", true}};
-constexpr AttributeSpec kMeshAttributes[] = {{"filename", true}, {"scale"}};
+constexpr AttributeSpec kBoxAttributes[] = {
+    {"size", true, "Full lengths of the edges along x, y and z.", "m"}};
+constexpr AttributeSpec kSphereAttributes[] = {{"radius", true, "Radius.", "m"}};
+constexpr AttributeSpec kCylinderAttributes[] = {
+    {"radius", true, "Radius.", "m"},
+    {"length", true, "Length along z; of a capsule, that of its cylinder alone.", "m"}};
+constexpr AttributeSpec kMeshAttributes[] = {
+    {"filename", true, "The mesh: a path, or package://NAME/PATH."},
+    {"scale", false, "Factors along x, y and z.", "", "1 1 1"}};
 
-constexpr AttributeSpec kMaterialAttributes[] = {{"name", true}};
+constexpr AttributeSpec kMaterialAttributes[] = {{.name = "name",
+                                                  .required = true,
+                                                  .doc = "Name of the material.",
+                                                  .names = NameKind::material}};
 constexpr ChildSpec kMaterialChildren[] = {{"color", true}, {"texture", true}};
 constexpr std::string_view kMaterialExtensions[] = {"specular", "shininess"};
-constexpr AttributeSpec kColorAttributes[] = {{"rgba", true}};
-constexpr AttributeSpec kTextureAttributes[] = {{"filename"}};
+constexpr AttributeSpec kColorAttributes[] = {
+    {"rgba", true, "Red, green, blue and alpha, each from 0 to 1."}};
+constexpr AttributeSpec kTextureAttributes[] = {
+    {"filename", false, "The image: a path, or package://NAME/PATH."}};
 
-constexpr AttributeSpec kJointAttributes[] = {{"name", true}, {"type"}};
+constexpr std::string_view kJointTypes[] = {"revolute", "continuous", "prismatic",
+                                            "fixed",    "floating",   "planar"};
+constexpr AttributeSpec kJointAttributes[] = {
+    {"name", true, "Name of the joint; motors and sensors refer to it, so it is unique."},
+    {"type", false, "How the child moves against the parent.", "", "", kJointTypes}};
 constexpr ChildSpec kJointChildren[] = {
     {"origin", true},     {"parent", true},   {"child", true}, {"axis", true},
     {"limit", true},      {"dynamics", true}, {"mimic", true}, {"safety_controller", true},
@@ -84,45 +111,100 @@ constexpr ChildSpec kJointChildren[] = {
 constexpr std::string_view kJointExtensions[] = {
     "dont_collapse", "joint_properties", "hardwareInterface", "gearbox", "sensor",
     "motor",         "actuator",         "drake_ignore"};
-constexpr AttributeSpec kLinkReference[] = {{"link"}};
-constexpr AttributeSpec kAxisAttributes[] = {{"xyz", true}};
+constexpr AttributeSpec kLinkReference[] = {
+    {.name = "link", .doc = "Name of the link.", .names = NameKind::link}};
+constexpr AttributeSpec kAxisAttributes[] = {
+    {"xyz", true, "Direction in the joint's frame, of length 1.", "", "1 0 0"}};
 constexpr AttributeSpec kLimitAttributes[] = {
-    {"lower"}, {"upper"}, {"effort"}, {"velocity"}, {"acceleration"}, {"deceleration"}, {"jerk"}};
-constexpr AttributeSpec kDynamicsAttributes[] = {{"damping"}, {"friction"}};
+    {"lower", false, "Lowest position.", "rad or m", "0"},
+    {"upper", false, "Highest position.", "rad or m", "0"},
+    {"effort", false, "Largest torque or force.", "N m or N"},
+    {"velocity", false, "Largest speed.", "rad/s or m/s"},
+    {"acceleration", false, "Largest acceleration; read since version 1.2 of URDF.",
+     "rad/s^2 or m/s^2"},
+    {"deceleration", false, "Largest deceleration; read since version 1.2 of URDF.",
+     "rad/s^2 or m/s^2"},
+    {"jerk", false, "Largest jerk; read since version 1.2 of URDF.", "rad/s^3 or m/s^3"}};
+constexpr AttributeSpec kDynamicsAttributes[] = {
+    {"damping", false, "Viscous damping.", "N m s/rad or N s/m", "0"},
+    {"friction", false, "Static friction.", "N m or N", "0"}};
 constexpr std::string_view kDynamicsExtensions[] = {"spring_stiffness", "spring_reference"};
-constexpr AttributeSpec kMimicAttributes[] = {{"joint", true}, {"multiplier"}, {"offset"}};
+constexpr AttributeSpec kMimicAttributes[] = {
+    {.name = "joint", .required = true, .doc = "Joint that is followed.", .names = NameKind::joint},
+    {"multiplier", false, "Factor on the position of that joint.", "", "1"},
+    {"offset", false, "Added to it.", "rad or m", "0"}};
 constexpr AttributeSpec kSafetyAttributes[] = {
-    {"soft_lower_limit"}, {"soft_upper_limit"}, {"k_position"}, {"k_velocity", true}};
+    {"soft_lower_limit", false, "Where the controller begins to limit the position.", "rad or m",
+     "0"},
+    {"soft_upper_limit", false, "Where the controller begins to limit the position.", "rad or m",
+     "0"},
+    {"k_position", false, "Relation between position and velocity limits.", "", "0"},
+    {"k_velocity", true, "Relation between effort and velocity limits."}};
 constexpr AttributeSpec kCalibrationAttributes[] = {
-    {"rising"}, {"falling"}, {"reference_position"}};
+    {"rising", false, "Position at which the reference rises.", "rad or m"},
+    {"falling", false, "Position at which the reference falls.", "rad or m"},
+    {"reference_position", false, "Position of the reference mark.", "rad or m"}};
 
 constexpr ElementSpec kElements[] = {
-    {"robot", kRobotAttributes, kRobotChildren, kRobotExtensions},
-    {"link", kLinkAttributes, kLinkChildren, kLinkExtensions},
-    {"inertial", {}, kInertialChildren, {}},
-    {"mass", kMassAttributes, {}, {}},
-    {"inertia", kInertiaAttributes, {}, kInertiaExtensions},
-    {"origin", kOriginAttributes, {}, {}},
-    {"visual", kVisualAttributes, kVisualChildren, kCollisionExtensions},
-    {"collision", kCollisionAttributes, kCollisionChildren, kCollisionExtensions},
-    {"geometry", {}, kGeometryChildren, kGeometryExtensions},
-    {"box", kBoxAttributes, {}, {}},
-    {"sphere", kSphereAttributes, {}, {}},
-    {"cylinder", kCylinderAttributes, {}, {}},
-    {"capsule", kCylinderAttributes, {}, {}},
-    {"mesh", kMeshAttributes, {}, {}},
-    {"material", kMaterialAttributes, kMaterialChildren, kMaterialExtensions},
-    {"color", kColorAttributes, {}, {}},
-    {"texture", kTextureAttributes, {}, {}},
-    {"joint", kJointAttributes, kJointChildren, kJointExtensions},
-    {"parent", kLinkReference, {}, {}},
-    {"child", kLinkReference, {}, {}},
-    {"axis", kAxisAttributes, {}, {}},
-    {"limit", kLimitAttributes, {}, {}},
-    {"dynamics", kDynamicsAttributes, {}, kDynamicsExtensions},
-    {"mimic", kMimicAttributes, {}, {}},
-    {"safety_controller", kSafetyAttributes, {}, {}},
-    {"calibration", kCalibrationAttributes, {}, {}},
+    {"robot", kRobotAttributes, kRobotChildren, kRobotExtensions,
+     "A robot: links, and joints between them."},
+    {"link", kLinkAttributes, kLinkChildren, kLinkExtensions, "A rigid body."},
+    {"inertial", {}, kInertialChildren, {}, "Mass, centre of mass and inertia of the link."},
+    {"mass", kMassAttributes, {}, {}, "Mass of the link."},
+    {"inertia",
+     kInertiaAttributes,
+     {},
+     kInertiaExtensions,
+     "Inertia about the centre of mass, in the axes of the inertial frame."},
+    {"origin",
+     kOriginAttributes,
+     {},
+     {},
+     "Pose in the frame of the element that it stands in; of a joint, in the frame of the parent link."},
+    {"visual", kVisualAttributes, kVisualChildren, kCollisionExtensions,
+     "What is seen of the link."},
+    {"collision", kCollisionAttributes, kCollisionChildren, kCollisionExtensions,
+     "What collides of the link."},
+    {"geometry", {}, kGeometryChildren, kGeometryExtensions, "One shape."},
+    {"box", kBoxAttributes, {}, {}, "A box around the origin."},
+    {"sphere", kSphereAttributes, {}, {}, "A sphere around the origin."},
+    {"cylinder", kCylinderAttributes, {}, {}, "A cylinder around the origin, its axis along z."},
+    {"capsule",
+     kCylinderAttributes,
+     {},
+     {},
+     "A cylinder with half spheres at its ends, its axis along z; read since version 1.1 of URDF."},
+    {"mesh", kMeshAttributes, {}, {}, "Triangles of a file."},
+    {"material", kMaterialAttributes, kMaterialChildren, kMaterialExtensions,
+     "A colour or a texture, under a name that visuals share."},
+    {"color", kColorAttributes, {}, {}, "A colour."},
+    {"texture", kTextureAttributes, {}, {}, "An image."},
+    {"joint", kJointAttributes, kJointChildren, kJointExtensions,
+     "How a child link moves against its parent link."},
+    {"parent", kLinkReference, {}, {}, "The link that carries the joint."},
+    {"child", kLinkReference, {}, {}, "The link that the joint moves."},
+    {"axis",
+     kAxisAttributes,
+     {},
+     {},
+     "The axis of a revolute, continuous or prismatic joint, the normal of a planar one."},
+    {"limit",
+     kLimitAttributes,
+     {},
+     {},
+     "Limits of the joint; revolute and prismatic joints need them."},
+    {"dynamics",
+     kDynamicsAttributes,
+     {},
+     kDynamicsExtensions,
+     "Damping and friction of the joint."},
+    {"mimic", kMimicAttributes, {}, {}, "The joint follows another one."},
+    {"safety_controller",
+     kSafetyAttributes,
+     {},
+     {},
+     "Limits of the controller inside of those of the joint."},
+    {"calibration", kCalibrationAttributes, {}, {}, "Where the joint is calibrated."},
 };
 
 /// Synonyms from SDF, MJCF and English -> URDF names.
@@ -147,6 +229,8 @@ std::optional<std::string_view> meant_name(std::string_view name,
   }
   return std::nullopt;
 }
+
+std::span<const ElementSpec> all_element_specs() { return kElements; }
 
 const ElementSpec* find_element_spec(std::string_view name) {
   const ElementSpec* found =

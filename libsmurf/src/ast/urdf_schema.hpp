@@ -7,12 +7,19 @@
 #include <string_view>
 
 #include "smurf/diagnostic.hpp"
+#include "smurf/names.hpp"
 
 namespace smurf::urdf {
 
+/// The texts are for those who write a URDF; `values` are the only ones, where there are any.
 struct AttributeSpec {
   std::string_view name;
   bool required = false;
+  std::string_view doc = {};   ///< one sentence
+  std::string_view unit = {};  ///< "rad or m"; may be empty
+  std::string_view fallback = {};
+  std::span<const std::string_view> values = {};
+  NameKinds names = {};  ///< what it may name; empty: nothing
 };
 
 struct ChildSpec {
@@ -26,8 +33,11 @@ struct ElementSpec {
   std::span<const ChildSpec> children;
   /// Children and attributes of vendors that some reader knows; their insides are not checked.
   std::span<const std::string_view> extensions;
+  std::string_view doc = {};  ///< one sentence
 };
 
+/// All of them, `robot` first.
+std::span<const ElementSpec> all_element_specs();
 /// Null for a name the table does not hold.
 const ElementSpec* find_element_spec(std::string_view name);
 /// The one of `known` that somebody most likely meant by another name: the nearest, or what

@@ -149,8 +149,9 @@ class ShapeChecker {
       diagnostic.construct = owner_of_name(element);
     }
     diagnostic.help = "did you mean " + quoted(meant) + "?";
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{attribute.name_span(), std::string(meant)}}});
+    diagnostic.fixes.push_back({Applicability::unsafe,
+                                {{attribute.name_span(), std::string(meant)}},
+                                Fix::NewName{element.tag_span(), std::string(meant)}});
   }
 
   /// Without a name a link is none, which is worse than what else may be missing in a link; the

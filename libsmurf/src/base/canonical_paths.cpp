@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/canonical_paths.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -83,6 +84,19 @@ std::optional<std::string> CanonicalPaths::follow(const std::string& folder,
     at = *std::move(place);
   }
   return at;
+}
+
+std::optional<std::string> canonical_now(const std::string& path) {
+  std::error_code error;
+#ifdef O_PATH
+  const int opened = ::open(path.c_str(), O_PATH | O_CLOEXEC);
+  if (opened < 0) return std::nullopt;
+  const fs::path place = fs::read_symlink("/proc/self/fd/" + std::to_string(opened), error);
+  ::close(opened);
+  if (!error && place.is_absolute()) return place.string();
+#endif
+  const fs::path canonical = fs::canonical(path, error);
+  return error ? std::nullopt : std::optional(canonical.string());
 }
 
 std::string identity(const std::string& path, const CanonicalPaths& paths) {

@@ -36,6 +36,10 @@ class CanonicalPaths {
   mutable std::unordered_map<std::string, std::string> known_;
 };
 
+/// A path that exists, with its links followed, looked at anew: with one walk of the system, where
+/// it can say so, and not one for each part. None when nothing is there.
+std::optional<std::string> canonical_now(const std::string& path);
+
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path, const CanonicalPaths& paths);
 

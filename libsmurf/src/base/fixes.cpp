@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "base/edits.hpp"
@@ -33,10 +36,10 @@ class FileEdits {
 
   void add(const Edit& edit) { edits_.emplace(edit.span.begin, edit); }
 
-  std::string apply(std::string_view text) const {
+  std::vector<Edit> list() const {
     std::vector<Edit> edits;
     for (const auto& [begin, edit] : edits_) edits.push_back(edit);
-    return apply_edits(text, edits);
+    return edits;
   }
 
  private:
@@ -62,6 +65,12 @@ const Fix* applicable(const Diagnostic& diagnostic, Applicability most) {
   return nullptr;
 }
 
+using NewNameKey = std::tuple<std::string, std::uint32_t, std::string>;
+
+NewNameKey key_of(const Fix::NewName& new_name, const SourceMap& sources) {
+  return {sources.path(new_name.among.source), new_name.among.begin, new_name.name};
+}
+
 }  // namespace
 
 AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
@@ -73,6 +82,7 @@ AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMa
     return files.try_emplace(sources.path(source), source, FileEdits{}).first->second.second;
   };
   AppliedFixes applied;
+  std::set<NewNameKey> new_names;
   for (const Diagnostic& diagnostic : diagnostics) {
     const Fix* fix = applicable(diagnostic, most);
     if (fix == nullptr) continue;
@@ -83,13 +93,17 @@ AppliedFixes apply_fixes(std::span<const Diagnostic> diagnostics, const SourceMa
     }
     const auto is_free = [&](const Edit& edit) { return file_of(edit).is_free(edit); };
     if (!std::all_of(fix->edits.begin(), fix->edits.end(), is_free)) continue;
+    if (fix->new_name && !new_names.insert(key_of(*fix->new_name, sources)).second) continue;
     for (const Edit& edit : fix->edits) file_of(edit).add(edit);
     ++applied.count;
   }
   for (const auto& [path, file] : files) {
     const std::string_view before = sources.text(file.first);
-    std::string after = file.second.apply(before);
-    if (after != before) applied.texts.push_back({path, std::move(after)});
+    const std::vector<Edit> edits = file.second.list();
+    std::string after = apply_edits(before, edits);
+    if (after == before) continue;
+    applied.texts.push_back({path, std::move(after)});
+    applied.edits.insert(applied.edits.end(), edits.begin(), edits.end());
   }
   return applied;
 }

@@ -2,6 +2,7 @@
 // Characters of a name that a screen or a build server takes for more than a name.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 
@@ -11,16 +12,29 @@ namespace smurf {
 
 inline bool is_byte_order_mark(char32_t c) { return c == 0xFEFF; }
 
-/// GitHub and Azure take a line that holds one of these for a command.
+/// GitHub, Azure and TeamCity take a line that holds one of these for a command.
 inline bool starts_mark(std::string_view rest) {
-  return rest.starts_with("##[") || rest.starts_with("##vso[");
+  return rest.starts_with("##[") || rest.starts_with("##vso[") || rest.starts_with("##teamcity[");
 }
 
-/// GitHub does the same with a line that begins with "::". A name may be at the start of a line, or
-/// come there where text is wrapped.
+/// Whether a text ends with a character that .NET, in which GitHub's runner is written, takes for
+/// white space.
+inline bool ends_with_space(std::string_view text) {
+  if (text.empty()) return false;
+  if (text.back() == ' ' || (text.back() >= '\t' && text.back() <= '\r')) return true;
+  constexpr std::string_view kSpaces[] = {"\u0085", "\u00A0", "\u1680", "\u2000", "\u2001",
+                                          "\u2002", "\u2003", "\u2004", "\u2005", "\u2006",
+                                          "\u2007", "\u2008", "\u2009", "\u200A", "\u2028",
+                                          "\u2029", "\u202F", "\u205F", "\u3000"};
+  return std::ranges::any_of(kSpaces, [&](auto space) { return text.ends_with(space); });
+}
+
+/// GitHub does the same with a line that begins with "::", white space before it or not. A name may
+/// be at the start of a line, or come there where text is wrapped.
 inline bool starts_command(std::string_view text, std::size_t at) {
   const std::string_view rest = text.substr(at);
-  return starts_mark(rest) || (rest.starts_with("::") && (at == 0 || text[at - 1] == ' '));
+  return starts_mark(rest) ||
+         (rest.starts_with("::") && (at == 0 || ends_with_space(text.substr(0, at))));
 }
 
 /// Whether the character `c`, at this place, is one that a format for programs escapes.

@@ -8,6 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "base/canonical_paths.hpp"
+#include "base/path.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"
 #include "smurf/repository.hpp"
@@ -74,7 +76,8 @@ std::optional<fs::path> folder_of(const std::string& input) {
   std::error_code error;
   const std::string link = link_out_of_repository(input);
   if (!link.empty()) return fs::path(link).parent_path();
-  const fs::path path = fs::weakly_canonical(input, error);
+  const auto there = canonical_now(input);
+  const fs::path path = there ? fs::path(*there) : fs::weakly_canonical(input, error);
   if (error) return std::nullopt;
   return fs::is_directory(path, error) ? path : path.parent_path();
 }
@@ -111,8 +114,12 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
   }
   if (!is_shared_folder(".")) files.allow(".");
   std::set<fs::path> folders;
+  std::set<std::string_view> seen;  // folders of files
+  std::error_code ignored;
   for (const std::string& input : inputs) {
     if (input.empty() || input == "-") continue;
+    const bool is_file = fs::is_regular_file(fs::symlink_status(input, ignored));
+    if (is_file && !seen.insert(path::parent(input)).second) continue;
     if (is_shared_folder(input) && link_out_of_repository(input).empty()) {
       for (const std::string_view name : kRuleFiles) files.allow_named(std::string(name), input);
     } else if (auto folder = folder_of(input)) {
@@ -126,8 +133,8 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
 
 bool is_shared_folder(const std::string& path) {
   std::error_code error;
-  const fs::path folder = fs::canonical(path, error);
-  return !error && fs::is_directory(folder, error) && is_shared(folder);
+  const auto folder = canonical_now(path);
+  return folder && fs::is_directory(*folder, error) && is_shared(*folder);
 }
 
 }  // namespace smurf

@@ -3,35 +3,43 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <system_error>
+
+#include "base/canonical_paths.hpp"
 
 namespace smurf {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<fs::path> root_above(const fs::path& folder) {
-  for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
-    if (is_repository(at)) return at;
+/// The repository around folders, each of which is looked at once.
+class Repositories {
+ public:
+  std::optional<fs::path> above(const fs::path& folder) {
+    if (!folder.has_relative_path()) return std::nullopt;
+    const auto [known, is_new] = known_.try_emplace(folder);
+    if (!is_new) return known->second;
+    return known->second = is_repository(folder) ? folder : above(folder.parent_path());
   }
-  return std::nullopt;
-}
+
+ private:
+  std::map<fs::path, std::optional<fs::path>> known_;
+};
 
 bool is_inside(const fs::path& path, const fs::path& folder) {
   const fs::path inside = path.lexically_relative(folder);
   return !inside.empty() && *inside.begin() != "..";
 }
 
-bool leads_out(const fs::path& link, const fs::path& folder) {
-  const auto root = root_above(folder);
+/// `target` is where a link leads that lies in the repository at `root`; "": nowhere.
+bool leads_out(const fs::path& target, const std::optional<fs::path>& root) {
   if (!root) return false;
-  std::error_code failed;
-  const fs::path target = fs::canonical(link, failed);  // fails where the link leads nowhere
   const auto has_target = [&](std::string_view history) {
     return is_inside(target, *root / history);
   };
-  return failed || !is_inside(target, *root) || std::ranges::any_of(kHistories, has_target);
+  return target.empty() || !is_inside(target, *root) || std::ranges::any_of(kHistories, has_target);
 }
 
 }  // namespace
@@ -47,7 +55,7 @@ bool is_repository(const fs::path& folder) {
 RepositoryPath in_repository() {
   std::error_code error;
   const fs::path here = fs::canonical(".", error);
-  const fs::path root = root_above(here).value_or(here);
+  const fs::path root = Repositories().above(here).value_or(here);
   return [root](const std::string& path) {
     std::error_code failed;
     const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
@@ -56,16 +64,31 @@ RepositoryPath in_repository() {
   };
 }
 
-std::string link_out_of_repository(const std::string& path) {
+FollowedPath follow(const std::string& path) {
   std::error_code error;
-  fs::path at;  // without links
-  for (const fs::path& part : fs::absolute(path, error)) {
-    const fs::path next = at / part;
-    if (fs::is_symlink(next, error) && leads_out(next, at)) return next.string();
-    at = fs::weakly_canonical(next, error);
-    if (error) break;
+  Repositories repositories;
+  // As texts: paths are copied part by part, and there may be thousands of parts.
+  std::string at;  // without links
+  const std::string whole = fs::absolute(path, error).string();
+  for (std::size_t begin = 0; begin < whole.size();) {
+    const std::size_t end = std::min(whole.find('/', begin), whole.size());
+    const std::string part = whole.substr(begin, end - begin);
+    begin = end + 1;
+    if (part.empty() || part == ".") continue;
+    if (part == "..") {
+      at.resize(at.empty() ? 0 : at.rfind('/'));
+      continue;
+    }
+    const std::size_t folder = at.size();
+    at += "/" + part;
+    if (!fs::is_symlink(at, error)) continue;
+    const auto target = canonical_now(at);
+    if (leads_out(target.value_or(""), repositories.above(at.substr(0, folder)))) return {at, {}};
+    if (target) at = *target == "/" ? "" : *target;
   }
-  return {};
+  return {{}, at.empty() ? "/" : at};
 }
+
+std::string link_out_of_repository(const std::string& path) { return follow(path).link_out; }
 
 }  // namespace smurf

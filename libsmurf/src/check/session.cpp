@@ -223,6 +223,12 @@ std::string Session::baseline_of(const Report& report, const std::string& path) 
   return write_baseline(report.diagnostics, state_->sources, path);
 }
 
+void Session::forget_loaded() {
+  state_->loaded_with.clear();
+  state_->loaded_sources = {};
+  state_->read = std::make_shared<ReadFiles>();
+}
+
 const SourceMap& Session::loaded_sources() const { return state_->loaded_sources; }
 
 LoadContext Session::context_of(Loaded& loaded) {
@@ -281,6 +287,11 @@ std::vector<Diagnostic> Session::finish(const LoadedScene& loaded,
                                         std::vector<Diagnostic> found) const {
   return finish_others(loaded.scene, std::move(found), *loaded.sources,
                        loaded.with->group().selection);
+}
+
+std::vector<Diagnostic> Session::finish(const LoadedScene& loaded, const LinkedModel& model,
+                                        std::vector<Diagnostic> found) const {
+  return finish_others(model, std::move(found), *loaded.sources, loaded.with->group().selection);
 }
 
 const FileReader& Session::files() const { return *state_->files; }

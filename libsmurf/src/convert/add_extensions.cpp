@@ -20,18 +20,6 @@ std::string leaf(std::string_view name, std::string_view text) {
 
 std::string leaf(std::string_view name, double number) { return leaf(name, format_number(number)); }
 
-/// "position", "velocity" or "effort".
-std::string_view interface_of(const Motor& motor) {
-  const std::string type = motor.type.value_or("PID");
-  for (const char* name : {"DC", "generic_dc", "velocity", "2"}) {
-    if (type == name) return "velocity";
-  }
-  for (const char* name : {"PID", "generic_bldc", "position", "1"}) {
-    if (type == name) return "position";
-  }
-  return "effort";
-}
-
 std::string range_params(std::optional<double> low, std::optional<double> high) {
   const auto param = [](const char* name, double value) {
     return "\n      <param name=\"" + std::string(name) + "\">" + format_number(value) + "</param>";
@@ -163,6 +151,17 @@ class GazeboSensor {
 
 }  // namespace
 
+std::string_view interface_of(const Motor& motor) {
+  const std::string type = motor.type.value_or("PID");
+  for (const char* name : {"DC", "generic_dc", "velocity", "2"}) {
+    if (type == name) return "velocity";
+  }
+  for (const char* name : {"PID", "generic_bldc", "position", "1"}) {
+    if (type == name) return "position";
+  }
+  return "effort";
+}
+
 std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::string_view element) {
   std::set<std::string_view> names;
   const auto visit = [&](const auto& self, xml::View view) -> void {
@@ -243,6 +242,13 @@ void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edit
                       joints + "</ros2_control>");
 }
 
+std::string gazebo_sensor(const yaml::Document& document, const Sensor& sensor,
+                          std::string_view name) {
+  const GazeboSensor content(sensor, yaml::View(document, sensor.node));
+  return "  <sensor name=\"" + escape_xml(name) + "\" type=\"" + std::string(gazebo_type(sensor)) +
+         "\">\n" + content.content(*sensor.type) + "  </sensor>\n";
+}
+
 void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits) {
   std::set<std::string_view> known = names_in_extensions(model, "sensor");
   for (const Sensor& sensor : model.annotations.sensors) {
@@ -253,11 +259,9 @@ void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits) {
     }
     const std::string carrier = gazebo_carrier(model, sensor);
     if (carrier.empty()) continue;
-    const GazeboSensor content(sensor, yaml::View(*document, sensor.node));
     edits.add_child(model.robot->document.view(),
-                    "<gazebo reference=\"" + escape_xml(carrier) + "\">\n  <sensor name=\"" +
-                        escape_xml(*sensor.name) + "\" type=\"" + std::string(type) + "\">\n" +
-                        content.content(*sensor.type) + "  </sensor>\n</gazebo>");
+                    "<gazebo reference=\"" + escape_xml(carrier) + "\">\n" +
+                        gazebo_sensor(*document, sensor, *sensor.name) + "</gazebo>");
   }
 }
 

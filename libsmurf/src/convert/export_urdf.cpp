@@ -74,11 +74,12 @@ std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& fold
       edits.push_back({mesh.span, escape_xml(path::relative(copy->second, folder))});
       continue;
     }
-    const bool is_relative = !mesh.filename.empty() && !path::is_absolute(mesh.filename) &&
-                             mesh.filename.find("://") == std::string_view::npos;
-    if (!is_relative) continue;
+    const bool is_uri = mesh.filename.find("://") != std::string_view::npos;
+    const bool is_relative = !mesh.filename.empty() && !path::is_absolute(mesh.filename);
+    // MARS opens no URI, and Phobos looks for packages in one place of its own.
+    if (is_uri ? mesh.path.empty() || !mesh.exists : !is_relative) continue;
     const std::string target = path::join(current_folder, mesh.path);
-    if (path::join(folder, mesh.filename) == target) continue;  // resolves as it is written
+    if (!is_uri && path::join(folder, mesh.filename) == target) continue;  // resolves as written
     edits.push_back({mesh.span, escape_xml(path::relative(target, folder))});
   }
   return edits;

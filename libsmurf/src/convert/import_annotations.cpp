@@ -125,8 +125,9 @@ Part joints(Context& context) {
     entries.back().comment = context.line_of(joint.dynamics->span);
   }
   if (entries.empty()) return std::nullopt;
-  return NewFile{"joint", "joints; damping and friction are those of the URDF",
-                 list_value("joint", std::move(entries))};
+  const char* section = context.options.style == SmurfStyle::phobos ? "joints" : "joint";
+  return NewFile{section, "joints; damping and friction are those of the URDF",
+                 list_value(section, std::move(entries))};
 }
 
 Part poses(Context& context) {

@@ -199,9 +199,9 @@ class SensorMaker {
     return {};
   }
 
+  /// MARS measures the joint above the link; Phobos stops loading at a key `joint`.
   static std::vector<NewValue> force_torque(const urdf::Joint& joint) {
-    return {text_value("type", "Joint6DOF"), text_value("link", *joint.child),
-            text_value("joint", joint.name.value_or(""))};
+    return {text_value("type", "Joint6DOF"), text_value("link", *joint.child)};
   }
 
   std::vector<NewValue> camera(xml::View element, std::string_view type, const std::string& link,
@@ -227,10 +227,11 @@ class SensorMaker {
         number_value("opening_width", *fov * kDegrees, "degrees; " + format_rounded(*fov) + " rad"),
         number_value("opening_height", vertical * kDegrees, "from the picture's proportions")};
     if (type != "camera") members.push_back(boolean_value("depth_image", true));
+    // Phobos reads the keys in this order, and takes a position only after an orientation.
+    members.push_back(orientation_value("orientation_offset", pose.orientation));
     members.push_back(
         numbers_value("position_offset",
                       {{"x", pose.position[0]}, {"y", pose.position[1]}, {"z", pose.position[2]}}));
-    members.push_back(orientation_value("orientation_offset", pose.orientation));
     return members;
   }
 
@@ -288,8 +289,13 @@ class SensorMaker {
     return members;
   }
 
-  /// The collision that Gazebo's sensor names, or all of the link.
+  /// The collision that Gazebo's sensor names, or all of the link; for Phobos the link itself, as
+  /// it looks for links of these names.
   std::vector<NewValue> contact(xml::View element, const std::string& link, std::string& problem) {
+    if (context_.options.style == SmurfStyle::phobos) {
+      return {text_value("type", "NodeContact"), text_value("link", link),
+              list_value("id", {text_value({}, link)})};
+    }
     const auto named = child_text(element.child("contact"), "collision");
     std::vector<NewValue> collisions;
     if (context_.model.collision_names.contains(named)) {

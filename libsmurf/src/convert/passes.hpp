@@ -19,12 +19,17 @@ void apply_annotations(const LinkedModel& model, const UrdfExport& options, Diag
                        XmlEdits& edits);
 /// Motors whose joints no extension drives yet, as an extension that does.
 void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edits);
+/// What is commanded to a motor: "position", "velocity" or "effort".
+std::string_view interface_of(const Motor& motor);
 /// Sensors as <gazebo><sensor>, those that Gazebo has and the URDF does not name yet.
 void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits);
 /// <compiler strippath="false">, without which MuJoCo before 3.7 looks for meshes beside the URDF.
 void add_mujoco_settings(const LinkedModel& model, XmlEdits& edits);
 /// Gazebo's type of a sensor; "" when it has none.
 std::string_view gazebo_type(const Sensor& sensor);
+/// Gazebo's <sensor> of a sensor that it has a type for. `document` is the one that it stands in.
+std::string gazebo_sensor(const yaml::Document& document, const Sensor& sensor,
+                          std::string_view name);
 /// The link or joint that Gazebo's sensor stands on; "" when the annotation names none.
 std::string gazebo_carrier(const LinkedModel& model, const Sensor& sensor);
 /// add_gazebo_sensors() takes over what the key of such a sensor says.

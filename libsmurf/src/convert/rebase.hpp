@@ -10,8 +10,8 @@
 
 namespace smurf {
 
-/// Edits of the relative mesh and texture paths that do not resolve as they are written from the
-/// absolute `folder`, and of all that have `copies` (UrdfImport::copies).
+/// Edits of the mesh and texture paths that do not resolve as they are written from the absolute
+/// `folder`, of URIs whose file was found, and of all that have `copies` (UrdfImport::copies).
 std::vector<Edit> rebase_paths(const LinkedModel& model, const std::string& folder,
                                const std::string& current_folder,
                                const std::map<std::string, std::string>& copies = {});

@@ -127,16 +127,19 @@ std::string_view XmlEdits::indentation(Span span) const {
   while (begin > 0 && text_[begin - 1] != '\n') {
     if (span.begin - --begin > kLongestLine) return {};
   }
+  // Each line of a text that moves may get as many: what is deeper is not worth its room.
+  constexpr std::size_t kDeepest = 40;
   std::size_t end = begin;
-  while (end < span.begin && is_blank(text_[end])) ++end;
+  while (end < span.begin && end - begin < kDeepest && is_blank(text_[end])) ++end;
   return text_.substr(begin, end - begin);
 }
 
 std::string XmlEdits::indented(std::string_view text, std::string_view indentation) const {
   std::string result;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-    result.append(text.substr(0, end)).append(line_end_).append(indentation);
+    result.append(text.substr(0, end)).append(line_end_);
     text.remove_prefix(end + 1);
+    if (!text.starts_with('\n')) result.append(indentation);
   }
   return result.append(text);
 }

@@ -54,9 +54,9 @@ class XmlEdits {
   std::string apply() const;
 
  private:
-  /// Blanks before the element on its line.
+  /// Blanks before the element on its line, at most some dozens.
   std::string_view indentation(Span span) const;
-  /// The lines of a text, all but the first one indented.
+  /// The lines of a text, all but the first one and empty ones indented.
   std::string indented(std::string_view text, std::string_view indentation) const;
   void close(xml::View element, std::string_view children, std::vector<Edit>& edits) const;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/edits.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"
@@ -129,7 +130,8 @@ class SizeCheck {
   std::uint64_t of_prefixes(const Instance& instance) const {
     const LinkedModel& model = *scene_.model(instance);
     if (!model.robot) return 0;
-    return 2 * instance.path.size() * (model.robot->links.size() + model.robot->joints.size());
+    return 2 * escape_xml(instance.path).size() *
+           (model.robot->links.size() + model.robot->joints.size());
   }
 
   /// A node of some 60 bytes becomes a shape of 200.

@@ -59,7 +59,8 @@ bool is_plain(std::string_view text) {
       text.find(": ") != text.npos || text.find(" #") != text.npos || text.ends_with(':')) {
     return false;
   }
-  return yaml::classify(text, yaml::Style::plain) == yaml::ScalarType::text &&
+  const bool has_meaning = text == "=" || text == "<<";  // in YAML 1.1
+  return yaml::classify(text, yaml::Style::plain) == yaml::ScalarType::text && !has_meaning &&
          !text_by_yaml11(text);
 }
 
@@ -72,10 +73,15 @@ std::string with_doubled(std::string_view text, std::string_view which, char bef
   return result;
 }
 
-/// As it stands in an attribute of this quote, or in a text; what need not be escaped is not.
+/// As it stands in an attribute of this quote, or in a text, which `]]>` must not be in; what need
+/// not be escaped is not.
 std::string escape_for(std::string_view text, char quote) {
   std::string result;
   for (const char c : text) {
+    if (c == '>' && result.ends_with("]]")) {
+      result += "&gt;";
+      continue;
+    }
     const bool is_special = c == '&' || c == '<' || c == quote;
     result += is_special ? escape_xml(std::string_view(&c, 1)) : std::string(1, c);
   }
@@ -98,7 +104,7 @@ class Renamer {
     for (const auto& [name, to] : new_names_) check_clash(name, to);
     if (result_.problems.empty()) collect();
     if (result_.problems.empty()) apply();
-    if (!result_.problems.empty()) result_.texts.clear();
+    if (!result_.problems.empty()) result_ = {{}, {}, std::move(result_.problems)};
     return std::move(result_);
   }
 
@@ -265,7 +271,9 @@ class Renamer {
     for (const auto& [path, edits] : files) {
       const std::string_view before = sources_.text(ids.at(path));
       std::string after = apply_edits(before, edits);
-      if (after != before) result_.texts.push_back({std::string(path), std::move(after)});
+      if (after == before) continue;
+      result_.texts.push_back({std::string(path), std::move(after)});
+      result_.edits.insert(result_.edits.end(), edits.begin(), edits.end());
     }
   }
 

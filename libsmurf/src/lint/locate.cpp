@@ -107,7 +107,6 @@ void mark_motion(const LinkedModel& model, std::span<Diagnostic* const> found) {
     }
   }
 }
-
 constexpr std::string_view kDrakeIgnored = "#drake-ignored";
 
 /// Marks what is found in links and joints with `drake_ignore="true"`, which Drake skips.
@@ -143,6 +142,7 @@ void locate_in(const LinkedModel& model, BySource& all) {
   }
   if (!model.robot) return;
   const std::vector<Diagnostic*> found = locate_in(model.robot->document, all);
+  if (found.empty()) return;
   mark_motion(model, found);
   if (balances_inertias(model)) mark("/inertia", kBalanced, found);
   if (keeps_visuals(model)) mark("/visual", kVisualsKept, found);

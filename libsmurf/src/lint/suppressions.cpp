@@ -183,10 +183,10 @@ class Suppressions::Reader {
       const std::size_t after = std::min(last.end + 1, text_.size());
       comment.removal = {source_, offset(first.begin), offset(after)};
     } else {
-      const std::size_t before =
-          text_.find_last_not_of(kBlank, span.begin == 0 ? 0 : span.begin - 1);
+      const std::size_t before = text_.substr(0, span.begin).find_last_not_of(kBlank);
       comment.removal.begin = before == std::string_view::npos ? 0 : offset(before + 1);
     }
+    if (!is_removable(span)) comment.removal = {};
     std::tie(comment.begin, comment.end) =
         is_above_entry ? find_next(span.end) : Range{offset(first.begin), offset(last.end) + 1};
 
@@ -209,6 +209,21 @@ class Suppressions::Reader {
       begin = words.find_first_of(kNameCharacters, end);
     }
     return "ID";
+  }
+
+  /// Not where a reader of YAML 1.1 ends the line earlier and reads on behind, and not where the
+  /// comment parts a text of XML in two.
+  bool is_removable(Span span) const {
+    const std::string_view comment = text_.substr(span.begin, span.end - span.begin);
+    for (const std::string_view line_end : {"\u0085", "\u2028", "\u2029"}) {
+      if (comment.find(line_end) != std::string_view::npos) return false;
+    }
+    if (!comment.starts_with('<')) return true;
+    constexpr std::string_view kSpace = " \t\r\n";
+    const std::size_t before = text_.substr(0, span.begin).find_last_not_of(kSpace);
+    const std::size_t after = text_.find_first_not_of(kSpace, span.end);
+    return before == std::string_view::npos || text_[before] == '>' ||
+           after == std::string_view::npos || text_[after] == '<';
   }
 
   void read_words(std::string_view words, std::size_t at, Comment& comment) const {
@@ -395,8 +410,8 @@ void Suppressions::judge(const Comment& comment, const std::function<bool(const 
       Diagnostic& diagnostic = sink.report(rules::sml9103_unused_suppression, item.span,
                                            "nothing here raises `" + item.name + "`");
       diagnostic.help = "remove it";
-      diagnostic.fixes.push_back(
-          {Applicability::safe, {{is_all_unused ? comment.removal : item.removal, ""}}});
+      const Span removal = is_all_unused ? comment.removal : item.removal;
+      if (!removal.empty()) diagnostic.fixes.push_back({Applicability::safe, {{removal, ""}}});
     }
   }
 }

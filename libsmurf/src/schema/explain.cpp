@@ -368,7 +368,7 @@ class Explainer {
     if (const auto near = nearest_of(at.value.text(), names)) {
       violation.help = "did you mean " + quoted(*near) + "?";
       if (!fits_everywhere(*near)) return;
-      const Span place = without_quotes(at.value.span(), at.value.text());
+      const Span place = within_quotes(at.value);
       violation.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
     }
   }

@@ -314,12 +314,18 @@ class Scanner {
         is_closed = true;
         return true;
       }
-      if (before == at_) {
-        malformed(span(at_, at_ + 1), "a blank is missing before this attribute");
-        return false;
-      }
+      const std::uint32_t begin = at_;
       if (!attribute(element)) return false;
+      if (begin == before) report_missing_blank(tree_.attributes().back().name_span());
     }
+  }
+
+  /// Readers in C++ need none.
+  void report_missing_blank(Span name) {
+    sink_
+        .report(rules::sml1014_xml_missing_blank, name,
+                "a blank is missing before the attribute " + quoted(name))
+        .fixes.push_back({Applicability::safe, {{span(name.begin, name.begin), " "}}});
   }
 
   bool attribute(const Element& element) {

@@ -3,12 +3,13 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "write/mjcf_inertia.hpp"
 
 namespace smurf {
 namespace {
 
-/// Type and size attributes of a geom; none for what is no geom of MuJoCo's or is reported.
-std::optional<std::pair<std::string, std::string>> geom_of(const FlatGeometry& geometry) {
+/// Type and size of a geom; none for what is no geom of MuJoCo's, or a mesh.
+std::optional<std::pair<std::string, std::string>> solid_geom(const FlatGeometry& geometry) {
   using Geom = std::pair<std::string, std::string>;
   if (const auto* box = std::get_if<FlatBox>(&geometry)) {
     return Geom{"box", join_numbers({box->size[0] / 2, box->size[1] / 2, box->size[2] / 2})};
@@ -28,26 +29,22 @@ std::optional<std::pair<std::string, std::string>> geom_of(const FlatGeometry& g
   return std::nullopt;
 }
 
+constexpr const char* kAllBits = "65535";  // of MARS
+
 }  // namespace
 
 std::string quaternion_text(const Quaternion& q) { return join_numbers({q.w, q.x, q.y, q.z}); }
 
-/// R I R^T in MuJoCo's order: MuJoCo takes no orientation together with a full tensor.
-std::string full_inertia(const LinkInertial& mass) {
-  const std::array<double, 9> R = to_matrix(mass.X_LC.orientation);
-  const std::array<double, 9> I{mass.ixx, mass.ixy, mass.ixz, mass.ixy, mass.iyy,
-                                mass.iyz, mass.ixz, mass.iyz, mass.izz};
-  std::array<double, 9> rotated{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t l = 0; l < 3; ++l) {
-          rotated[3 * i + j] += R[3 * i + k] * I[3 * k + l] * R[3 * j + l];
-        }
-      }
+MjcfParts::MjcfParts(const SceneExport& scene)
+    : scene_(scene), losses_(scene, SceneColumn::mjcf, "MJCF") {
+  for (const LinkedModel& model : scene.scene.models) {
+    for (const CollisionAnnotation& entry : model.annotations.collisions) {
+      if (entry.bitmask) has_bitmasks_ = true;
     }
   }
-  return join_numbers({rotated[0], rotated[4], rotated[8], rotated[1], rotated[2], rotated[5]});
+  for (const FlatInstance& instance : scene.flat.instances) {
+    if (!instance.shapes.empty() && contacts_of(instance.properties).bitmask) has_bitmasks_ = true;
+  }
 }
 
 void MjcfParts::add_settings() {
@@ -57,17 +54,76 @@ void MjcfParts::add_settings() {
                           {"balanceinertia", "false"},
                           {"inertiafromgeom", "false"}});
   const FlatPhysics& physics = scene_.flat.physics;
-  const Vector3 gravity = physics.gravity.value_or(Vector3{0, 0, -9.81});
-  xml_.empty("option", {{"timestep", format_number(physics.step_size.value_or(0.01))},
-                        {"gravity", join_numbers(gravity)}});
+  // Dampers and the speed terms of motors stay stable however stiff they are.
+  xml_.empty("option", {{"timestep", format_number(physics.step_size.value_or(kUsualStep))},
+                        {"gravity", join_numbers(physics.gravity.value_or(kUsualGravity))},
+                        {"integrator", "implicit"}});
   xml_.open("default");
-  xml_.open("default", {{"class", "visual"}});
-  xml_.empty("geom", {{"contype", "0"}, {"conaffinity", "0"}, {"group", "2"}});
+  add_class("visual", {{"contype", "0"}, {"conaffinity", "0"}, {"group", "2"}});
+  // What has no bitmask collides with all that has any, as in MARS.
+  const XmlText::Attribute type{"contype", has_bitmasks_ ? kAllBits : "1"};
+  const XmlText::Attribute affinity{"conaffinity", has_bitmasks_ ? kAllBits : "1"};
+  // Viewers show the groups 0 to 2. What has nothing else to be shown is in group 0.
+  add_class("collision", {type, affinity, {"group", "3"}});
+  add_class("solid", {type, affinity, {"group", "0"}});
   xml_.close();
-  xml_.open("default", {{"class", "collision"}});
-  xml_.empty("geom", {{"group", "3"}});
+}
+
+void MjcfParts::add_class(const std::string& name, const std::vector<XmlText::Attribute>& geom) {
+  xml_.open("default", {{"class", name}});
+  xml_.empty("geom", geom);
   xml_.close();
-  xml_.close();
+}
+
+void MjcfParts::add_inertial(const LinkInertial& mass, bool moves, Span span,
+                             const std::string& name) {
+  const MjcfInertia inertia = mjcf_inertia(mass, moves);
+  if (inertia.is_changed) losses_.note(kRefusedInertias, span, name);
+  std::vector<XmlText::Attribute> attributes{{"pos", join_numbers(mass.X_LC.position)},
+                                             {"mass", inertia.mass},
+                                             {inertia.tensor_name, inertia.tensor}};
+  if (!inertia.orientation.empty()) attributes.emplace_back("quat", inertia.orientation);
+  xml_.empty("inertial", attributes);
+}
+
+void MjcfParts::add_geom(std::vector<XmlText::Attribute> geom, const Pose& pose,
+                         const std::optional<Rgba>& color, const Contacts& contacts) {
+  const Rgba c = color.value_or(Rgba{0.5, 0.5, 0.5, 1});
+  geom.emplace_back("pos", join_numbers(pose.position));
+  geom.emplace_back("quat", quaternion_text(pose.orientation));
+  geom.emplace_back("rgba", join_numbers({c[0], c[1], c[2], c[3]}));
+  if (contacts.bitmask) {
+    // MuJoCo has 32 bits with a sign, MARS 16.
+    const std::string bits = std::to_string(*contacts.bitmask & 0x7fffffff);
+    geom.emplace_back("contype", bits);
+    geom.emplace_back("conaffinity", bits);
+  }
+  if (contacts.friction1) {
+    // Of sliding; those of turning and rolling are MuJoCo's own.
+    geom.emplace_back("friction", join_numbers({*contacts.friction1, 0.005, 0.0001}));
+  }
+  xml_.empty("geom", geom);
+}
+
+/// Meshes of old scenes. What is no mesh would keep MuJoCo from loading anything, so that it is
+/// looked at.
+void MjcfParts::add_meshes_of_entities() {
+  for (std::size_t i = 0; i < count(); ++i) {
+    for (const FlatShape& shape : flat(i).shapes) {
+      const auto* mesh = std::get_if<FlatMesh>(&shape.geometry);
+      if (mesh == nullptr || !flat(i).X_WE || meshes_.contains(mesh_key(*mesh))) continue;
+      std::string reason = "is neither STL nor OBJ";
+      if (is_mesh_of_mujoco(*mesh) && scene_.meshes.triangles) {
+        const MeshTriangles triangles = scene_.meshes.triangles(mesh->file);
+        reason = triangles.indices.empty() ? triangles.reason : "";
+      }
+      if (reason.empty()) {
+        declare_mesh(*mesh);
+      } else {
+        losses_.unseen_shape(place_of(scene_.scene.entity(linked(i))), shape.geometry, reason);
+      }
+    }
+  }
 }
 
 void MjcfParts::add_heightmaps() {
@@ -107,17 +163,32 @@ void MjcfParts::add_lights() {
   }
 }
 
-void MjcfParts::add_geom(const std::string& geom_class, const Pose& pose,
-                         const FlatGeometry& geometry, const std::optional<Rgba>& color) {
-  const auto geom = geom_of(geometry);
-  if (!geom) return;
-  const Rgba c = color.value_or(Rgba{0.5, 0.5, 0.5, 1});
-  xml_.empty("geom", {{"class", geom_class},
-                      {"type", geom->first},
-                      {"size", geom->second},
-                      {"pos", join_numbers(pose.position)},
-                      {"quat", quaternion_text(pose.orientation)},
-                      {"rgba", join_numbers({c[0], c[1], c[2], c[3]})}});
+std::optional<std::vector<XmlText::Attribute>>
+MjcfParts::geom_of(const std::string& geom_class, const FlatGeometry& geometry) const {
+  if (const auto* mesh = std::get_if<FlatMesh>(&geometry)) {
+    const auto known = meshes_.find(mesh_key(*mesh));
+    if (known == meshes_.end()) return std::nullopt;
+    return {{{"class", geom_class}, {"type", "mesh"}, {"mesh", known->second}}};
+  }
+  const auto geom = solid_geom(geometry);
+  if (!geom) return std::nullopt;
+  return {{{"class", geom_class}, {"type", geom->first}, {"size", geom->second}}};
+}
+
+std::string MjcfParts::mesh_key(const FlatMesh& mesh) {
+  return mesh.file + " " + join_numbers(mesh.scale);
+}
+
+void MjcfParts::declare_mesh(const FlatMesh& mesh) {
+  const std::string mesh_name = "mesh_" + std::to_string(meshes_.size());
+  if (!meshes_.emplace(mesh_key(mesh), mesh_name).second) return;
+  xml_.empty("mesh",
+             {{"name", mesh_name}, {"file", mesh.file}, {"scale", join_numbers(mesh.scale)}});
+}
+
+bool MjcfParts::is_mesh_of_mujoco(const FlatMesh& mesh) {
+  const std::string extension = path::to_lower(path::extension(mesh.file));
+  return extension == ".stl" || extension == ".obj";
 }
 
 void MjcfParts::add_free_joint(std::size_t i) {
@@ -129,14 +200,14 @@ void MjcfParts::add_free_joint(std::size_t i) {
 void MjcfParts::add_keyframe() {
   if (start_.empty()) return;
   xml_.open("keyframe");
-  xml_.empty("key", {{"name", "initial"}, {"qpos", start_}});
+  std::vector<XmlText::Attribute> key{{"name", "initial"}, {"qpos", start_}};
+  if (!commands_.empty()) key.emplace_back("ctrl", commands_);
+  xml_.empty("key", key);
   xml_.close();
 }
 
 std::string MjcfParts::finish() {
-  using enum SceneLosses::World;
-  losses_.world({solver, environment});
-  losses_.annotations_and_properties();
+  losses_.table();
   losses_.files_in_archives();
   return xml_.finish();
 }
@@ -150,7 +221,7 @@ void MjcfParts::add_solid(std::size_t i) {
   const bool moves = is_movable(instance);
   if (std::holds_alternative<FlatHeightmap>(instance.shapes.front().geometry)) {
     if (!heightmaps_.contains(i)) return;
-    xml_.empty("geom", {{"class", "collision"},
+    xml_.empty("geom", {{"class", "solid"},
                         {"type", "hfield"},
                         {"hfield", instance.path},
                         {"pos", join_numbers(instance.X_WE->position)},
@@ -164,19 +235,15 @@ void MjcfParts::add_solid(std::size_t i) {
     add_free_joint(i);
     LinkInertial mass = solid_mass(instance.shapes.front().geometry, mass_of(instance));
     mass.X_LC = instance.shapes.front().X_ES;
-    xml_.empty("inertial", {{"pos", join_numbers(mass.X_LC.position)},
-                            {"mass", format_number(mass.mass)},
-                            {"fullinertia", full_inertia(mass)}});
-  }
-  for (const FlatShape& shape : instance.shapes) {
-    if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) {
-      losses_.shape(place_of(scene_.scene.entity(linked(i))), "the mesh `" + mesh->file + "`");
-    }
+    add_inertial(mass, true, place_of(scene_.scene.entity(linked(i))), instance.path);
   }
   // Planes stand in the world body only, so that what does not move has no body.
+  const Contacts contacts = contacts_of(instance.properties);
   for (const FlatShape& shape : instance.shapes) {
-    add_geom("collision", moves ? shape.X_ES : *instance.X_WE * shape.X_ES, shape.geometry,
-             shape.color);
+    const Pose pose = moves ? shape.X_ES : *instance.X_WE * shape.X_ES;
+    if (auto geom = geom_of("solid", shape.geometry)) {
+      add_geom(std::move(*geom), pose, shape.color, contacts);
+    }
   }
   if (moves) xml_.close();
 }

@@ -2,9 +2,11 @@
 // What both forms of a MuJoCo world have in common: settings, lights, and what is no model.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 
+#include "write/contacts.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/xml_text.hpp"
@@ -12,12 +14,10 @@
 namespace smurf {
 
 std::string quaternion_text(const Quaternion& q);
-/// R I R^T in MuJoCo's order: MuJoCo takes no orientation together with a full tensor.
-std::string full_inertia(const LinkInertial& mass);
 
 class MjcfParts {
  public:
-  explicit MjcfParts(const SceneExport& scene) : scene_(scene), losses_(scene, "MJCF") {}
+  explicit MjcfParts(const SceneExport& scene);
 
  protected:
   const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
@@ -35,9 +35,19 @@ class MjcfParts {
   void add_lights();
   /// What is no model: its shapes, or its loss.
   void add_solid(std::size_t i);
-  /// A shape that is no mesh; others are left out.
-  void add_geom(const std::string& geom_class, const Pose& pose, const FlatGeometry& geometry,
-                const std::optional<Rgba>& color);
+  /// Class, type and size of a geom; none for what MuJoCo has no geom for.
+  std::optional<std::vector<XmlText::Attribute>> geom_of(const std::string& geom_class,
+                                                         const FlatGeometry& geometry) const;
+  /// `geom` is what geom_of() gave, and more.
+  void add_geom(std::vector<XmlText::Attribute> geom, const Pose& pose,
+                const std::optional<Rgba>& color, const Contacts& contacts);
+  /// Of a body that moves by a joint of its own, or not. The rest is where it is written.
+  void add_inertial(const LinkInertial& mass, bool moves, Span span, const std::string& name);
+  /// Inside <asset>: meshes of what is no model.
+  void add_meshes_of_entities();
+  static std::string mesh_key(const FlatMesh& mesh);
+  static bool is_mesh_of_mujoco(const FlatMesh& mesh);
+  void declare_mesh(const FlatMesh& mesh);
   /// The joint of a body that nothing holds. Not <freejoint/>, which DART takes for a weld.
   void add_free_joint(std::size_t i);
   /// The positions of the next joint, in the order in which joints are written.
@@ -51,9 +61,14 @@ class MjcfParts {
   SceneLosses losses_;
   LinkFrames frames_;
   XmlText xml_;
-  std::string start_;  ///< qpos
+  std::string start_;                          ///< qpos
+  std::string commands_;                       ///< ctrl
+  std::map<std::string, std::string> meshes_;  ///< mesh_key -> name of those that are declared
 
  private:
+  void add_class(const std::string& name, const std::vector<XmlText::Attribute>& geom);
+
+  bool has_bitmasks_ = false;
   std::set<std::size_t> heightmaps_;  ///< instances whose hfield is declared
 };
 

@@ -36,6 +36,17 @@ class GeometryReader {
   const FlatModel& model_;
 };
 
+/// The robot's material of the name that a visual gives; null when there is none.
+const urdf::Material* definition_of(const urdf::Visual& visual, const LinkedModel& model) {
+  if (!visual.material->name) return nullptr;
+  const auto index = model.material_names.find(*visual.material->name);
+  const std::vector<urdf::Material>& materials = model.robot->materials;
+  // The table holds the names of the materials of visuals as well, with the number of their link.
+  if (!index || *index >= materials.size()) return nullptr;
+  const urdf::Material& material = materials[*index];
+  return material.name && *material.name == *visual.material->name ? &material : nullptr;
+}
+
 }  // namespace
 
 std::optional<FlatGeometry> to_flat(const urdf::Geometry& geometry, const FlatModel& model) {
@@ -45,14 +56,18 @@ std::optional<FlatGeometry> to_flat(const urdf::Geometry& geometry, const FlatMo
 std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& model) {
   if (!visual.material) return std::nullopt;
   if (visual.material->rgba) return *visual.material->rgba;
-  if (!visual.material->name) return std::nullopt;
-  const auto index = model.material_names.find(*visual.material->name);
-  const std::vector<urdf::Material>& materials = model.robot->materials;
-  // The table holds the names of the materials of visuals as well, with the number of their link.
-  if (!index || *index >= materials.size()) return std::nullopt;
-  const urdf::Material& material = materials[*index];
-  if (!material.name || *material.name != *visual.material->name) return std::nullopt;
-  return material.rgba.value();
+  const urdf::Material* material = definition_of(visual, model);
+  return material == nullptr ? std::nullopt : material->rgba.value();
+}
+
+std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
+                                      const FlatModel& flat) {
+  if (!visual.material) return std::nullopt;
+  const urdf::Material* material = &*visual.material;
+  if (!material->texture && !material->rgba) material = definition_of(visual, model);
+  if (material == nullptr || !material->texture) return std::nullopt;
+  const auto known = flat.resources.find(*material->texture);
+  return known != flat.resources.end() ? known->second : *material->texture;
 }
 
 std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index,

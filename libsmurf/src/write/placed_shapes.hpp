@@ -17,6 +17,10 @@ std::optional<FlatGeometry> to_flat(const urdf::Geometry& geometry, const FlatMo
 /// Colour of a visual: its own, or that of the robot's material of the same name.
 std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& model);
 
+/// The texture of a visual, likewise: a file relative to the output's folder.
+std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
+                                      const FlatModel& flat);
+
 struct LinkShape {
   Pose X_LS;
   FlatGeometry geometry;

@@ -34,25 +34,22 @@ std::string rotation(const Quaternion& q) {
 class DirectivesWriter {
  public:
   explicit DirectivesWriter(const SceneExport& scene)
-      : scene_(scene), losses_(scene, "Drake directives"), names_(safe_names(scene.flat)) {}
+      : scene_(scene),
+        losses_(scene, SceneColumn::dmd, "Drake directives"),
+        names_(safe_names(scene.flat)) {}
 
   std::string run() {
-    out_ = "# A package.xml beside this file names the package `scene`.\ndirectives:\n";
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
-      if (!flat(i).X_WE) continue;
-      if (robot_of(i) != nullptr) {
-        add_model(i);
-      } else {
-        losses_.entity(i, "directives add model files only");
-      }
+      if (is_written(i)) add_model(i);
     }
     // A weld names two models, which both have to be there by then.
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
-      if (flat(i).X_WE && robot_of(i) != nullptr) add_weld(i);
+      if (is_written_[i]) add_weld(i);
     }
-    using enum SceneLosses::World;
-    losses_.world({gravity, step_size, solver, environment, lights});
-    losses_.annotations_and_properties();
+    const std::string_view start = "# package.xml beside this file names the package `scene`: "
+                                   "parser.package_map().AddPackageXml(\"package.xml\")\n";
+    out_.insert(0, std::string(start) + (out_.empty() ? "directives: []\n" : "directives:\n"));
+    losses_.table();
     losses_.files_in_archives();
     return std::move(out_);
   }
@@ -61,6 +58,27 @@ class DirectivesWriter {
   const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
   const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
   std::string root_name(std::size_t i) const { return root_link_name(*robot_of(i)); }
+
+  /// To Drake a link called `world` is the world (detail_urdf_parser.cc:203, 518), which stands
+  /// where it stands.
+  bool is_world(std::size_t i) const { return root_name(i) == "world"; }
+
+  bool is_written(std::size_t i) {
+    if (!flat(i).X_WE) return false;
+    const LinkedModel* model = robot_of(i);
+    if (model == nullptr) {
+      losses_.entity(i, "directives add model files only");
+    } else if (model->link_names.contains("world") &&
+               (!is_world(i) || *flat(i).X_WE != Pose{} ||
+                flat(i).anchor.kind != Attachment::Kind::world)) {
+      losses_.entity(i,
+                     "Drake takes its link `world` for the world, which can be neither moved nor "
+                     "free; give the link another name");
+    } else {
+      is_written_[i] = true;
+    }
+    return is_written_[i];
+  }
 
   void add_pose(const Pose& pose, std::string_view indent) {
     out_ += std::string(indent) + "translation: " + list(pose.position) + "\n" +
@@ -84,16 +102,16 @@ class DirectivesWriter {
 
   void add_weld(std::size_t i) {
     const FlatAttachment& anchor = flat(i).anchor;
-    if (anchor.kind == Attachment::Kind::none) return;
+    if (anchor.kind == Attachment::Kind::none || is_world(i)) return;
     std::string parent = "world";
     Pose X_PC = *flat(i).X_WE;
     if (anchor.kind == Attachment::Kind::link) {
       const std::size_t other = to_size(scene_.scene.instances[i].placement.anchor.instance);
       const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames_);
-      if (!X_LE) {
+      if (!X_LE || !is_written_[other]) {
         return losses_.anchor(i, "`" + flat(other).path + "` is no model with links");
       }
-      parent = names_[other] + "::" + anchor.link;
+      if (anchor.link != "world") parent = names_[other] + "::" + anchor.link;
       X_PC = *X_LE;
     }
     out_ += "- add_weld:\n    parent: " + quoted(parent) +
@@ -104,6 +122,7 @@ class DirectivesWriter {
   const SceneExport& scene_;
   SceneLosses losses_;
   std::vector<std::string> names_;
+  std::vector<bool> is_written_ = std::vector<bool>(scene_.flat.instances.size());
   LinkFrames frames_;
   std::string out_;
 };
@@ -114,6 +133,9 @@ extern constinit const SceneFormat scene_dmd{
     .name = "dmd",
     .help = "Drake model directives",
     .write = [](const SceneExport& scene) { return DirectivesWriter(scene).run(); },
+    .companion = {"package.xml",
+                  "<?xml version=\"1.0\"?>\n<package format=\"2\">\n  <name>scene</name>\n"
+                  "</package>\n"},
     .has_reference_form = true,
     .has_expanded_form = false};
 

@@ -48,16 +48,14 @@ constexpr PreviewMeshes::Cost kCost{16, 2};
 class GltfWriter {
  public:
   explicit GltfWriter(const SceneExport& scene)
-      : scene_(scene), losses_(scene, "glTF"), files_(scene, kCost) {}
+      : scene_(scene), losses_(scene, SceneColumn::gltf, "glTF"), files_(scene, kCost) {}
 
   std::string run() {
     std::vector<std::size_t> roots;
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
       if (scene_.flat.instances[i].X_WE) roots.push_back(add_instance(i));
     }
-    using enum SceneLosses::World;
-    losses_.world({gravity, step_size, solver, environment, lights});
-    losses_.annotations_and_properties();
+    losses_.table();
     return text(roots);
   }
 

@@ -7,27 +7,10 @@
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "smurf/archive_files.hpp"
+#include "write/scene_parts.hpp"
 
 namespace smurf {
 namespace {
-
-/// "3 motors, 1 sensor"; empty when the model has none of these.
-std::string describe(const Annotations& annotations) {
-  std::string text;
-  const auto add = [&](std::size_t number, std::string_view one) {
-    if (number > 0) text += (text.empty() ? "" : ", ") + counted(number, one);
-  };
-  add(annotations.motors.size(), "motor");
-  add(annotations.sensors.size(), "sensor");
-  add(annotations.controllers.size(), "controller");
-  add(annotations.materials.size(), "material");
-  add(annotations.collisions.size(), "collision setting");
-  add(annotations.joints.size(), "joint setting");
-  add(annotations.links.size(), "link setting");
-  add(annotations.nodes.size(), "node");
-  add(annotations.lights.size(), "light");
-  return text;
-}
 
 /// "`a`, `b` and 3 more".
 std::string list(const std::vector<std::string>& names) {
@@ -89,17 +72,94 @@ void SceneLosses::joint(const urdf::Joint& joint, std::string_view written_as) {
                            std::string(written_as) + " in the " + format_);
 }
 
-void SceneLosses::annotations_and_properties() {
-  for (const LinkedModel& model : scene_.scene.models) {
-    const std::string described = describe(model.annotations);
-    if (described.empty() || model.files.empty()) continue;
+void SceneLosses::table() {
+  for (const LinkedModel& model : scene_.scene.models) of_model(model);
+  for (const SceneThing& thing : scene_things()) {
+    if (thing.of == ThingOf::scene) of_scene(thing);
+    const auto noted = noted_.find(thing.title);
+    if (noted == noted_.end()) continue;
+    std::vector<FoundThing> found;
+    for (auto& [place, each] : noted->second) found.push_back(each);
+    report(thing, found);
+  }
+  unknown_entities();
+  old_scenes();
+}
+
+/// A model that the result names by its file keeps what is in that file.
+bool SceneLosses::is_referred_to(const LinkedModel& model) const {
+  if (column_ == SceneColumn::dmd) return true;
+  if (scene_.form != SceneForm::reference) return false;
+  if (column_ != SceneColumn::sdf || !model.robot || model.tree.roots.empty()) return true;
+  return inertial_of(model.link(model.tree.roots.front())).has_value();
+}
+
+void SceneLosses::of_model(const LinkedModel& model) {
+  if (model.files.empty()) return;
+  std::string annotations;
+  std::string shown;
+  std::optional<Span> first;
+  const auto add = [](std::string& text, const std::string& more) {
+    text += (text.empty() ? "" : ", ") + more;
+  };
+  for (const SceneThing& thing : scene_things()) {
+    const Fate fate = fate_of(thing.cells[to_size(column_)]);
+    if (fate == Fate::kept || thing.in_model == nullptr) continue;
+    if (thing.of == ThingOf::urdf && is_referred_to(model)) continue;
+    const std::vector<FoundThing> found = thing.in_model(model, column_);
+    if (found.empty()) continue;
+    if (thing.of == ThingOf::annotation) {
+      add(annotations, counted(found.size(), thing.title));
+    } else if (fate == Fate::shown) {
+      add(shown, std::string(thing.title));
+      if (!first) first = found.front().span;
+    } else {
+      report(thing, found);
+    }
+  }
+  if (!annotations.empty()) {
     scene_.losses.report(rules::sml8207_lost_annotations, {model.files.front().source, 0, 0},
                          "the annotations of " + quoted(model.path) + " are not in the " + format_ +
-                             ": " + described);
+                             ": " + annotations);
   }
+  if (!shown.empty()) {
+    scene_.losses.report(rules::sml8207_lost_annotations, *first,
+                         "the " + format_ + " shows " + quoted(model.path) +
+                             " and does not have: " + shown);
+  }
+}
+
+void SceneLosses::report(const SceneThing& thing, const std::vector<FoundThing>& found) {
+  if (found.empty()) return;
+  const std::string_view cell = thing.cells[to_size(column_)];
+  std::vector<std::string> names;
+  for (const FoundThing& each : found) names.push_back(each.name);
+  const std::string what = std::string(thing.title) + " (" + list(names) + ")";
+  // Of what is kept in part, the cell says what is kept.
+  const bool has_reason = !reason_of(cell).empty() && fate_of(cell) != Fate::partly;
+  const std::string reason = has_reason ? ": " + std::string(reason_of(cell)) : "";
+  const Span span = found.front().span;
+  switch (fate_of(cell)) {
+  case Fate::added:
+    scene_.losses.report(rules::sml8212_chosen_value, span,
+                         what + ": the " + format_ + " has " + std::string(reason_of(cell)));
+    return;
+  case Fate::changed:
+    scene_.losses.report(rules::sml8211_lost_part, span,
+                         what + " are something else in the " + format_ + reason);
+    return;
+  default:
+    scene_.losses.report(rules::sml8211_lost_part, span,
+                         what + " are not in the " + format_ + reason);
+    return;
+  }
+}
+
+/// Keys of entities of types that no format knows.
+void SceneLosses::unknown_entities() {
   for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
     const FlatInstance& instance = scene_.flat.instances[i];
-    if (instance.properties.empty() || !instance.shapes.empty() || !instance.model) continue;
+    if (instance.properties.empty() || !instance.shapes.empty() || instance.model) continue;
     std::string keys;
     for (const ValueMember& member : instance.properties) {
       keys += (keys.empty() ? "" : ", ") + quoted(member.key);
@@ -107,7 +167,22 @@ void SceneLosses::annotations_and_properties() {
     scene_.losses.report(rules::sml8207_lost_annotations, place(i),
                          "keys of " + path(i) + " are not in the " + format_ + ": " + keys);
   }
-  old_scenes();
+}
+
+void SceneLosses::of_scene(const SceneThing& thing) {
+  if (fate_of(thing.cells[to_size(column_)]) == Fate::kept) return;
+  if (thing.in_scene != nullptr) report(thing, thing.in_scene(scene_, column_));
+  for (const SceneFile& file : scene_.scene.scenes) report_setting(thing.setting, file);
+  if (thing.setting == WorldSetting::lights) lights_of_old_scenes();
+}
+
+void SceneLosses::lights_of_old_scenes() {
+  for (const FlatOldScene& old : scene_.flat.old_scenes) {
+    if (old.lamps.empty()) continue;
+    scene_.losses.report(rules::sml8204_lost_world_setting, place(old.instance),
+                         counted(old.lamps.size(), "light") + " of " + path(old.instance) +
+                             (old.lamps.size() == 1 ? " is" : " are") + " not in the " + format_);
+  }
 }
 
 std::vector<std::string> SceneLosses::archived_files(std::size_t index) const {
@@ -172,42 +247,30 @@ void SceneLosses::old_scenes() {
   }
 }
 
-void SceneLosses::world(std::initializer_list<World> settings) {
-  for (const World setting : settings) {
-    for (const SceneFile& file : scene_.scene.scenes) report_world(setting, file);
-    if (setting != World::lights) continue;
-    for (const FlatOldScene& old : scene_.flat.old_scenes) {
-      if (old.lamps.empty()) continue;
-      scene_.losses.report(rules::sml8204_lost_world_setting, place(old.instance),
-                           counted(old.lamps.size(), "light") + " of " + path(old.instance) +
-                               (old.lamps.size() == 1 ? " is" : " are") + " not in the " + format_);
-    }
-  }
-}
-
-void SceneLosses::report_world(World setting, const SceneFile& file) {
+void SceneLosses::report_setting(WorldSetting setting, const SceneFile& file) {
   const auto& physics = file.scene.physics;
   const auto report = [&](Span span, std::string_view what) {
     scene_.losses.report(rules::sml8204_lost_world_setting, span,
                          std::string(what) + " not in the " + format_);
   };
   switch (setting) {
-  case World::gravity:
+  case WorldSetting::none: return;
+  case WorldSetting::gravity:
     if (physics && physics->gravity) report(physics->gravity.span, "the gravity is");
     return;
-  case World::step_size:
+  case WorldSetting::step_size:
     if (physics && physics->step_size) report(physics->step_size.span, "the step size is");
     return;
-  case World::solver:
+  case WorldSetting::solver:
     if (physics && physics->cfm) report(physics->cfm.span, "the constraint force mixing is");
     if (physics && physics->erp) report(physics->erp.span, "the error reduction is");
     return;
-  case World::environment:
+  case WorldSetting::environment:
     if (file.document && file.scene.environment != yaml::kNoNode) {
       report(yaml::View{*file.document, file.scene.environment}.key_span(), "the environment is");
     }
     return;
-  case World::lights:
+  case WorldSetting::lights:
     for (const Light& light : file.scene.lights) {
       report(light.name.written ? light.name.span : light.span, "the light is");
     }

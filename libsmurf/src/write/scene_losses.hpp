@@ -2,21 +2,22 @@
 // What a scene loses on its way into another format, each loss at the token that says it.
 #pragma once
 
-#include <initializer_list>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "smurf/write_scene.hpp"
+#include "write/scene_things.hpp"
 
 namespace smurf {
 
 class SceneLosses {
  public:
   /// `format` as it is called in messages: "SDF". `scene` must outlive this.
-  SceneLosses(const SceneExport& scene, std::string_view format) : scene_(scene), format_(format) {}
+  SceneLosses(const SceneExport& scene, SceneColumn column, std::string_view format)
+      : scene_(scene), column_(column), format_(format) {}
 
   /// An entity that is not written at all. `why` is the end of "`X` is not written: ...".
   void entity(std::size_t instance, std::string_view why);
@@ -29,28 +30,37 @@ class SceneLosses {
   void unseen_shape(Span span, const FlatGeometry& geometry, std::string_view reason);
   /// A joint that is written as something simpler.
   void joint(const urdf::Joint& joint, std::string_view written_as);
-  /// Keys that only SMURF has: of every entity with keys of its own, the annotations of every
-  /// model, and what old scenes hold besides shapes and lights.
-  void annotations_and_properties();
+  /// A thing of the table that only the writer sees, by its title.
+  void note(std::string_view title, Span span, const std::string& name) {
+    noted_[title].try_emplace({to_size(span.source), span.begin}, FoundThing{span, name});
+  }
+  /// What the table says of this format: everything that is in the scene and not kept.
+  void table();
 
   /// Files that the result names and that lie in archives, which only our own tools look into: of
   /// every model its URDF, or its meshes when it is written out, and those of other entities.
   void files_in_archives();
 
-  enum class World : std::uint8_t { gravity, step_size, solver, environment, lights };
-  /// Of these settings, those that the scene has.
-  void world(std::initializer_list<World> settings);
-
  private:
   std::string path(std::size_t instance) const;
   Span place(std::size_t instance) const;
+  std::vector<FoundThing> found(const SceneThing& thing, const LinkedModel& model) const;
+  bool is_referred_to(const LinkedModel& model) const;
+  void of_model(const LinkedModel& model);
+  void of_scene(const SceneThing& thing);
+  void report(const SceneThing& thing, const std::vector<FoundThing>& found);
+  void unknown_entities();
   void old_scenes();
   std::vector<std::string> archived_files(std::size_t instance) const;
-  void report_world(World setting, const SceneFile& file);
+  void report_setting(WorldSetting setting, const SceneFile& file);
+  void lights_of_old_scenes();
 
   const SceneExport& scene_;
+  SceneColumn column_;
   std::string format_;
   std::set<std::pair<std::size_t, std::size_t>> unseen_;  ///< by source and place
+  /// By title, then by source and place.
+  std::map<std::string_view, std::map<std::pair<std::size_t, std::size_t>, FoundThing>> noted_;
 };
 
 }  // namespace smurf

@@ -6,16 +6,16 @@
 #include <unordered_set>
 
 #include "base/numbers.hpp"
-#include "base/path.hpp"
+#include "base/unique_names.hpp"
+#include "write/mjcf_actuators.hpp"
 #include "write/mjcf_attach.hpp"
-#include "write/mjcf_parts.hpp"
 
 namespace smurf {
 namespace {
 
-class MjcfWriter : MjcfParts {
+class MjcfWriter : MjcfActuators {
  public:
-  using MjcfParts::MjcfParts;
+  using MjcfActuators::MjcfActuators;
 
   std::string run() {
     find_children();
@@ -29,6 +29,7 @@ class MjcfWriter : MjcfParts {
     }
     xml_.close();
     add_equalities();
+    add_actuators();
     add_keyframe();
     return finish();
   }
@@ -71,29 +72,19 @@ class MjcfWriter : MjcfParts {
           add_mesh(m, shape.geometry, shape.span);
       }
     }
+    add_meshes_of_entities();
     add_heightmaps();
     xml_.close();
-  }
-
-  static std::string mesh_key(const FlatMesh& mesh) {
-    return mesh.file + " " + join_numbers(mesh.scale);
   }
 
   void add_mesh(std::size_t model, const urdf::Geometry& geometry, Span span) {
     const auto flat_geometry = to_flat(geometry, scene_.flat.models[model]);
     const auto* mesh = flat_geometry ? std::get_if<FlatMesh>(&*flat_geometry) : nullptr;
     if (mesh == nullptr || meshes_.contains(mesh_key(*mesh))) return;
-    const std::string extension = path::to_lower(path::extension(mesh->file));
     const bool exists = existing_.contains(*std::get<urdf::Mesh>(geometry.shape).filename);
-    if ((extension != ".stl" && extension != ".obj") || !exists) {
-      losses_.shape(span, "the mesh `" + mesh->file + "`" +
-                              (exists ? ", which is neither STL nor OBJ," : ", which is missing,"));
-      return;
-    }
-    const std::string mesh_name = "mesh_" + std::to_string(meshes_.size());
-    meshes_.emplace(mesh_key(*mesh), mesh_name);
-    xml_.empty("mesh",
-               {{"name", mesh_name}, {"file", mesh->file}, {"scale", join_numbers(mesh->scale)}});
+    if (exists && is_mesh_of_mujoco(*mesh)) return declare_mesh(*mesh);
+    losses_.shape(span, "the mesh `" + mesh->file + "`" +
+                            (exists ? ", which is neither STL nor OBJ," : ", which is missing,"));
   }
 
   void add_top_level(std::size_t i) {
@@ -170,17 +161,15 @@ class MjcfWriter : MjcfParts {
       add_free_joint(i);
     }
     if (joint != nullptr) moves = add_joint(i, model, *joint);
-    auto mass = inertial_of(model.robot->links[link]);
-    if (!mass && moves) mass = smallest_mass();
-    if (mass) {
-      xml_.empty("inertial", {{"pos", join_numbers(mass->X_LC.position)},
-                              {"mass", format_number(mass->mass)},
-                              {"fullinertia", full_inertia(*mass)}});
+    const urdf::Link& written = model.robot->links[link];
+    auto mass = inertial_of(written);
+    if (!mass && moves) {
+      mass = smallest_mass();
+      losses_.note(kInventedMasses, written.span, link_name(model, link));
     }
-    add_geoms(i, model, model.robot->links[link]);
+    if (mass) add_inertial(*mass, moves, written.span, link_name(model, link));
+    add_geoms(i, model, written);
   }
-
-  void add_start(const std::string& numbers) { start_ += (start_.empty() ? "" : " ") + numbers; }
 
   /// False when the joint does not move.
   bool add_joint(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
@@ -211,52 +200,57 @@ class MjcfWriter : MjcfParts {
 
   void add_geoms(std::size_t i, const LinkedModel& model, const urdf::Link& link) {
     const FlatModel& flat_model = scene_.flat.models[*flat(i).model];
+    bool is_shown = false;
     for (const urdf::Visual& visual : link.visuals) {
-      if (const auto geometry = to_flat(visual.geometry, flat_model)) {
-        add_link_geom("visual", urdf::to_pose(visual.origin), *geometry, color_of(visual, model));
-      }
+      const auto geometry = to_flat(visual.geometry, flat_model);
+      auto geom = geometry ? geom_of("visual", *geometry) : std::nullopt;
+      if (!geom) continue;
+      is_shown = true;
+      add_name(*geom, i, visual.name);
+      add_geom(std::move(*geom), urdf::to_pose(visual.origin), color_of(visual, model), {});
     }
     for (const urdf::Collision& collision : link.collisions) {
-      if (const auto geometry = to_flat(collision.geometry, flat_model)) {
-        add_link_geom("collision", urdf::to_pose(collision.origin), *geometry, std::nullopt);
-      }
+      const auto geometry = to_flat(collision.geometry, flat_model);
+      auto geom = geometry ? geom_of(is_shown ? "collision" : "solid", *geometry) : std::nullopt;
+      if (!geom) continue;
+      add_name(*geom, i, collision.name);
+      add_geom(std::move(*geom), urdf::to_pose(collision.origin), std::nullopt,
+               contacts_of(model).of(collision, link));
     }
   }
 
-  void add_link_geom(const std::string& geom_class, const Pose& pose, const FlatGeometry& geometry,
-                     const std::optional<Rgba>& color) {
-    const auto* mesh = std::get_if<FlatMesh>(&geometry);
-    if (mesh == nullptr) {
-      add_geom(geom_class, pose, geometry, color);
-      return;
-    }
-    const auto known = meshes_.find(mesh_key(*mesh));
-    if (known == meshes_.end()) return;
-    const Rgba c = color.value_or(Rgba{0.5, 0.5, 0.5, 1});
-    xml_.empty("geom", {{"class", geom_class},
-                        {"type", "mesh"},
-                        {"mesh", known->second},
-                        {"pos", join_numbers(pose.position)},
-                        {"quat", quaternion_text(pose.orientation)},
-                        {"rgba", join_numbers({c[0], c[1], c[2], c[3]})}});
+  /// Visuals and collisions share one name space here, in a URDF they do not.
+  void add_name(std::vector<XmlText::Attribute>& geom, std::size_t i,
+                const Field<std::string>& written) {
+    if (written) geom.emplace_back("name", geom_names_.add(name(i, *written)));
+  }
+
+  const CollisionContacts& contacts_of(const LinkedModel& model) {
+    return contacts_.try_emplace(&model, model).first->second;
   }
 
   void add_equalities() {
-    if (followers_.empty()) return;
-    xml_.open("equality");
+    std::vector<MjcfFollower> followers;
     for (const auto& [i, joint] : followers_) {
+      followers.push_back({name(i, *joint->name), name(i, *joint->mimic->joint),
+                           joint->mimic->offset.value_or(0), joint->mimic->multiplier.value_or(1)});
+    }
+    append_driven_followers(followers);
+    if (followers.empty()) return;
+    xml_.open("equality");
+    for (const MjcfFollower& follower : followers) {
       xml_.empty("joint",
-                 {{"joint1", name(i, *joint->name)},
-                  {"joint2", name(i, *joint->mimic->joint)},
-                  {"polycoef", join_numbers({joint->mimic->offset.value_or(0),
-                                             joint->mimic->multiplier.value_or(1), 0, 0, 0})}});
+                 {{"joint1", follower.joint},
+                  {"joint2", follower.leader},
+                  {"polycoef", join_numbers({follower.offset, follower.multiplier, 0, 0, 0})}});
     }
     xml_.close();
   }
 
   std::vector<bool> is_top_level_;
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
-  std::map<std::string, std::string> meshes_;      ///< mesh_key -> name
+  std::map<const LinkedModel*, CollisionContacts> contacts_;
+  UniqueNames geom_names_;
   std::unordered_set<std::string_view> existing_;  ///< names of the model's meshes that are there
   std::set<const urdf::Joint*> reported_;
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;

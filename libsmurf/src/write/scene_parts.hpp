@@ -46,6 +46,11 @@ LinkInertial smallest_mass();
 /// Of a solid of even density.
 LinkInertial solid_mass(const FlatGeometry& geometry, double mass);
 
+/// What MARS takes where a scene says nothing.
+inline constexpr Vector3 kUsualGravity{0, 0, -9.81};  ///< m/s^2
+/// s; MARS's 10 ms are too long for the solvers of Gazebo and MuJoCo.
+inline constexpr double kUsualStep = 0.001;
+
 /// Position of a joint that starts an instance: given, or following its leader; else 0.
 double start_position(const LinkedModel& model, const urdf::Joint& joint,
                       const JointPositions& positions);

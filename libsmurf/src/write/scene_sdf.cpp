@@ -3,13 +3,13 @@
 // SDF 1.9 has no joints between models. Joint poses are baked into the poses of the links and the
 // limits shifted along, since SDF has no initial joint positions.
 #include <map>
-#include <numbers>
+#include <memory>
 #include <set>
 
-#include "base/numbers.hpp"
 #include "base/unique_names.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
+#include "write/sdf_model.hpp"
 #include "write/sdf_names.hpp"
 #include "write/xml_text.hpp"
 
@@ -21,7 +21,7 @@ class SdfWriter {
   SdfWriter(const SceneExport& scene, bool is_old)
       : scene_(scene),
         is_old_(is_old),
-        losses_(scene, is_old ? "SDF 1.6" : "SDF"),
+        losses_(scene, is_old ? SceneColumn::sdf16 : SceneColumn::sdf, is_old ? "SDF 1.6" : "SDF"),
         names_(safe_names(scene.flat)) {}
 
   std::string run() {
@@ -30,8 +30,7 @@ class SdfWriter {
     add_physics();
     add_lights();
     add_groups();
-    losses_.world({SceneLosses::World::environment});
-    losses_.annotations_and_properties();
+    losses_.table();
     losses_.files_in_archives();
     return xml_.finish();
   }
@@ -49,28 +48,24 @@ class SdfWriter {
     if (is_new) known->second = sdf_names(model);
     return known->second;
   }
+  /// What else is known of a model, read once.
+  const SdfModel& parts_of(const LinkedModel& model) {
+    auto& known = models_[&model];
+    if (!known) known = std::make_unique<SdfModel>(model, scene_.sources);
+    return *known;
+  }
   const std::string& root_name(const LinkedModel& model) const {
     return links_of(model)[to_size(model.tree.roots.front())];
   }
 
-  void add_pose(const Pose& pose) {
-    const Quaternion& q = pose.orientation;
-    if (pose == Pose{}) return;
-    if (is_old_) {
-      xml_.leaf("pose", join_numbers(pose.position) + " " + join_numbers(to_rpy(q)));
-    } else {
-      xml_.leaf("pose", join_numbers(pose.position) + " " + join_numbers({q.x, q.y, q.z, q.w}),
-                {{"rotation_format", "quat_xyzw"}});
-    }
-  }
+  void add_pose(const Pose& pose) { add_sdf_pose(xml_, pose, is_old_); }
 
+  /// What the scene leaves open is written as well, so that all simulators read the same world.
   void add_physics() {
     const FlatPhysics& physics = scene_.flat.physics;
-    if (physics.gravity) xml_.leaf("gravity", join_numbers(*physics.gravity));
-    if (!physics.step_size && !physics.cfm && !physics.erp) return;
+    xml_.leaf("gravity", join_numbers(physics.gravity.value_or(kUsualGravity)));
     xml_.open("physics", {{"name", "smurf"}, {"type", "ode"}});
-    const double step = physics.step_size.value_or(0.01);  // MARS's default
-    xml_.leaf("max_step_size", step);
+    xml_.leaf("max_step_size", physics.step_size.value_or(kUsualStep));
     xml_.leaf("real_time_factor", 1);
     if (physics.cfm || physics.erp) {
       xml_.open("ode");
@@ -87,32 +82,7 @@ class SdfWriter {
     UniqueNames unique;
     for (const std::string& name : names_) unique.take(name);
     for (const Light* light : world_lights(scene_)) {
-      const std::string name = unique.add(light->name.value_or("light"));
-      const bool is_directional = light->directional.value_or(false);
-      const bool is_spot = !is_directional && light->type.value_or(1) == 2;
-      const std::string type = is_directional ? "directional" : is_spot ? "spot" : "point";
-      xml_.open("light", {{"name", name}, {"type", type}});
-      add_pose({light->position.value_or({0, 0, 0}), {}});
-      const Rgba diffuse = color_or(light->diffuse, {1, 1, 1, 1});
-      const Rgba specular = color_or(light->specular, {0.2, 0.2, 0.2, 1});
-      xml_.leaf("diffuse", join_numbers({diffuse[0], diffuse[1], diffuse[2], diffuse[3]}));
-      xml_.leaf("specular", join_numbers({specular[0], specular[1], specular[2], specular[3]}));
-      xml_.open("attenuation");
-      xml_.leaf("range", 1000);
-      xml_.leaf("constant", light->constant_attenuation.value_or(1));
-      xml_.leaf("linear", light->linear_attenuation.value_or(0));
-      xml_.leaf("quadratic", light->quadratic_attenuation.value_or(0));
-      xml_.close();
-      xml_.leaf("direction", join_numbers(direction_of(*light)));
-      if (is_spot) {
-        const double angle = light->angle.value_or(90) * std::numbers::pi / 180;
-        xml_.open("spot");
-        xml_.leaf("inner_angle", angle / 2);
-        xml_.leaf("outer_angle", angle);
-        xml_.leaf("falloff", light->exponent.value_or(0));
-        xml_.close();
-      }
-      xml_.close();
+      add_sdf_light(xml_, *light, unique.add(light->name.value_or("light")), is_old_);
     }
   }
 
@@ -259,6 +229,7 @@ class SdfWriter {
     if (flat(i).anchor.kind == Attachment::Kind::world) {
       add_fixed_joint("anchor_to_world", "world", root_name(i));
     }
+    parts_of(model).gazebo.add_to_model(xml_);
     xml_.close();
   }
 
@@ -267,27 +238,52 @@ class SdfWriter {
                 const std::vector<std::optional<Pose>>& X_EL) {
     xml_.open("link", {{"name", links_of(model)[body]}});
     add_pose(*X_EL[body]);
-    add_inertial(inertial_of(model.robot->links[body]).value_or(smallest_mass()));
-    const FlatModel& flat_model = scene_.flat.models[*flat(i).model];
-    int visuals = 0;
-    int collisions = 0;
+    const urdf::Link& whole = model.robot->links[body];
+    const auto mass = inertial_of(whole);
+    if (!mass) losses_.note(kInventedMasses, whole.span, link_name(model, body));
+    add_sdf_inertial(xml_, mass.value_or(smallest_mass()), is_old_);
+    UniqueNames shapes;
+    UniqueNames sensors;
     for (const std::size_t part : parts) {
-      const urdf::Link& link = model.robot->links[part];
       const Pose X_BL = inverse(*X_EL[body]) * *X_EL[part];
-      for (const urdf::Visual& visual : link.visuals) {
-        const auto geometry = to_flat(visual.geometry, flat_model);
-        if (!geometry || !can_say(*geometry, visual.span)) continue;
-        add_shape("visual", "visual_" + std::to_string(visuals++),
-                  X_BL * urdf::to_pose(visual.origin), *geometry, color_of(visual, model));
-      }
-      for (const urdf::Collision& collision : link.collisions) {
-        const auto geometry = to_flat(collision.geometry, flat_model);
-        if (!geometry || !can_say(*geometry, collision.span)) continue;
-        add_shape("collision", "collision_" + std::to_string(collisions++),
-                  X_BL * urdf::to_pose(collision.origin), *geometry, std::nullopt);
-      }
+      add_shapes(model, scene_.flat.models[*flat(i).model], part, X_BL, shapes);
+      const std::string frame = part == body || is_old_ ? "" : links_of(model)[part];
+      parts_of(model).add_to_link(xml_, part, frame, X_BL, is_old_, sensors);
     }
     xml_.close();
+  }
+
+  /// Shapes are named as libsdformat names them.
+  void add_shapes(const LinkedModel& model, const FlatModel& flat_model, std::size_t part,
+                  const Pose& X_BL, UniqueNames& names) {
+    const urdf::Link& link = model.robot->links[part];
+    const GazeboElements& gazebo = parts_of(model).gazebo;
+    const std::string_view link_name = link.name ? std::string_view(*link.name) : "";
+    for (const urdf::Visual& visual : link.visuals) {
+      const auto geometry = to_flat(visual.geometry, flat_model);
+      if (!geometry || !can_say(*geometry, visual.span)) continue;
+      open_shape("visual", names.add(visual.name.value_or(std::string(link_name)) + "_visual"),
+                 X_BL * urdf::to_pose(visual.origin), *geometry);
+      if (!gazebo.has_own_material(link_name)) {
+        add_sdf_material(xml_,
+                         {.color = color_of(visual, model),
+                          .texture = is_old_ ? std::nullopt : texture_of(visual, model, flat_model),
+                          .script = gazebo.material(link_name)});
+      }
+      if (!gazebo.empty()) gazebo.add_to_visual(xml_, link_name);
+      xml_.close();
+    }
+    for (const urdf::Collision& collision : link.collisions) {
+      const auto geometry = to_flat(collision.geometry, flat_model);
+      if (!geometry || !can_say(*geometry, collision.span)) continue;
+      open_shape("collision",
+                 names.add(collision.name.value_or(std::string(link_name)) + "_collision"),
+                 X_BL * urdf::to_pose(collision.origin), *geometry);
+      const Contacts contacts = is_old_ ? Contacts() : parts_of(model).contacts.of(collision, link);
+      add_sdf_surface(xml_, contacts, gazebo.empty() ? nullptr : &gazebo, link_name);
+      if (!gazebo.empty()) gazebo.add_to_collision(xml_, link_name);
+      xml_.close();
+    }
   }
 
   bool can_say(const FlatGeometry& geometry, Span span) {
@@ -298,77 +294,11 @@ class SdfWriter {
     return false;
   }
 
-  void add_inertial(const LinkInertial& mass) {
-    xml_.open("inertial");
-    add_pose(mass.X_LC);
-    xml_.leaf("mass", mass.mass);
-    xml_.open("inertia");
-    xml_.leaf("ixx", mass.ixx);
-    xml_.leaf("ixy", mass.ixy);
-    xml_.leaf("ixz", mass.ixz);
-    xml_.leaf("iyy", mass.iyy);
-    xml_.leaf("iyz", mass.iyz);
-    xml_.leaf("izz", mass.izz);
-    xml_.close();
-    xml_.close();
-  }
-
-  void add_shape(std::string_view element, const std::string& name, const Pose& pose,
-                 const FlatGeometry& geometry, const std::optional<Rgba>& color) {
+  void open_shape(std::string_view element, const std::string& name, const Pose& pose,
+                  const FlatGeometry& geometry) {
     xml_.open(element, {{"name", name}});
     add_pose(pose);
-    xml_.open("geometry");
-    std::visit([&](const auto& shape) { add_geometry(shape); }, geometry);
-    xml_.close();
-    if (color) {
-      const std::string rgba = join_numbers({(*color)[0], (*color)[1], (*color)[2], (*color)[3]});
-      xml_.open("material");
-      xml_.leaf("ambient", rgba);
-      xml_.leaf("diffuse", rgba);
-      xml_.close();
-    }
-    xml_.close();
-  }
-
-  void add_geometry(const FlatPlane& plane) {
-    xml_.open("plane");
-    xml_.leaf("normal", "0 0 1");
-    xml_.leaf("size", join_numbers({plane.length, plane.width}));
-    xml_.close();
-  }
-  void add_geometry(const FlatBox& box) {
-    xml_.open("box");
-    xml_.leaf("size", join_numbers(box.size));
-    xml_.close();
-  }
-  void add_geometry(const FlatSphere& sphere) {
-    xml_.open("sphere");
-    xml_.leaf("radius", sphere.radius);
-    xml_.close();
-  }
-  void add_geometry(const FlatCylinder& cylinder) {
-    add_round("cylinder", cylinder.radius, cylinder.length);
-  }
-  void add_geometry(const FlatCapsule& capsule) {
-    add_round("capsule", capsule.radius, capsule.length);
-  }
-  void add_round(std::string_view name, double radius, double length) {
-    xml_.open(name);
-    xml_.leaf("radius", radius);
-    xml_.leaf("length", length);
-    xml_.close();
-  }
-  void add_geometry(const FlatMesh& mesh) {
-    xml_.open("mesh");
-    xml_.leaf("uri", mesh.file);
-    if (mesh.scale != Vector3{1, 1, 1}) xml_.leaf("scale", join_numbers(mesh.scale));
-    xml_.close();
-  }
-  void add_geometry(const FlatHeightmap& map) {
-    xml_.open("heightmap");
-    xml_.leaf("uri", map.file);
-    xml_.leaf("size", join_numbers({map.length, map.width, map.height}));
-    xml_.close();
+    add_sdf_geometry(xml_, geometry);
   }
 
   void add_joint(std::size_t i, const LinkedModel& model, const urdf::Joint& joint,
@@ -376,19 +306,28 @@ class SdfWriter {
     using enum urdf::JointType;
     if (joint.type == floating) return;  // bodies of one model without a joint between them
     if (joint.type == planar || joint.type == unknown) simplify(joint, "fixed");
-    if (joint.mimic) simplify(joint, "free to move without its leader");
-    std::string name = joint.name.value_or(child + "_joint");
-    // Links and joints share one name space here, in a URDF they do not.
-    while (model.link_names.contains(name)) name += "_joint";
+    if (joint.mimic) {
+      simplify(joint, is_old_ ? "free to move without its leader"
+                              : "free to move without its leader before Gazebo Harmonic");
+    }
     const std::string type = joint.type == prismatic ? "prismatic"
                              : joint.has_one_axis()  ? "revolute"
                                                      : "fixed";
+    const std::string name = joint.name ? joint_name(model, joint) : child + "_joint";
     xml_.open("joint", {{"name", name}, {"type", type}});
     xml_.leaf("parent", parent);
     xml_.leaf("child", child);
-    if (joint.has_one_axis())
-      add_axis(joint, start_position(model, joint, scene_.scene.joint_positions(linked(i))));
+    if (joint.has_one_axis()) add_axis(i, model, joint);
+    UniqueNames sensors;
+    parts_of(model).add_to_joint(xml_, joint, is_old_, sensors);
     xml_.close();
+  }
+
+  /// Links and joints share one name space here, in a URDF they do not.
+  static std::string joint_name(const LinkedModel& model, const urdf::Joint& joint) {
+    std::string name = *joint.name;
+    while (model.link_names.contains(name)) name += "_joint";
+    return name;
   }
 
   void simplify(const urdf::Joint& joint, std::string_view written_as) {
@@ -398,7 +337,12 @@ class SdfWriter {
     }
   }
 
-  void add_axis(const urdf::Joint& joint, double start) {
+  double start_of(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) const {
+    return start_position(model, joint, scene_.scene.joint_positions(linked(i)));
+  }
+
+  void add_axis(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
+    const double start = start_of(i, model, joint);
     xml_.open("axis");
     xml_.leaf("xyz", join_numbers(joint.axis.value_or({1, 0, 0})));
     xml_.open("limit");
@@ -413,12 +357,31 @@ class SdfWriter {
     if (joint.limit && joint.limit->effort) xml_.leaf("effort", *joint.limit->effort);
     if (joint.limit && joint.limit->velocity) xml_.leaf("velocity", *joint.limit->velocity);
     xml_.close();
-    if (joint.dynamics) {
+    if (!is_old_ && joint.mimic) add_mimic(i, model, joint);
+    const GazeboElements& gazebo = parts_of(model).gazebo;
+    if (joint.dynamics || (joint.name && gazebo.has_spring(*joint.name))) {
       xml_.open("dynamics");
-      xml_.leaf("damping", joint.dynamics->damping.value_or(0));
-      xml_.leaf("friction", joint.dynamics->friction.value_or(0));
+      xml_.leaf("damping", joint.dynamics ? joint.dynamics->damping.value_or(0) : 0);
+      xml_.leaf("friction", joint.dynamics ? joint.dynamics->friction.value_or(0) : 0);
+      if (joint.name) gazebo.add_to_dynamics(xml_, *joint.name);
       xml_.close();
     }
+    xml_.close();
+  }
+
+  /// Of SDF 1.11, which older libraries pass over. Positions count from where the joints start.
+  void add_mimic(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
+    if (!joint.mimic->joint) return;
+    const auto leader = model.joint_names.find(*joint.mimic->joint);
+    if (!leader || !model.robot->joints[*leader].has_one_axis()) return;
+    const urdf::Joint& leading = model.robot->joints[*leader];
+    const double multiplier = joint.mimic->multiplier.value_or(1);
+    const double offset = joint.mimic->offset.value_or(0) +
+                          multiplier * start_of(i, model, leading) - start_of(i, model, joint);
+    xml_.open("mimic", {{"joint", joint_name(model, leading)}});
+    xml_.leaf("multiplier", multiplier);
+    xml_.leaf("offset", offset);
+    xml_.leaf("reference", 0);
     xml_.close();
   }
 
@@ -431,16 +394,18 @@ class SdfWriter {
     if (is_movable(instance)) {
       LinkInertial mass = solid_mass(instance.shapes.front().geometry, mass_of(instance));
       mass.X_LC = instance.shapes.front().X_ES;
-      add_inertial(mass);
+      add_sdf_inertial(xml_, mass, is_old_);
     }
     int number = 0;
     for (const FlatShape& shape : instance.shapes) {
       const Span place = place_of(scene_.scene.entity(linked(i)));
       if (!can_say(shape.geometry, place)) continue;
-      add_shape("visual", "visual_" + std::to_string(number), shape.X_ES, shape.geometry,
-                shape.color);
-      add_shape("collision", "collision_" + std::to_string(number++), shape.X_ES, shape.geometry,
-                std::nullopt);
+      open_shape("visual", "visual_" + std::to_string(number), shape.X_ES, shape.geometry);
+      add_sdf_material(xml_, {.color = shape.color, .texture = {}, .script = {}});
+      xml_.close();
+      open_shape("collision", "collision_" + std::to_string(number++), shape.X_ES, shape.geometry);
+      if (!is_old_) add_sdf_surface(xml_, contacts_of(instance.properties), nullptr, {});
+      xml_.close();
     }
     xml_.close();
     xml_.close();
@@ -451,6 +416,7 @@ class SdfWriter {
   SceneLosses losses_;
   std::vector<std::string> names_;
   mutable std::map<const LinkedModel*, std::vector<std::string>> links_;  ///< names, by model
+  std::map<const LinkedModel*, std::unique_ptr<SdfModel>> models_;
   LinkFrames frames_;
   /// By model that another is anchored to: the bodies of its links.
   std::map<const LinkedModel*, std::vector<std::size_t>> bodies_;

@@ -34,12 +34,23 @@ double start_angle(const Quaternion& orientation) {
 
 using Circle = std::array<Point2, kSegments>;  ///< points around the origin
 
+const Circle& unit_circle() {
+  static const Circle circle = [] {
+    Circle points;
+    for (int i = 0; i < kSegments; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kSegments;
+      points[static_cast<std::size_t>(i)] = {std::cos(angle), std::sin(angle)};
+    }
+    return points;
+  }();
+  return circle;
+}
+
 Circle circle(double radius, double start) {
-  Circle points;
-  for (int i = 0; i < kSegments; ++i) {
-    const double angle = start + 2 * std::numbers::pi * i / kSegments;
-    points[static_cast<std::size_t>(i)] = {radius * std::cos(angle), radius * std::sin(angle)};
-  }
+  const double along = radius * std::cos(start);
+  const double aside = radius * std::sin(start);
+  Circle points = unit_circle();
+  for (Point2& p : points) p = {along * p[0] - aside * p[1], aside * p[0] + along * p[1]};
   return points;
 }
 

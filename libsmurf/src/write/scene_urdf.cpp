@@ -2,11 +2,12 @@
 // One URDF of the whole scene: every model's own text with a prefix before all names, joined to the
 // link `world`. Nothing of a model is rewritten but names and file names.
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "base/edits.hpp"
 #include "base/path.hpp"
 #include "base/utf8.hpp"
+#include "write/raw_xml.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/xml_text.hpp"
@@ -31,17 +32,15 @@ constexpr NameAttribute kNames[] = {
 class UrdfMerger {
  public:
   explicit UrdfMerger(const SceneExport& scene)
-      : scene_(scene), losses_(scene, "URDF"), names_(safe_names(scene.flat)) {}
+      : scene_(scene), losses_(scene, SceneColumn::urdf, "URDF"), names_(safe_names(scene.flat)) {}
 
   std::string run() {
-    xml_.open("robot", {{"name", "scene"}});
+    open_robot();
     xml_.empty("link", {{"name", "world"}});
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
       if (scene_.flat.instances[i].X_WE) add_instance(i);
     }
-    using enum SceneLosses::World;
-    losses_.world({gravity, step_size, solver, environment, lights});
-    losses_.annotations_and_properties();
+    losses_.table();
     losses_.files_in_archives();
     return with_namespaces(xml_.finish());
   }
@@ -50,6 +49,19 @@ class UrdfMerger {
   const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
 
   const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
+
+  /// The latest version that one of the models needs; readers take a URDF without one for 1.0.
+  void open_robot() {
+    std::string version = "1.0";
+    for (const LinkedModel& model : scene_.scene.models) {
+      if (model.robot) version = std::max(version, model.robot->version.value_or(version));
+    }
+    if (version == "1.0") {
+      xml_.open("robot", {{"name", "scene"}});
+    } else {
+      xml_.open("robot", {{"name", "scene"}, {"version", version}});
+    }
+  }
 
   void add_instance(std::size_t i) {
     const LinkedModel* model = robot_of(i);
@@ -73,7 +85,7 @@ class UrdfMerger {
     std::vector<Edit> edits;
     for (const xml::Element& element : document.elements) edit(document, element, i, edits);
     const xml::Element& root = document.elements[static_cast<std::size_t>(document.root)];
-    keep_namespaces(xml::View{document, document.root});
+    keep_namespaces(document.view(), edits);
     const std::string_view text = source_text(model);
     const std::size_t end = text.substr(0, root.span.end).rfind("</");
     if (end == std::string_view::npos || end < root.tag_span().end) return {};  // <robot/>
@@ -129,20 +141,24 @@ class UrdfMerger {
 
   void add_file_edit(const xml::Attribute& attribute, std::size_t i,
                      std::vector<Edit>& edits) const {
-    if (attribute.value().find("://") != std::string_view::npos ||
-        path::is_absolute(attribute.value())) {
-      return;
-    }
+    // Addresses and absolute paths resolve from anywhere, but do not name a copy.
+    const bool resolves_anywhere = attribute.value().find("://") != std::string_view::npos ||
+                                   path::is_absolute(attribute.value());
+    if (resolves_anywhere && !scene_.names_copies) return;
     const auto& resources = scene_.flat.models[*flat(i).model].resources;
     const auto known = resources.find(attribute.value());
     if (known == resources.end() || known->first == known->second) return;
     edits.push_back({attribute.value_span(), escape_xml(known->second)});
   }
 
-  /// Extensions may use prefixes that their <robot> declares.
-  void keep_namespaces(xml::View root) {
+  /// Extensions may use prefixes that their <robot> declares. What the first model means by one is
+  /// declared once; where another means something else, each of its elements declares it. URDF has
+  /// no default namespace.
+  void keep_namespaces(xml::View root, std::vector<Edit>& edits) {
     for (const auto* at = root.attributes_begin(); at != root.attributes_end(); ++at) {
-      if (at->name().starts_with("xmlns")) namespaces_.emplace(at->name(), at->value());
+      if (!at->name().starts_with("xmlns:")) continue;
+      const auto [known, is_new] = namespaces_.emplace(at->name(), at->value());
+      if (known->second != at->value()) declare_prefix(root, *at, edits);
     }
   }
 
@@ -206,13 +222,15 @@ class UrdfMerger {
       }
       if (std::holds_alternative<FlatHeightmap>(shape.geometry)) {
         losses_.shape(place, "the heightmap `" + instance.path + "`");
+      } else if (std::holds_alternative<FlatCapsule>(shape.geometry)) {
+        add_capsule(shape, shapes);
       } else {
         shapes.push_back(std::move(shape));
       }
     }
     if (shapes.empty()) return false;
     xml_.open("link", {{"name", prefix(i) + "link"}});
-    if (is_movable(instance)) add_inertial(shapes.front(), mass_of(instance));
+    if (is_movable(instance)) add_inertial(instance.shapes.front(), mass_of(instance));
     for (const std::string_view element : {"visual", "collision"}) {
       for (const FlatShape& shape : shapes) {
         xml_.open(element);
@@ -220,11 +238,33 @@ class UrdfMerger {
         xml_.open("geometry");
         std::visit([&](const auto& geometry) { add_geometry(geometry); }, shape.geometry);
         xml_.close();
+        if (element == "visual" && shape.color) add_material(prefix(i), *shape.color);
         xml_.close();
       }
     }
     xml_.close();
     return true;
+  }
+
+  /// Capsules came with URDF 1.1, which readers refuse that know 1.0.
+  static void add_capsule(const FlatShape& shape, std::vector<FlatShape>& shapes) {
+    const FlatCapsule capsule = std::get<FlatCapsule>(shape.geometry);
+    FlatShape part = shape;
+    part.geometry = FlatCylinder{capsule.radius, capsule.length};
+    shapes.push_back(part);
+    part.geometry = FlatSphere{capsule.radius};
+    for (const double end : {capsule.length / 2, -capsule.length / 2}) {
+      part.X_ES = shape.X_ES * Pose{{0, 0, end}, {}};
+      shapes.push_back(part);
+    }
+  }
+
+  /// Materials of one name are one material.
+  void add_material(const std::string& start, const Rgba& color) {
+    const std::string rgba = join_numbers({color[0], color[1], color[2], color[3]});
+    xml_.open("material", {{"name", start + rgba}});
+    xml_.empty("color", {{"rgba", rgba}});
+    xml_.close();
   }
 
   void add_inertial(const FlatShape& shape, double mass) {
@@ -250,21 +290,18 @@ class UrdfMerger {
     xml_.empty("cylinder", {{"radius", join_numbers({cylinder.radius})},
                             {"length", join_numbers({cylinder.length})}});
   }
-  void add_geometry(const FlatCapsule& capsule) {
-    xml_.empty("capsule", {{"radius", join_numbers({capsule.radius})},
-                           {"length", join_numbers({capsule.length})}});
-  }
   void add_geometry(const FlatMesh& mesh) {
     xml_.empty("mesh", {{"filename", mesh.file}, {"scale", join_numbers(mesh.scale)}});
   }
   void add_geometry(const FlatPlane&) {}      // a box by now
+  void add_geometry(const FlatCapsule&) {}    // a cylinder and spheres by now
   void add_geometry(const FlatHeightmap&) {}  // reported
 
   const SceneExport& scene_;
   SceneLosses losses_;
   std::vector<std::string> names_;
   std::vector<std::size_t> groups_ = anchor_groups(scene_.scene);
-  std::set<std::pair<std::string, std::string>> namespaces_;
+  std::map<std::string, std::string, std::less<>> namespaces_;  ///< what prefixes mean
   LinkFrames frames_;
   XmlText xml_;
 };

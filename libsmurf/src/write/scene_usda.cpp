@@ -75,7 +75,7 @@ class UsdaWriter {
  public:
   explicit UsdaWriter(const SceneExport& scene)
       : scene_(scene),
-        losses_(scene, "USD"),
+        losses_(scene, SceneColumn::usda, "USD"),
         names_(safe_names(scene.flat)),
         files_(scene, kCost) {}
 
@@ -94,9 +94,7 @@ class UsdaWriter {
     }
     close();
     add_meshes();
-    using enum SceneLosses::World;
-    losses_.world({step_size, solver, environment, lights});
-    losses_.annotations_and_properties();
+    losses_.table();
     return std::move(out_);
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "base/edits.hpp"
@@ -202,9 +203,21 @@ std::string SvgCanvas::finish(std::string_view legend) {
   return std::move(text_);
 }
 
+// Pictures of large scenes are mostly such numbers: whole hundredths are written several times as
+// fast as the shortest text of a double is found.
 std::string pixels(double value) {
-  const double rounded = std::round(value * 100) / 100;
-  return format_number(rounded);
+  constexpr double kMost = 1e13;
+  const double hundredths = std::round(value * 100);
+  if (std::fabs(hundredths) > kMost) return format_number(hundredths / 100);
+  const auto whole = static_cast<std::int64_t>(std::fabs(hundredths));
+  std::string text = hundredths < 0 ? "-" : "";
+  text += std::to_string(whole / 100);
+  if (const std::int64_t part = whole % 100; part != 0) {
+    text += '.';
+    text += static_cast<char>('0' + part / 10);
+    if (part % 10 != 0) text += static_cast<char>('0' + part % 10);
+  }
+  return text;
 }
 
 std::string pixels(const Point2& point) { return pixels(point[0]) + " " + pixels(point[1]); }

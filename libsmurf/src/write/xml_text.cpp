@@ -16,7 +16,7 @@ void XmlText::indent() {
   out_.append(2 * std::min(open_.size(), kDeepest), ' ');
 }
 
-void XmlText::start(std::string_view name, Attributes attributes) {
+void XmlText::start(std::string_view name, std::span<const Attribute> attributes) {
   indent();
   out_ += '<';
   out_ += name;
@@ -28,7 +28,7 @@ void XmlText::start(std::string_view name, Attributes attributes) {
 }
 
 void XmlText::open(std::string_view name, Attributes attributes) {
-  start(name, attributes);
+  start(name, {attributes.begin(), attributes.size()});
   out_ += ">\n";
   open_.emplace_back(name);
 }
@@ -41,12 +41,17 @@ void XmlText::close() {
 }
 
 void XmlText::empty(std::string_view name, Attributes attributes) {
+  start(name, {attributes.begin(), attributes.size()});
+  out_ += "/>\n";
+}
+
+void XmlText::empty(std::string_view name, const std::vector<Attribute>& attributes) {
   start(name, attributes);
   out_ += "/>\n";
 }
 
 void XmlText::leaf(std::string_view name, std::string_view text, Attributes attributes) {
-  start(name, attributes);
+  start(name, {attributes.begin(), attributes.size()});
   out_ += ">" + escape_xml(text) + "</" + std::string(name) + ">\n";
 }
 

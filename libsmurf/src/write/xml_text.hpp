@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,13 +15,15 @@ namespace smurf {
 
 class XmlText {
  public:
-  using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
+  using Attribute = std::pair<std::string_view, std::string>;
+  using Attributes = std::initializer_list<Attribute>;
 
   explicit XmlText() : out_("<?xml version=\"1.0\"?>\n") {}
 
   void open(std::string_view name, Attributes attributes = {});
   void close();
   void empty(std::string_view name, Attributes attributes = {});
+  void empty(std::string_view name, const std::vector<Attribute>& attributes);
   void leaf(std::string_view name, std::string_view text, Attributes attributes = {});
   void leaf(std::string_view name, double value);
   /// Text that is XML already, on lines of its own.
@@ -30,7 +33,7 @@ class XmlText {
 
  private:
   void indent();
-  void start(std::string_view name, Attributes attributes);
+  void start(std::string_view name, std::span<const Attribute> attributes);
 
   std::string out_;
   std::vector<std::string> open_;

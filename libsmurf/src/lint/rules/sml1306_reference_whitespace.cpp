@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/edits.hpp"
 #include "base/readers.hpp"
 #include "base/words.hpp"
 #include "lint/name_queries.hpp"
@@ -7,7 +8,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
+  for_each_name(model, [&](std::string_view kind, const Field<std::string>& name) {
     if (name_fault(*name) != NameFault::blank) return;
     Diagnostic& diagnostic =
         findings.report(name.span, "a blank belongs to the name " + quoted(*name));
@@ -16,7 +17,12 @@ void check(const LinkedModel& model, Findings& findings) {
       diagnostic.construct = "nothing-else";
       return;
     }
-    diagnostic.fixes.push_back({Applicability::unsafe, {{name.span, std::string(meant)}}});
+    const NameTable& others = kind == "link" ? model.link_names : model.joint_names;
+    if (others.contains(meant)) return;
+    const Span robot = model.robot->document.view().span();
+    diagnostic.fixes.push_back({Applicability::unsafe,
+                                {{name.span, escape_xml(meant)}},
+                                Fix::NewName{robot, std::string(kind) + " " + std::string(meant)}});
   });
 }
 

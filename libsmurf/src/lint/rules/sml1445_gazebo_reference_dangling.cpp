@@ -17,7 +17,9 @@ void check_slip(xml::View gazebo, Findings& findings) {
         findings.report(one->name_span(), quoted(one->name()) + " is no attribute of `gazebo`");
     diagnostic.notes.push_back("Gazebo applies this element to the whole model");
     diagnostic.help = "did you mean `reference`?";
-    diagnostic.fixes.push_back({Applicability::unsafe, {{one->name_span(), "reference"}}});
+    diagnostic.fixes.push_back({Applicability::unsafe,
+                                {{one->name_span(), "reference"}},
+                                Fix::NewName{gazebo.tag_span(), "reference"}});
   }
 }
 

@@ -21,8 +21,7 @@ void report_shape(yaml::View shape, Findings& findings) {
   if (const auto near = nearest(shape.text(), kShapes)) {
     diagnostic.help = "did you mean " + quoted(*near) + "?";
     diagnostic.fixes.push_back(
-        {Applicability::unsafe,
-         {{without_quotes(shape.span(), shape.text()), std::string(*near)}}});
+        {Applicability::unsafe, {{within_quotes(shape), std::string(*near)}}});
   }
 }
 

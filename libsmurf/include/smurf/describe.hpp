@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a named thing is, in a few lines for a person.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "smurf/linked.hpp"
+#include "smurf/mesh.hpp"
+#include "smurf/names.hpp"
+#include "smurf/references.hpp"
+
+namespace smurf {
+
+/// The first line says what it is; names stand in backticks. Empty when the name is unknown.
+std::vector<std::string> describe(const LinkedModel& model, const Reference& reference);
+/// Of a scene also its entities.
+std::vector<std::string> describe(const LinkedScene& scene, const Reference& reference);
+
+/// Where a link is when all joints are at zero, and the joints on the way there from the root.
+std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link);
+
+/// Format, size in metres with this scale, triangles, unit.
+std::vector<std::string> describe(const MeshFacts& mesh, const Vector3& scale);
+
+/// "xyz 0 0 0.1  rpy 0 0 90 deg".
+std::string describe(const Pose& pose);
+/// "86 deg": of an angle in radians.
+std::string in_degrees(double radians);
+
+}  // namespace smurf

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/quoted.hpp"
+#include "smurf/key_help.hpp"
+
+namespace smurf {
+
+std::vector<std::string> describe(const KeyHelp& help) {
+  std::vector<std::string> lines{quoted(help.name) + " (" + help.owner + ")" +
+                                 (help.required ? ", required" : "")};
+  if (!help.doc.empty()) lines.emplace_back(help.doc);
+  std::string value = "Value: " + std::string(help.value);
+  if (!help.unit.empty()) value += ", in " + std::string(help.unit);
+  lines.push_back(value);
+  if (!help.choices.empty() && help.form == ValueForm::scalar) {
+    std::string words;
+    for (const std::string_view one : help.choices) {
+      words += (words.empty() ? "" : ", ") + quoted(one);
+    }
+    lines.push_back("One of " + words);
+  }
+  if (!help.fallback.empty()) lines.push_back("Absent, it is " + quoted(help.fallback));
+  return lines;
+}
+
+}  // namespace smurf

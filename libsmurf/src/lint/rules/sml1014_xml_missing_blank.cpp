@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::takes, "reads on", "urdfdom, sdformat, run; tinyxml2"},
+    {&readers::phobos, Effect::refuses, "refuses the file", "expat, run; lxml"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1014_xml_missing_blank{
+    .id = "SML1014",
+    .name = "xml-missing-blank",
+    .severity = Severity::error,
+    .summary = "Nothing separates two attributes.",
+    .why = "Browsers (urdf-loader) and Python's readers refuse the file.",
+    .remedy = "Write a blank before the second attribute.",
+    .sources = "XML 1.0 section 3.1; expat, executed.",
+    .facts = kFacts,
+    .blocks_building = true};
+
+}  // namespace smurf::rules

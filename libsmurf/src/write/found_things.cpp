@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/found_things.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "convert/passes.hpp"
+#include "write/gazebo_elements.hpp"
+#include "write/joint_drives.hpp"
+#include "write/scene_parts.hpp"
+
+namespace smurf::things {
+namespace {
+
+/// Joints of which the part that `part_of` gives is there.
+template <class PartOf>
+Found joints_with(const LinkedModel& model, PartOf part_of) {
+  Found found;
+  if (!model.robot) return found;
+  for (const urdf::Joint& joint : model.robot->joints) {
+    if (const std::optional<Span> span = part_of(joint)) {
+      found.push_back({*span, joint.name.value_or({})});
+    }
+  }
+  return found;
+}
+
+std::string name_of(xml::View element) {
+  const xml::Attribute* name = element.attribute("name");
+  return std::string(name != nullptr ? name->value() : element.name());
+}
+
+Found drivers(const LinkedModel& model, SceneColumn column, std::string_view element) {
+  Found found;
+  if (!model.robot) return found;
+  std::set<xml::ElementId> written;
+  if (column == SceneColumn::mjcf) {
+    for (const JointDrive& drive : joint_drives(model)) written.insert(drive.element);
+  }
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View view(model.robot->document, id);
+    if (view.name() != element || written.contains(id)) continue;
+    found.push_back({view.name_span(), name_of(view)});
+  }
+  return found;
+}
+
+/// Keys of the entry of a section besides those that the format says.
+Found other_keys(const LinkedModel& model, const Annotation& entry,
+                 std::initializer_list<std::string_view> said) {
+  Found found;
+  const yaml::Document* document = model.document(entry.span.source);
+  if (document == nullptr) return found;
+  for (const yaml::View key : yaml::View(*document, entry.node)) {
+    if (key.is_null() || std::ranges::find(said, key.key()) != said.end()) continue;
+    found.push_back({key.key_span(), std::string(key.key())});
+  }
+  return found;
+}
+
+void append(Found& all, Found some) {
+  std::move(some.begin(), some.end(), std::back_inserter(all));
+}
+
+/// The scene itself, as the place of what it does not say.
+Found missing(const SceneExport& scene) {
+  for (const SceneFile& file : scene.scene.scenes) {
+    if (file.scene.physics) return {{file.scene.physics->span, scene.scene.path}};
+  }
+  if (scene.scene.instances.empty()) return {};
+  const Entity& first = scene.scene.entity(scene.scene.instances.front());
+  return {{place_of(first), scene.scene.path}};
+}
+
+}  // namespace
+
+Found masses(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  for (const urdf::Link& link : model.robot->links) {
+    if (link.inertial) found.push_back({link.inertial->span, link.name.value_or({})});
+  }
+  return found;
+}
+
+Found collision_shapes(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  for (const urdf::Link& link : model.robot->links) {
+    for (const urdf::Collision& shape : link.collisions) {
+      found.push_back({shape.span, link.name.value_or({})});
+    }
+  }
+  return found;
+}
+
+Found movable_joints(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.is_movable()) return std::nullopt;
+    return joint.span;
+  });
+}
+
+Found textures(const LinkedModel& model, SceneColumn) {
+  Found found;
+  for (const MeshReference& reference : model.meshes) {
+    if (reference.is_texture) found.push_back({reference.span, reference.filename});
+  }
+  return found;
+}
+
+Found efforts(const LinkedModel& model, SceneColumn column) {
+  std::set<const urdf::Joint*> driven;
+  if (column == SceneColumn::mjcf) {
+    for (const JointDrive& drive : joint_drives(model)) driven.insert(drive.joint);
+  }
+  return joints_with(model, [&](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.limit || !joint.limit->effort || driven.contains(&joint)) return std::nullopt;
+    return joint.limit->effort.span;
+  });
+}
+
+Found velocities(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.limit || !joint.limit->velocity) return std::nullopt;
+    return joint.limit->velocity.span;
+  });
+}
+
+Found safety_controllers(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.safety_controller) return std::nullopt;
+    return joint.safety_controller->span;
+  });
+}
+
+Found calibrations(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.calibration) return std::nullopt;
+    return joint.calibration->span;
+  });
+}
+
+Found newer_limits(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  for (const xml::Attribute* limit : passes::newer_limits(model, "1.0")) {
+    found.push_back({limit->name_span(), std::string(limit->name())});
+  }
+  return found;
+}
+
+Found transmissions(const LinkedModel& model, SceneColumn column) {
+  return drivers(model, column, "transmission");
+}
+
+Found ros2_controls(const LinkedModel& model, SceneColumn column) {
+  return drivers(model, column, "ros2_control");
+}
+
+Found gazebo_elements(const LinkedModel& model, SceneColumn column) {
+  Found found;
+  if (!model.robot) return found;
+  const bool is_sdf = column == SceneColumn::sdf || column == SceneColumn::sdf16;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() != "gazebo") continue;
+    for (const xml::View child : gazebo) {
+      if (is_sdf && is_taken_by_gazebo(model, child)) continue;
+      found.push_back({child.name_span(), name_of(child)});
+    }
+  }
+  return found;
+}
+
+Found other_extensions(const LinkedModel& model, SceneColumn) {
+  Found found;
+  if (!model.robot) return found;
+  for (const xml::View element : passes::extension_elements(*model.robot)) {
+    const bool has_row = element.name() == "gazebo" || element.name() == "transmission" ||
+                         element.name() == "ros2_control";
+    if (!has_row) found.push_back({element.name_span(), std::string(element.name())});
+  }
+  return found;
+}
+
+Found motors(const LinkedModel& model, SceneColumn column) {
+  if (column != SceneColumn::mjcf) return entries<&Annotations::motors>(model, column);
+  Found found;
+  for (const Motor* motor : idle_motors(model)) {
+    found.push_back({motor->span, motor->name.value_or({})});
+  }
+  return found;
+}
+
+Found motor_keys(const LinkedModel& model, SceneColumn) {
+  Found found;
+  for (const Motor& motor : model.annotations.motors) {
+    append(found, other_keys(model, motor,
+                             {"name", "joint", "type", "p", "maxSpeed", "maxEffort", "minValue",
+                              "maxValue", "minPosition", "maxPosition", "mimic_motor",
+                              "mimic_multiplier", "mimic_offset"}));
+  }
+  return found;
+}
+
+Found sensors(const LinkedModel& model, SceneColumn column) {
+  if (column != SceneColumn::sdf) return entries<&Annotations::sensors>(model, column);
+  Found found;
+  for (const Sensor& sensor : model.annotations.sensors) {
+    const bool is_known = !passes::gazebo_type(sensor).empty() && sensor.name &&
+                          !passes::gazebo_carrier(model, sensor).empty();
+    if (!is_known) found.push_back({sensor.span, sensor.name.value_or({})});
+  }
+  return found;
+}
+
+Found sensor_keys(const LinkedModel& model, SceneColumn) {
+  Found found;
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (passes::gazebo_type(sensor).empty()) continue;
+    for (FoundThing& key : other_keys(model, sensor, {})) {
+      if (!passes::gazebo_says(sensor, key.name)) found.push_back(std::move(key));
+    }
+  }
+  return found;
+}
+
+Found collision_settings(const LinkedModel& model, SceneColumn column) {
+  Found found;
+  for (const CollisionAnnotation& entry : model.annotations.collisions) {
+    if (column == SceneColumn::sdf) {
+      append(found,
+             other_keys(model, entry, {"name", "link", "bitmask", "cfriction1", "cfriction2"}));
+    } else if (column == SceneColumn::mjcf) {
+      append(found, other_keys(model, entry, {"name", "link", "bitmask", "cfriction1"}));
+    } else {
+      found.push_back({entry.span, entry.name.value_or({})});
+    }
+  }
+  return found;
+}
+
+Found other_sections(const LinkedModel& model, SceneColumn) {
+  Found found;
+  for (const auto* sections : {&model.annotations.custom, &model.main.extra}) {
+    for (const CustomSection& section : *sections) {
+      // Their text is that of the URDF.
+      if (section.name.value == "urdf_extensions") continue;
+      found.push_back({section.name.span, section.name.value});
+    }
+  }
+  return found;
+}
+
+Found no_gravity(const SceneExport& scene, SceneColumn) {
+  return scene.flat.physics.gravity ? Found() : missing(scene);
+}
+
+Found no_step(const SceneExport& scene, SceneColumn) {
+  return scene.flat.physics.step_size ? Found() : missing(scene);
+}
+
+Found ambient_lights(const SceneExport& scene, SceneColumn) {
+  Found found;
+  for (const Light* light : world_lights(scene)) {
+    if (light->ambient) found.push_back({light->ambient.span, light->name.value_or({})});
+  }
+  return found;
+}
+
+Found start_positions(const SceneExport& scene, SceneColumn) {
+  Found found;
+  const auto is_bent = [](const auto& joint) { return joint.second != 0; };
+  for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
+    const auto& positions = scene.flat.instances[i].joint_positions;
+    if (std::none_of(positions.begin(), positions.end(), is_bent)) continue;
+    const Entity& entity = scene.scene.entity(scene.scene.instances[i]);
+    found.push_back(
+        {entity.pose.written ? entity.pose.span : place_of(entity), scene.flat.instances[i].path});
+  }
+  return found;
+}
+
+Found entity_keys(const SceneExport& scene, SceneColumn column) {
+  const bool keeps_contacts = column == SceneColumn::sdf || column == SceneColumn::mjcf;
+  const auto is_said = [&](std::string_view key) {
+    constexpr std::string_view kSaid[] = {"geometry", "extend",   "mass",    "movable",
+                                          "material", "length",   "width",   "height",
+                                          "t_width",  "t_height", "t_scale", "t_srcname"};
+    if (std::ranges::find(kSaid, key) != std::end(kSaid)) return true;
+    return keeps_contacts && (key == "coll_bitmask" || key == "bitmask" || key == "cfriction1" ||
+                              (key == "cfriction2" && column == SceneColumn::sdf));
+  };
+  Found found;
+  for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {
+    const FlatInstance& instance = scene.flat.instances[i];
+    if (instance.shapes.empty()) continue;
+    for (const ValueMember& member : instance.properties) {
+      if (is_said(member.key)) continue;
+      const Entity& entity = scene.scene.entity(scene.scene.instances[i]);
+      found.push_back({place_of(entity), member.key + " of " + instance.path});
+    }
+  }
+  return found;
+}
+
+}  // namespace smurf::things

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/gazebo_elements.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/edits.hpp"
+#include "base/numbers.hpp"
+#include "convert/import.hpp"
+#include "write/raw_xml.hpp"
+
+namespace smurf {
+namespace {
+
+using import::attribute_of;
+
+/// Elements that become something else in the link, its shapes or the joint.
+constexpr std::string_view kOfLinks[] = {
+    "mu1",       "mu2",           "fdir1",         "kp",          "kd",       "maxVel",
+    "minDepth",  "maxContacts",   "laserRetro",    "selfCollide", "material", "visual",
+    "collision", "dampingFactor", "turnGravityOff"};
+constexpr std::string_view kOfJoints[] = {"stopCfm",
+                                          "stopErp",
+                                          "fudgeFactor",
+                                          "provideFeedback",
+                                          "cfmDamping",
+                                          "springStiffness",
+                                          "implicitSpringDamper",
+                                          "springReference",
+                                          "preserveFixedJoint",
+                                          "disableFixedJointLumping",
+                                          "disableJointLumping"};
+
+template <std::size_t size>
+bool is_one_of(std::string_view name, const std::string_view (&names)[size]) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+bool is_true(std::string_view text) { return text == "true" || text == "1" || text == "True"; }
+
+/// Written as text, or as the attribute `value`.
+std::string_view value_of(xml::View element) {
+  const std::string_view text = import::text_of(element);
+  return text.empty() ? attribute_of(element, "value") : text;
+}
+
+/// A joint that SDF has: one at whose end is no link that becomes a frame.
+bool is_joint_of_sdf(const LinkedModel& model, std::uint32_t joint) {
+  if (model.robot->joints[joint].type != urdf::JointType::fixed) return true;
+  const auto& child = model.tree.joint_child[joint];
+  return child && model.link(*child).inertial && model.link(*child).inertial->mass &&
+         *model.link(*child).inertial->mass > 0;
+}
+
+/// Six numbers of a pose: x y z roll pitch yaw.
+std::optional<Pose> parse_pose(std::string_view text) {
+  std::array<double, 6> numbers{};
+  for (double& number : numbers) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    text.remove_prefix(begin);
+    const std::size_t end = std::min(text.find_first_of(" \t\r\n"), text.size());
+    const auto value = parse_number(text.substr(0, end));
+    if (!value) return std::nullopt;
+    number = *value;
+    text.remove_prefix(end);
+  }
+  return Pose{{numbers[0], numbers[1], numbers[2]}, from_rpy({numbers[3], numbers[4], numbers[5]})};
+}
+
+}  // namespace
+
+bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
+  const bool needs_name = child.name() == "sensor" || child.name() == "plugin";
+  if (needs_name && attribute_of(child, "name").empty()) return false;
+  const std::string_view reference = attribute_of(child.parent(), "reference");
+  if (reference.empty()) return child.name().find(':') == std::string_view::npos;
+  const bool is_of_joint = is_one_of(child.name(), kOfJoints);
+  if (model.link_names.contains(reference) && !is_of_joint) return true;
+  const auto joint = model.joint_names.find(reference);
+  return joint && is_joint_of_sdf(model, *joint) && !is_one_of(child.name(), kOfLinks);
+}
+
+GazeboElements::GazeboElements(const LinkedModel& model, std::string_view source)
+    : model_(model), source_(source) {
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() != "gazebo") continue;
+    for (const xml::View child : gazebo) {
+      if (!is_taken_by_gazebo(model, child)) continue;
+      by_reference_[std::string(attribute_of(gazebo, "reference"))].push_back(child);
+    }
+  }
+}
+
+const std::vector<xml::View>& GazeboElements::of(std::string_view reference) const {
+  static const std::vector<xml::View> kNone;
+  const auto found = by_reference_.find(reference);
+  return found == by_reference_.end() ? kNone : found->second;
+}
+
+/// The last counts, as in libsdformat.
+std::string_view GazeboElements::value(std::string_view reference, std::string_view name) const {
+  std::string_view found;
+  for (const xml::View element : of(reference)) {
+    if (element.name() == name) found = value_of(element);
+  }
+  return found;
+}
+
+bool GazeboElements::has_any(std::string_view reference,
+                             std::initializer_list<std::string_view> names) const {
+  return std::any_of(names.begin(), names.end(),
+                     [&](std::string_view name) { return !value(reference, name).empty(); });
+}
+
+void GazeboElements::leaf(XmlText& xml, std::string_view reference, std::string_view name,
+                          std::string_view written_as) const {
+  if (const std::string_view text = value(reference, name); !text.empty()) {
+    xml.leaf(written_as, text);
+  }
+}
+
+void GazeboElements::add_raw(XmlText& xml, xml::View element, std::string_view frame,
+                             const Pose& X_BL, UniqueNames& names) const {
+  std::vector<Edit> edits;
+  const auto insert = [&](const Span& at, std::string text) {
+    edits.push_back({{at.source, at.end, at.end}, std::move(text)});
+  };
+  if (const xml::Attribute* name = element.attribute("name");
+      name != nullptr && element.name() == "sensor") {
+    const std::string unique = names.add(std::string(name->value()));
+    if (unique != name->value()) edits.push_back({name->value_span(), escape_xml(unique)});
+  }
+  const xml::View pose = element.child("pose");
+  const bool is_placed =
+      element.name() == "sensor" || element.name() == "projector" || element.name() == "light";
+  if (is_placed && X_BL != Pose{} && !(pose && pose.attribute("relative_to") != nullptr)) {
+    const auto text = [](const Pose& X) {
+      return join_numbers(X.position) + " " + join_numbers(to_rpy(X.orientation));
+    };
+    if (!pose) {
+      const bool has_end_tag = element.tag_span().end < element.span().end;
+      const std::string attribute =
+          frame.empty() ? "" : " relative_to=\"" + escape_xml(frame) + "\"";
+      const std::string line =
+          "<pose" + attribute + ">" + text(frame.empty() ? X_BL : Pose{}) + "</pose>";
+      if (has_end_tag) insert(element.tag_span(), line);
+    } else if (!frame.empty()) {
+      insert(pose.name_span(), " relative_to=\"" + escape_xml(frame) + "\"");
+    } else if (const auto X_LS = parse_pose(import::text_of(pose))) {
+      edits.push_back({pose.text_span(), text(X_BL * *X_LS)});
+    }
+  }
+  xml.raw(raw_xml(element, source_, std::move(edits)) + "\n");
+}
+
+void GazeboElements::add_to_model(XmlText& xml) const {
+  UniqueNames none;
+  for (const xml::View element : of({})) add_raw(xml, element, {}, {}, none);
+}
+
+void GazeboElements::add_to_link(XmlText& xml, std::string_view part, std::string_view frame,
+                                 const Pose& X_BL, UniqueNames& names) const {
+  for (const xml::View element : of(part)) {
+    if (!is_one_of(element.name(), kOfLinks)) add_raw(xml, element, frame, X_BL, names);
+  }
+  // Of a part, these would be those of the whole.
+  if (!frame.empty() || X_BL != Pose{}) return;
+  if (const std::string_view text = value(part, "selfCollide"); !text.empty()) {
+    xml.leaf("self_collide", is_true(text) ? "1" : "0");
+  }
+  if (const std::string_view text = value(part, "turnGravityOff"); !text.empty()) {
+    xml.leaf("gravity", is_true(text) ? "false" : "true");
+  }
+  if (!has_any(part, {"dampingFactor"})) return;
+  xml.open("velocity_decay");
+  leaf(xml, part, "dampingFactor", "linear");
+  leaf(xml, part, "dampingFactor", "angular");
+  xml.close();
+}
+
+void GazeboElements::add_to_collision(XmlText& xml, std::string_view link) const {
+  for (const xml::View blob : of(link)) {
+    if (blob.name() != "collision") continue;
+    for (const xml::View child : blob) xml.raw(raw_xml(child, source_) + "\n");
+  }
+  leaf(xml, link, "laserRetro", "laser_retro");
+  leaf(xml, link, "maxContacts", "max_contacts");
+}
+
+void GazeboElements::add_contact(XmlText& xml, std::string_view link) const {
+  xml.open("ode");
+  leaf(xml, link, "kp", "kp");
+  leaf(xml, link, "kd", "kd");
+  leaf(xml, link, "maxVel", "max_vel");
+  leaf(xml, link, "minDepth", "min_depth");
+  xml.close();
+}
+
+void GazeboElements::add_friction(XmlText& xml, std::string_view link) const {
+  leaf(xml, link, "mu1", "mu");
+  leaf(xml, link, "mu2", "mu2");
+  leaf(xml, link, "fdir1", "fdir1");
+}
+
+void GazeboElements::add_to_visual(XmlText& xml, std::string_view link) const {
+  for (const xml::View blob : of(link)) {
+    if (blob.name() != "visual") continue;
+    for (const xml::View child : blob) xml.raw(raw_xml(child, source_) + "\n");
+  }
+  leaf(xml, link, "laserRetro", "laser_retro");
+}
+
+bool GazeboElements::has_own_material(std::string_view link) const {
+  const std::vector<xml::View>& elements = of(link);
+  return std::any_of(elements.begin(), elements.end(), [](xml::View element) {
+    return element.name() == "visual" && bool(element.child("material"));
+  });
+}
+
+void GazeboElements::add_to_dynamics(XmlText& xml, std::string_view joint) const {
+  leaf(xml, joint, "springReference", "spring_reference");
+  leaf(xml, joint, "springStiffness", "spring_stiffness");
+}
+
+void GazeboElements::add_to_joint(XmlText& xml, std::string_view joint, UniqueNames& names) const {
+  const bool has_stops = has_any(joint, {"stopCfm", "stopErp"});
+  if (has_stops ||
+      has_any(joint, {"fudgeFactor", "provideFeedback", "cfmDamping", "implicitSpringDamper"})) {
+    xml.open("physics");
+    leaf(xml, joint, "provideFeedback", "provide_feedback");
+    xml.open("ode");
+    leaf(xml, joint, "provideFeedback", "provide_feedback");
+    // Two names of one thing.
+    for (const std::string_view name : {"implicitSpringDamper", "cfmDamping"}) {
+      leaf(xml, joint, name, "implicit_spring_damper");
+      leaf(xml, joint, name, "cfm_damping");
+    }
+    leaf(xml, joint, "fudgeFactor", "fudge_factor");
+    if (has_stops) {
+      xml.open("limit");
+      leaf(xml, joint, "stopCfm", "cfm");
+      leaf(xml, joint, "stopErp", "erp");
+      xml.close();
+    }
+    xml.close();
+    xml.close();
+  }
+  if (model_.link_names.contains(joint)) return;  // the link has them
+  for (const xml::View element : of(joint)) {
+    if (!is_one_of(element.name(), kOfJoints)) add_raw(xml, element, {}, {}, names);
+  }
+}
+
+}  // namespace smurf

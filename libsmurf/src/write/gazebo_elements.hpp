@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the <gazebo> elements of a URDF say, as SDF; named and placed as libsdformat does when it
+// converts the URDF (parser_urdf.cc of libsdformat 12).
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/unique_names.hpp"
+#include "smurf/linked.hpp"
+#include "write/xml_text.hpp"
+
+namespace smurf {
+
+/// Whether a child of <gazebo> is converted. One about a link or joint that is not there is not,
+/// and neither is a sensor or plug-in without name, which SDF refuses.
+bool is_taken_by_gazebo(const LinkedModel& model, xml::View child);
+
+class GazeboElements {
+ public:
+  /// `source` is the text of the URDF.
+  GazeboElements(const LinkedModel& model, std::string_view source);
+
+  bool empty() const { return by_reference_.empty(); }
+
+  /// What stands in <model>.
+  void add_to_model(XmlText& xml) const;
+  /// What stands in the <link> that `part` is in; a part that is a frame of that link has its name
+  /// in `frame`, and its pose in it in `X_BL`. `names` are those of the link's sensors.
+  void add_to_link(XmlText& xml, std::string_view part, std::string_view frame, const Pose& X_BL,
+                   UniqueNames& names) const;
+  void add_to_collision(XmlText& xml, std::string_view link) const;
+  bool has_contact(std::string_view link) const {
+    return has_any(link, {"kp", "kd", "maxVel", "minDepth"});
+  }
+  bool has_friction(std::string_view link) const { return has_any(link, {"mu1", "mu2", "fdir1"}); }
+  /// Inside <surface><contact>, and inside <surface><friction><ode>.
+  void add_contact(XmlText& xml, std::string_view link) const;
+  void add_friction(XmlText& xml, std::string_view link) const;
+  /// Besides the material of a colour or of Gazebo Classic.
+  void add_to_visual(XmlText& xml, std::string_view link) const;
+  /// Whether that was a material.
+  bool has_own_material(std::string_view link) const;
+  /// Of Gazebo Classic: "Gazebo/Red"; "" without.
+  std::string_view material(std::string_view link) const { return value(link, "material"); }
+  bool has_spring(std::string_view joint) const {
+    return has_any(joint, {"springReference", "springStiffness"});
+  }
+  /// Inside <axis><dynamics>, and behind <axis>.
+  void add_to_dynamics(XmlText& xml, std::string_view joint) const;
+  void add_to_joint(XmlText& xml, std::string_view joint, UniqueNames& names) const;
+
+ private:
+  const std::vector<xml::View>& of(std::string_view reference) const;
+  std::string_view value(std::string_view reference, std::string_view name) const;
+  bool has_any(std::string_view reference, std::initializer_list<std::string_view> names) const;
+  void leaf(XmlText& xml, std::string_view reference, std::string_view name,
+            std::string_view written_as) const;
+  void add_raw(XmlText& xml, xml::View element, std::string_view frame, const Pose& X_BL,
+               UniqueNames& names) const;
+
+  const LinkedModel& model_;
+  std::string_view source_;
+  std::map<std::string, std::vector<xml::View>, std::less<>> by_reference_;  ///< "": the model
+};
+
+}  // namespace smurf

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/joint_drives.hpp"
+
+#include "base/numbers.hpp"
+#include "convert/annotation_values.hpp"
+#include "convert/import.hpp"
+#include "convert/passes.hpp"
+
+namespace smurf {
+namespace {
+
+std::optional<double> above_zero(std::optional<double> value) {
+  return value && *value > 0 ? value : std::nullopt;
+}
+
+DriveKind kind_of(std::string_view interface) {
+  if (interface.find("osition") != std::string_view::npos) return DriveKind::position;
+  if (interface.find("elocity") != std::string_view::npos) return DriveKind::velocity;
+  return DriveKind::effort;
+}
+
+class DriveReader {
+ public:
+  explicit DriveReader(const LinkedModel& model)
+      : model_(model), drives_(model.robot->joints.size()) {}
+
+  std::vector<JointDrive> read() {
+    const AnnotationValues values(model_);
+    for (const Motor& motor : model_.annotations.motors) {
+      if (!motor.mimic_motor) of_motor(motor, values.joint_of(motor));
+    }
+    of_extensions("ros2_control", &DriveReader::of_ros2_control);
+    of_extensions("transmission", &DriveReader::of_transmission);
+    std::vector<JointDrive> found;
+    for (std::optional<JointDrive>& drive : drives_) {
+      if (drive) found.push_back(std::move(*drive));
+    }
+    return found;
+  }
+
+ private:
+  /// Null when the joint is driven already, or nothing can drive it.
+  JointDrive* drive_of(const urdf::Joint* joint) {
+    if (joint == nullptr || !joint->has_one_axis() || joint->mimic || !joint->name) return nullptr;
+    const auto at = static_cast<std::size_t>(joint - model_.robot->joints.data());
+    if (drives_[at]) return nullptr;
+    JointDrive& drive = drives_[at].emplace();
+    drive.joint = joint;
+    drive.name = *joint->name;
+    if (joint->limit) {
+      drive.effort = above_zero(joint->limit->effort.value());
+      drive.speed = above_zero(joint->limit->velocity.value());
+      if (joint->type != urdf::JointType::continuous) {
+        drive.lower = joint->limit->lower.value_or(0);
+        drive.upper = joint->limit->upper.value_or(0);
+      }
+    }
+    // Phobos gives its motors this gain (representation.py).
+    constexpr double kUsualGain = 20;
+    drive.gain = kUsualGain;
+    return &drive;
+  }
+
+  const urdf::Joint* joint_named(xml::View element) const {
+    const auto index = model_.joint_names.find(import::attribute_of(element, "name"));
+    return index ? &model_.robot->joints[*index] : nullptr;
+  }
+
+  void of_motor(const Motor& motor, const urdf::Joint* joint) {
+    JointDrive* drive = drive_of(joint);
+    if (drive == nullptr) return;
+    if (motor.name) drive->name = *motor.name;
+    drive->kind = kind_of(passes::interface_of(motor));
+    if (const auto effort = above_zero(limit_of(motor, LimitValue::effort))) drive->effort = effort;
+    if (const auto speed = above_zero(limit_of(motor, LimitValue::velocity))) drive->speed = speed;
+    const auto lower = limit_of(motor, LimitValue::lower);
+    const auto upper = limit_of(motor, LimitValue::upper);
+    if (lower && upper && *lower < *upper) {
+      drive->lower = lower;
+      drive->upper = upper;
+    }
+    drive->gain = above_zero(motor.p.value()).value_or(drive->gain);
+  }
+
+  void of_extensions(std::string_view name, void (DriveReader::*take)(xml::View)) {
+    for (const xml::ElementId id : model_.robot->extensions) {
+      const xml::View element(model_.robot->document, id);
+      if (element.name() == name) (this->*take)(element);
+    }
+  }
+
+  void of_ros2_control(xml::View system) {
+    for (const xml::View joint : system) {
+      if (joint.name() != "joint") continue;
+      const xml::View command = joint.child("command_interface");
+      if (command) add(system, joint_named(joint), import::attribute_of(command, "name"));
+    }
+  }
+
+  void of_transmission(xml::View transmission) {
+    const xml::View joint = transmission.child("joint");
+    std::string_view type = import::child_text(transmission, "type");
+    if (type.empty()) type = import::attribute_of(transmission, "type");
+    if (!joint || type.find("SimpleTransmission") == std::string_view::npos) return;
+    std::string_view interface = import::child_text(joint, "hardwareInterface");
+    if (interface.empty()) {
+      interface = import::child_text(transmission.child("actuator"), "hardwareInterface");
+    }
+    add(transmission, joint_named(joint), interface);
+  }
+
+  void add(xml::View element, const urdf::Joint* joint, std::string_view interface) {
+    JointDrive* drive = drive_of(joint);
+    if (drive == nullptr) return;
+    drive->kind = kind_of(interface);
+    drive->element = element.id();
+  }
+
+  const LinkedModel& model_;
+  std::vector<std::optional<JointDrive>> drives_;  ///< by joint
+};
+
+}  // namespace
+
+std::vector<JointDrive> joint_drives(const LinkedModel& model) {
+  return model.robot ? DriveReader(model).read() : std::vector<JointDrive>();
+}
+
+std::vector<DrivenFollower> driven_followers(const LinkedModel& model) {
+  std::vector<DrivenFollower> followers;
+  if (!model.robot) return followers;
+  const AnnotationValues values(model);
+  for (const Motor& motor : model.annotations.motors) {
+    const urdf::Joint* joint = motor.mimic_motor ? values.joint_of(motor) : nullptr;
+    const urdf::Joint* leader = values.leader_of(motor);
+    if (joint == nullptr || leader == nullptr || joint == leader || joint->mimic) continue;
+    followers.push_back(
+        {joint, leader, motor.mimic_multiplier.value_or(0), motor.mimic_offset.value_or(0)});
+  }
+  return followers;
+}
+
+std::vector<const Motor*> idle_motors(const LinkedModel& model) {
+  std::vector<const Motor*> idle;
+  if (!model.robot) return idle;
+  const AnnotationValues values(model);
+  for (const Motor& motor : model.annotations.motors) {
+    const bool has_leader = !motor.mimic_motor || values.leader_of(motor) != nullptr;
+    if (values.joint_of(motor) == nullptr || !has_leader) idle.push_back(&motor);
+  }
+  return idle;
+}
+
+}  // namespace smurf

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What moves the joints of a model: SMURF motors, else ros2_control, else transmissions.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// What is commanded.
+enum class DriveKind : std::uint8_t { position, velocity, effort };
+
+struct JointDrive {
+  const urdf::Joint* joint = nullptr;
+  DriveKind kind = DriveKind::position;
+  std::string name;                          ///< of the motor; else that of the joint
+  xml::ElementId element = xml::kNoElement;  ///< the extension that says so; none for a motor
+  std::optional<double> effort, speed;       ///< largest; N m or N, rad/s or m/s; above 0
+  std::optional<double> lower, upper;        ///< of the position, rad or m
+  double gain = 0;                           ///< of a position, 1/s
+};
+
+/// One a joint, of joints with one axis that do not follow another, in the model's order.
+std::vector<JointDrive> joint_drives(const LinkedModel& model);
+
+/// A motor that makes its joint follow that of another.
+struct DrivenFollower {
+  const urdf::Joint* joint = nullptr;
+  const urdf::Joint* leader = nullptr;
+  double multiplier = 0, offset = 0;
+};
+/// Of joints that do not mimic anyway.
+std::vector<DrivenFollower> driven_followers(const LinkedModel& model);
+
+/// Motors that move no joint, neither by themselves nor by following another motor.
+std::vector<const Motor*> idle_motors(const LinkedModel& model);
+
+}  // namespace smurf

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/scene_things.hpp"
+
+#include "write/found_things.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr std::string_view kKept = "kept";
+constexpr std::string_view kLost = "lost";
+constexpr std::array<std::string_view, kSceneColumns> kLostEverywhere{kLost, kLost, kLost, kLost,
+                                                                      kLost, kLost, kLost};
+constexpr std::string_view kShown = "shown";
+constexpr std::string_view kNoPlace = "lost: SDF has no place for it";
+constexpr std::string_view kSpeed = "lost: MuJoCo does not limit speeds";
+constexpr std::string_view kEffort =
+    "partly: MuJoCo limits the forces of actuators, which driven joints have";
+constexpr std::string_view kActuator = "partly: actuators of those that drive one joint";
+constexpr std::string_view kGazeboOnly = "lost: it is meant for Gazebo";
+constexpr std::string_view kAsGazebo =
+    "partly: as Gazebo converts them, where their link or joint is there";
+constexpr std::string_view kPlugin = "lost: Gazebo leaves them to a plug-in that reads the URDF";
+constexpr std::string_view kTenGrams =
+    "added: 10 g in a ball of 1 cm, as MARS takes them for what moves";
+constexpr std::string_view kColours = "lost: shapes have colours";
+
+constexpr SceneThing kThings[] = {
+    // Of the URDF.       sdf, sdf16, mjcf, urdf, dmd, gltf, usda
+    {.title = "masses and inertias",
+     .in_model = things::masses,
+     .cells = {kKept, kKept, kKept, kKept, kKept, kShown, kShown}},
+    {.title = kInventedMasses,
+     .cells = {kTenGrams, kTenGrams, kTenGrams, kKept, kKept, kKept, kKept}},
+    {.title = kRefusedInertias,
+     .cells = {kKept, kKept, "changed: the nearest that it takes", kKept, kKept, kKept, kKept}},
+    {.title = "visual shapes",
+     .cells = {kKept, "kept: capsules are lost", "kept: meshes that are STL or OBJ", kKept, kKept,
+               "kept: meshes that are STL or OBJ", "kept: meshes that are STL or OBJ"}},
+    {.title = "collision shapes",
+     .in_model = things::collision_shapes,
+     .cells = {kKept, "kept: capsules are lost", "kept: meshes that are STL or OBJ", kKept, kKept,
+               kShown, kShown}},
+    {.title = "names of visuals and collisions",
+     .cells = {kKept, kKept, kKept, kKept, kKept, kShown, kShown}},
+    {.title = "colours", .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kKept}},
+    {.title = "textures",
+     .in_model = things::textures,
+     .cells = {"kept: as albedo maps", "lost: SDF 1.6 has scripts of Gazebo Classic for them",
+               kColours, kKept, kKept, kColours, kColours}},
+    {.title = "movable joints",
+     .in_model = things::movable_joints,
+     .cells = {"kept: planar ones as fixed", "kept: planar ones as fixed",
+               "kept: planar and floating ones as fixed", kKept, kKept, kShown, kShown}},
+    {.title = "mimicking joints",
+     .cells = {"changed: for Gazebo Harmonic and later; before, they move without their leader",
+               "changed: they move without their leader", "kept: as equalities", kKept, kKept,
+               kShown, kShown}},
+    {.title = "position limits", .cells = {kKept, kKept, kKept, kKept, kKept, kShown, kShown}},
+    {.title = "effort limits",
+     .in_model = things::efforts,
+     .cells = {kKept, kKept, kEffort, kKept, kKept, kShown, kShown}},
+    {.title = "velocity limits",
+     .in_model = things::velocities,
+     .cells = {kKept, kKept, kSpeed, kKept, kKept, kShown, kShown}},
+    {.title = "soft limits and safety controllers",
+     .in_model = things::safety_controllers,
+     .cells = {kNoPlace, kNoPlace, kLost, kKept, kKept, kShown, kShown}},
+    {.title = "calibrations of joints",
+     .in_model = things::calibrations,
+     .cells = {kNoPlace, kNoPlace, kLost, kKept, kKept, kShown, kShown}},
+    {.title = "limits of acceleration and jerk",
+     .in_model = things::newer_limits,
+     .cells = {kNoPlace, kNoPlace, kLost, kKept, kKept, kShown, kShown}},
+    {.title = "damping and friction of joints",
+     .cells = {kKept, kKept, kKept, kKept, kKept, kShown, kShown}},
+    {.title = "transmissions",
+     .in_model = things::transmissions,
+     .cells = {kPlugin, kPlugin, kActuator, kKept, kKept, kShown, kShown}},
+    {.title = "elements of ros2_control",
+     .in_model = things::ros2_controls,
+     .cells = {kPlugin, kPlugin, kActuator, kKept, kKept, kShown, kShown}},
+    {.title = "elements in <gazebo>",
+     .in_model = things::gazebo_elements,
+     .cells = {kAsGazebo, kAsGazebo, kGazeboOnly, kKept, kKept, kShown, kShown}},
+    {.title = "elements that URDF does not define",
+     .in_model = things::other_extensions,
+     .cells = {kLost, kLost, kLost, kKept, kKept, kShown, kShown}},
+    // Annotations.
+    {.title = "motor",
+     .of = ThingOf::annotation,
+     .in_model = things::motors,
+     .cells = {kLost, kLost, "partly: those that drive a joint, as actuators", kLost, kLost, kLost,
+               kLost}},
+    {.title = "motor setting",
+     .of = ThingOf::annotation,
+     .in_model = things::motor_keys,
+     .cells = {kKept, kKept, "lost: MuJoCo takes gain p and limits", kKept, kKept, kKept, kKept}},
+    {.title = "sensor",
+     .of = ThingOf::annotation,
+     .in_model = things::sensors,
+     .cells = {"partly: those that Gazebo has", kLost, kLost, kLost, kLost, kLost, kLost}},
+    {.title = "sensor setting",
+     .of = ThingOf::annotation,
+     .in_model = things::sensor_keys,
+     .cells = {"lost: Gazebo's sensors have no such setting", kKept, kKept, kKept, kKept, kKept,
+               kKept}},
+    {.title = "controller",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::controllers>,
+     .cells = kLostEverywhere},
+    {.title = "material",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::materials>,
+     .cells = kLostEverywhere},
+    {.title = "collision setting",
+     .of = ThingOf::annotation,
+     .in_model = things::collision_settings,
+     .cells = {"partly: bitmask and friction", kLost, "partly: bitmask and first friction", kLost,
+               kLost, kLost, kLost}},
+    {.title = "joint setting",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::joints>,
+     .cells = kLostEverywhere},
+    {.title = "link setting",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::links>,
+     .cells = kLostEverywhere},
+    {.title = "visual setting",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::visuals>,
+     .cells = kLostEverywhere},
+    {.title = "node",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::nodes>,
+     .cells = kLostEverywhere},
+    {.title = "light",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::lights>,
+     .cells = kLostEverywhere},
+    {.title = "graphics section",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::graphics>,
+     .cells = kLostEverywhere},
+    {.title = "joint pose set",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::poses>,
+     .cells = kLostEverywhere},
+    {.title = "submechanism",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::submechanisms>,
+     .cells = kLostEverywhere},
+    {.title = "exoskeleton",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::exoskeletons>,
+     .cells = kLostEverywhere},
+    {.title = "interface",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::interfaces>,
+     .cells = kLostEverywhere},
+    {.title = "submodel",
+     .of = ThingOf::annotation,
+     .in_model = things::entries<&Annotations::submodels>,
+     .cells = kLostEverywhere},
+    {.title = "other section",
+     .of = ThingOf::annotation,
+     .in_model = things::other_sections,
+     .cells = kLostEverywhere},
+    // Of scenes and entities.
+    {.title = "gravity",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::gravity,
+     .cells = {kKept, kKept, kKept, kLost, kLost, kLost, kKept}},
+    {.title = "gravity that nobody wrote",
+     .of = ThingOf::scene,
+     .in_scene = things::no_gravity,
+     .cells = {"added: 9.81 m/s^2 downward, as MARS takes",
+               "added: 9.81 m/s^2 downward, as MARS takes",
+               "added: 9.81 m/s^2 downward, as MARS takes", kKept, kKept, kKept, kKept}},
+    {.title = "step size",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::step_size,
+     .cells = {kKept, kKept, kKept, kLost, kLost, kLost, kLost}},
+    {.title = "step size that nobody wrote",
+     .of = ThingOf::scene,
+     .in_scene = things::no_step,
+     .cells = {"added: 1 ms, where MARS takes 10 ms", "added: 1 ms, where MARS takes 10 ms",
+               "added: 1 ms, where MARS takes 10 ms, with which many robots are unstable here",
+               kKept, kKept, kKept, kKept}},
+    {.title = "solver settings",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::solver,
+     .cells = {kKept, kKept, kLost, kLost, kLost, kLost, kLost}},
+    {.title = "environment",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::environment,
+     .cells = kLostEverywhere},
+    {.title = "lights",
+     .of = ThingOf::scene,
+     .setting = WorldSetting::lights,
+     .cells = {kKept, kKept, kKept, kLost, kLost, kLost, kLost}},
+    {.title = "ambient colours of lights",
+     .of = ThingOf::scene,
+     .in_scene = things::ambient_lights,
+     .cells = {"lost: SDF has one ambient colour a world",
+               "lost: SDF has one ambient colour a world", kKept, kKept, kKept, kKept, kKept}},
+    {.title = "entities of other types",
+     .of = ThingOf::scene,
+     .cells = {kLost, kLost, kLost, kLost, kLost, "kept: as nodes", "kept: as Xforms"}},
+    {.title = "anchors",
+     .of = ThingOf::scene,
+     .cells = {kKept, kKept, kKept, kKept, kKept, kShown, kShown}},
+    {.title = "start positions",
+     .of = ThingOf::scene,
+     .in_scene = things::start_positions,
+     .cells = {"changed: they are the zero of the joints, and limits are shifted along",
+               "changed: they are the zero of the joints, and limits are shifted along",
+               "kept: in the keyframe", kLost, kKept, "kept: as poses", "kept: as poses"}},
+    {.title = "keys of primitives",
+     .of = ThingOf::scene,
+     .in_scene = things::entity_keys,
+     .cells = {"partly: those of the shape, mass, bitmask and friction",
+               "partly: those of the shape and mass",
+               "partly: those of the shape, mass, bitmask and first friction",
+               "partly: those of the shape and mass", kKept, "partly: those of the shape",
+               "partly: those of the shape"}},
+};
+
+}  // namespace
+
+std::span<const SceneThing> scene_things() { return kThings; }
+
+Fate fate_of(std::string_view cell) {
+  if (cell.starts_with("partly")) return Fate::partly;
+  if (cell.starts_with("changed")) return Fate::changed;
+  if (cell.starts_with("lost")) return Fate::lost;
+  if (cell.starts_with("added")) return Fate::added;
+  return cell == "shown" ? Fate::shown : Fate::kept;
+}
+
+std::string_view reason_of(std::string_view cell) {
+  const std::size_t colon = cell.find(": ");
+  return colon == std::string_view::npos ? std::string_view() : cell.substr(colon + 2);
+}
+
+}  // namespace smurf

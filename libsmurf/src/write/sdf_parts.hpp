@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Elements of SDF that stand in many places.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "write/contacts.hpp"
+#include "write/gazebo_elements.hpp"
+#include "write/scene_parts.hpp"
+#include "write/xml_text.hpp"
+
+namespace smurf {
+
+/// Nothing for the identity. SDF 1.6 has roll, pitch, yaw only.
+void add_sdf_pose(XmlText& xml, const Pose& pose, bool is_old);
+void add_sdf_inertial(XmlText& xml, const LinkInertial& mass, bool is_old);
+/// <geometry>
+void add_sdf_geometry(XmlText& xml, const FlatGeometry& geometry);
+void add_sdf_light(XmlText& xml, const Light& light, const std::string& name, bool is_old);
+
+struct SdfMaterial {
+  std::optional<Rgba> color;
+  std::optional<std::string> texture;  ///< a file
+  std::string_view script;             ///< of Gazebo Classic: "Gazebo/Red"
+};
+void add_sdf_material(XmlText& xml, const SdfMaterial& material);
+
+/// <surface>, when there is anything in it. `gazebo` may be null; it knows more of `link`.
+void add_sdf_surface(XmlText& xml, const Contacts& contacts, const GazeboElements* gazebo,
+                     std::string_view link);
+
+}  // namespace smurf

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whatever a model or a scene holds is in what smurfs-flatten writes, or it says that it is not.
+
+Each thing of a rich scene is changed or removed, and each format has to change its result or its
+warnings. The things are those of docs/scene-formats.md, every one of which has a change here.
+
+Usage: kept_test.py SMURFS-FLATTEN
+"""
+import json
+import re
+import unittest
+
+import cli
+
+FORMATS = ("sdf", "sdf1.6", "mjcf", "urdf", "dmd", "gltf", "usda")
+BODY = ('<inertial><mass value="{m}"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" '
+        'iyz="0"/></inertial>')
+URDF = """<robot name="rich">
+<gazebo><plugin name="brain" filename="libbrain.so"/></gazebo>
+<link name="base">""" + BODY.format(m="2") + """
+  <visual name="hull"><geometry><box size="1 2 3"/></geometry>
+    <material name="red"><color rgba="1 0 0 1"/></material></visual>
+  <visual><geometry><box size="1 1 1"/></geometry>
+    <material name="skin"><color rgba="0 1 0 1"/><texture filename="skin.png"/></material></visual>
+  <collision name="bumper"><geometry><box size="1 2 3"/></geometry></collision>
+  <contact><lateral_friction value="0.4"/></contact></link>
+<link name="arm">""" + BODY.format(m="1") + """</link>
+<joint name="shoulder" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
+  <limit lower="-1" upper="2" effort="5" velocity="3" acceleration="9"/>
+  <dynamics damping="0.25" friction="0.125"/><calibration rising="0.5"/>
+  <safety_controller soft_lower_limit="-0.5" k_velocity="7"/></joint>
+<link name="hand">""" + BODY.format(m="1") + """</link>
+<joint name="wrist" type="revolute"><parent link="arm"/><child link="hand"/><axis xyz="0 1 0"/>
+  <limit lower="-1" upper="1" effort="6" velocity="4"/><mimic joint="shoulder" multiplier="0.5"/></joint>
+<link name="finger"/>
+<joint name="knuckle" type="prismatic"><parent link="hand"/><child link="finger"/><axis xyz="1 0 0"/>
+  <limit lower="0" upper="1" effort="8" velocity="2"/></joint>
+<link name="flat"><inertial><mass value="1"/><inertia ixx="0.0001" iyy="0.0001" izz="0.000201" ixy="0"
+  ixz="0" iyz="0"/></inertial></link>
+<joint name="hinge" type="continuous"><parent link="base"/><child link="flat"/><axis xyz="0 0 1"/></joint>
+<gazebo reference="arm"><mu1>0.75</mu1><sensor name="eye" type="camera"><camera/></sensor></gazebo>
+<transmission name="drive"><type>transmission_interface/SimpleTransmission</type>
+  <joint name="knuckle"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
+  <actuator name="knuckle_actuator"/></transmission>
+<ros2_control name="system" type="system"><joint name="hinge"><command_interface name="velocity"/></joint>
+</ros2_control>
+</robot>
+"""
+ANNOTATIONS = """motors:
+- {name: shoulder_motor, joint: shoulder, type: PID, maxEffort: 5, maxSpeed: 3, p: 20, filterValue: 0.5}
+sensors:
+- {name: imu, type: NodeIMU, link: arm, id: [arm], cutoff: 3}
+controllers:
+- {name: brain, rate: 10, sensors: [imu], motors: [shoulder_motor]}
+materials:
+- {name: red, diffuseColor: {r: 1, g: 0.5, b: 0, a: 1}}
+collision:
+- {name: bumper, link: base, bitmask: 6, cfriction1: 0.5, cerp: 0.3}
+joint:
+- {name: shoulder, springDamping: 3}
+link:
+- {name: arm, density: 3}
+visuals:
+- {name: hull, link: base, materialName: red}
+nodes:
+- {name: extra, parent: arm}
+lights:
+- {name: lamp, nodeName: arm}
+graphics: {clearColor: {r: 1, g: 1, b: 1, a: 1}}
+poses:
+- {name: straight, joints: {shoulder_motor: 0}}
+- {name: bent, joints: {shoulder_motor: 0.5}}
+submechanisms:
+- {name: parallel, type: fourbar, jointnames: [shoulder]}
+exoskeletons:
+- {name: sleeve, around: arm, jointnames: [shoulder]}
+interfaces:
+- {name: flange, parent: hand, position: [0, 0, 0], rotation: [0, 0, 0]}
+submodels:
+  half: {exportdir: half, start: arm, stop: [hand]}
+own_section:
+- {name: something}
+"""
+SCENE = """physics: {gravity: {x: 0, y: 0, z: -3}, ode: {stepsize: 2, cfm: 1.0e-8, erp: 0.3}}
+environment: {fog: {density: 0.5}}
+lights:
+- {name: lamp, type: 1, position: {x: 0, y: 0, z: 3}, ambient: {r: 1, g: 0, b: 0, a: 1}}
+entities:
+- {name: Robot, file: rich.smurf, pose: bent, anchor: world}
+- {name: Ball, type: primitive, geometry: {type: sphere}, position: {x: 2, y: 0, z: 3}, bitmask: 2,
+   cfriction2: 0.25, colour: blue}
+- {name: Cloud, type: weather, rain: heavy}
+"""
+
+# Of every thing: the text that is changed, and what it becomes.
+CHANGES = {
+    "masses and inertias": ('<mass value="2"/>', '<mass value="3"/>'),
+    "masses of moving links that have none": ('<link name="finger"/>', '<link name="finger">'
+                                              + BODY.format(m="1") + "</link>"),
+    "inertias that MuJoCo refuses": ("0.000201", "0.0002"),
+    "visual shapes": ('<visual name="hull"><geometry><box size="1 2 3"/>',
+                      '<visual name="hull"><geometry><box size="1 2 4"/>'),
+    "collision shapes": ('<collision name="bumper"><geometry><box size="1 2 3"/>',
+                         '<collision name="bumper"><geometry><box size="1 2 4"/>'),
+    "names of visuals and collisions": ('<visual name="hull">', '<visual name="shell">'),
+    "colours": ('rgba="1 0 0 1"', 'rgba="1 0 1 1"'),
+    "textures": ('<texture filename="skin.png"/>', ""),
+    "movable joints": ('name="hinge" type="continuous"', 'name="hinge" type="fixed"'),
+    "mimicking joints": ('<mimic joint="shoulder" multiplier="0.5"/>', ""),
+    "position limits": ('upper="2"', 'upper="1.5"'),
+    "effort limits": ('effort="6"', ""),
+    "velocity limits": ('velocity="4"', ""),
+    "soft limits and safety controllers":
+        ('<safety_controller soft_lower_limit="-0.5" k_velocity="7"/>', ""),
+    "calibrations of joints": ('<calibration rising="0.5"/>', ""),
+    "limits of acceleration and jerk": (' acceleration="9"', ""),
+    "damping and friction of joints": ('damping="0.25"', 'damping="0.5"'),
+    "transmissions": ("<transmission.*</transmission>", ""),
+    "elements of ros2_control": ("<ros2_control.*</ros2_control>", ""),
+    "elements in <gazebo>": ('<plugin name="brain" filename="libbrain.so"/>', ""),
+    "elements that URDF does not define": ('<contact><lateral_friction value="0.4"/></contact>', ""),
+    "motor": ("- {name: shoulder_motor.*?}\n", "[]\n"),
+    "motor setting": (", filterValue: 0.5", ""),
+    "sensor": ("- {name: imu.*?}\n", "[]\n"),
+    "sensor setting": (", cutoff: 3", ""),
+    "controller": ("controllers:\n.*?}\n", ""),
+    "material": ("materials:\n.*?}}\n", ""),
+    "collision setting": (", cerp: 0.3", ""),
+    "joint setting": ("joint:\n- {name: shoulder, springDamping: 3}\n", ""),
+    "link setting": ("link:\n- {name: arm, density: 3}\n", ""),
+    "visual setting": ("visuals:\n.*?}\n", ""),
+    "node": ("nodes:\n.*?}\n", ""),
+    "light": ("lights:\n- {name: lamp, nodeName: arm}\n", ""),
+    "graphics section": ("graphics: .*?}}\n", ""),
+    "joint pose set": ("- {name: straight.*?}}\n", ""),
+    "submechanism": ("submechanisms:\n.*?}\n", ""),
+    "exoskeleton": ("exoskeletons:\n.*?}\n", ""),
+    "interface": ("interfaces:\n.*?}\n", ""),
+    "submodel": ("submodels:\n.*?}\n", ""),
+    "other section": ("own_section:\n.*?}\n", ""),
+    "gravity": ("gravity: {x: 0, y: 0, z: -3}, ", ""),
+    "step size": ("stepsize: 2, ", ""),
+    "solver settings": ("cfm: 1.0e-8, ", ""),
+    "environment": ("environment: {fog: {density: 0.5}}\n", ""),
+    "lights": ("- {name: lamp, type: 1.*?}}\n", "[]\n"),
+    "ambient colours of lights": (", ambient: {r: 1, g: 0, b: 0, a: 1}", ""),
+    "entities of other types": ("- {name: Cloud.*?}\n", ""),
+    "anchors": (", anchor: world", ""),
+    "start positions": (", pose: bent", ""),
+    "keys of primitives": (", colour: blue", ""),
+}
+CHANGES["gravity that nobody wrote"] = CHANGES["gravity"]
+CHANGES["step size that nobody wrote"] = CHANGES["step size"]
+# What only some formats keep, beside the entry that it is a part of.
+PARTS = {
+    "bitmask of a collision": ("bitmask: 6", "bitmask: 4", ("sdf", "mjcf")),
+    "friction of a collision": ("cfriction1: 0.5", "cfriction1: 0.25", ("sdf", "mjcf")),
+    "bitmask of a primitive": ("bitmask: 2", "bitmask: 4", ("sdf", "mjcf")),
+    "friction of a primitive": ("cfriction2: 0.25", "cfriction2: 0.5", ("sdf",)),
+    "gain of a motor": ("p: 20", "p: 10", ("mjcf",)),
+}
+# A format that keeps everything else has nothing to say of these.
+ASIDES = {"masses of moving links that have none", "inertias that MuJoCo refuses", "motor setting",
+          "sensor setting", "gravity that nobody wrote", "step size that nobody wrote",
+          "ambient colours of lights", "keys of primitives"}
+OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])
+
+
+def is_told(thing, form, cell):
+    """Previews tell the kinds of things that they do not have, and directives name the URDF."""
+    if cell == "shapes only" or (form == "dmd" and thing in OF_URDF):
+        return False
+    if thing == "collision setting" and cell == "lost":
+        return False  # the entry is, with all of its keys
+    return not (cell == "kept" and thing in ASIDES)
+
+
+class KeptTest(cli.CliTest):
+    def written(self, texts, forms=FORMATS):
+        for name, text in texts.items():
+            self.write(name, text)
+        results = {}
+        for form in forms:
+            (self.folder / "out").unlink(missing_ok=True)
+            done = self.run_tool("rich.smurfs", "--format", form, "-o", "out", "--force",
+                                 "--report", "json=r.json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            losses = [(d["id"], d["message"]) for d in json.loads(self.read("r.json"))["diagnostics"]
+                      if d["id"].startswith("SML82")]
+            (self.folder / "package.xml").unlink(missing_ok=True)
+            results[form] = ((self.folder / "out").read_bytes(), losses)
+        return results
+
+    @staticmethod
+    def texts():
+        return {"rich.urdf": URDF, "rich_all.yml": ANNOTATIONS, "rich.smurfs": SCENE,
+                "rich.smurf": "modelname: rich\nfiles: [rich.urdf, rich_all.yml]\n"}
+
+    def test_nothing_is_lost_without_a_word(self):
+        self.write("skin.png", b"")
+        before = self.written(self.texts())
+        page = (cli.FIXTURES.parent / "docs/scene-formats.md").read_text()
+        rows = {cells[1].strip(): [cell.strip() for cell in cells[2:-1]]
+                for cells in (line.split("|") for line in page.splitlines() if line.startswith("| "))}
+        self.assertEqual(set(CHANGES), {row for row in rows if row})
+        for thing, (old, new) in CHANGES.items():
+            forms = [form for form, cell in zip(FORMATS, rows[thing]) if is_told(thing, form, cell)]
+            self.assert_seen(thing, old, new, forms, before)
+        for thing, (old, new, forms) in PARTS.items():
+            self.assert_seen(thing, old, new, forms, before)
+
+    def assert_seen(self, thing, old, new, forms, before):
+        pattern = old if "*" in old else re.escape(old)
+        texts = {name: re.sub(pattern, lambda _: new, text, count=1, flags=re.DOTALL)
+                 for name, text in self.texts().items()}
+        with self.subTest(thing):
+            self.assertNotEqual(texts, self.texts(), "the change changes nothing")
+            after = self.written(texts, forms)
+            silent = [form for form in forms if after[form] == before[form]]
+            self.assertEqual(silent, [])
+
+
+if __name__ == "__main__":
+    cli.main()

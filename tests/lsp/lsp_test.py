@@ -1,0 +1,693 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every capability of smurf-lsp over real standard streams. lsp_test.py SMURF-LSP [unittest option]..."""
+import json
+import pathlib
+import shutil
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import client  # noqa: E402
+from client import apply, offset, path_of, text_in, uri  # noqa: E402
+
+TOOL = None
+FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
+ALL = {
+    "general": {"positionEncodings": ["utf-16"]},
+    "workspace": {"workspaceEdit": {"documentChanges": True}, "didChangeWatchedFiles": {"dynamicRegistration": True}},
+    "window": {"workDoneProgress": True},
+    "textDocument": {
+        "completion": {"completionItem": {"snippetSupport": True}},
+        "documentSymbol": {"hierarchicalDocumentSymbolSupport": True}}}
+
+
+class LspTest(unittest.TestCase):
+    maxDiff = None
+    capabilities = ALL
+    options = None
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="smurf-lsp-")).resolve()
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        shutil.copytree(FIXTURES / "models/arm", self.folder / "arm")
+        shutil.copytree(FIXTURES / "scenes/nested", self.folder / "nested")
+        self.urdf = self.folder / "arm/urdf/arm.urdf"
+        self.motors = self.folder / "arm/smurf/arm_motors.yml"
+        self.main = self.folder / "arm/smurf/arm.smurf"
+        self.start()
+
+    def start(self, **more):
+        arguments = {"capabilities": self.capabilities, "options": self.options, **more}
+        self.client = client.Client(TOOL, [self.folder], **arguments)
+        self.addCleanup(self.client.end)
+
+    def another(self, *arguments, **keywords):
+        other = client.Client(TOOL, *arguments, **keywords)
+        self.addCleanup(other.end)
+        return other
+
+    def tearDown(self):
+        self.assertEqual(self.client.stop(), 0)
+        self.assertEqual(self.client.stderr, b"")
+
+    def open(self, path, text=None):
+        self.client.open(path, text)
+        return self.client.published(path)
+
+    def expect_soon(self, path, codes):
+        """Of a file that is not open, which has no version to wait for."""
+        end = time.monotonic() + 30
+        while True:
+            self.client.request("workspace/symbol", {"query": "no such name"})
+            found = self.client.diagnostics.get(str(path), {}).get("diagnostics", [])
+            if {one["code"] for one in found} == set(codes) or time.monotonic() > end:
+                break
+            time.sleep(0.02)
+        self.assertEqual({one["code"] for one in found}, set(codes))
+
+    def find(self, path, text, behind=False, after=0):
+        found = self.client.texts[str(path)].index(text, after)
+        return found + (len(text) if behind else 0)
+
+    def write(self, path, text):
+        (self.folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / path).write_text(text)
+        return self.folder / path
+
+    def labels(self, path, at):
+        return [one["label"] for one in self.client.at("textDocument/completion", path, at)["items"]]
+
+    def actions(self, path, at, **context):
+        place = client.position(self.client.texts[str(path)], at)
+        return self.client.of("textDocument/codeAction", path, range={"start": place, "end": place},
+                              context={"diagnostics": [], **context})
+
+    def applied(self, path, edit):
+        """The text of a document with its part of a WorkspaceEdit."""
+        for change in edit["documentChanges"]:
+            if path_of(change["textDocument"]["uri"]) == str(path):
+                return apply(self.client.texts[str(path)], change["edits"])
+        self.fail(f"nothing changes in {path}: {edit}")
+
+
+class Diagnostics(LspTest):
+    def break_motor(self):
+        at = self.find(self.motors, "joint: joint1_waist") + len("joint: ")
+        self.client.edit(self.motors, at, at + len("joint1"), "joynt1")
+        return self.client.published(self.motors)
+
+    def test_a_clean_model(self):
+        self.assertEqual(self.open(self.motors), [])
+
+    def test_while_typing(self):
+        self.open(self.motors)
+        found = self.break_motor()
+        self.assertEqual([one["code"] for one in found], ["SML3101"])
+        one = found[0]
+        self.assertEqual(text_in(self.client.texts[str(self.motors)], one["range"]), "joynt1_waist")
+        self.assertEqual(one["severity"], 1)
+        self.assertEqual(one["source"], "smurf-lint")
+        self.assertIn("rules/sml3.md#sml3101-unknown-joint", one["codeDescription"]["href"])
+        place = one["relatedInformation"][0]["location"]
+        self.assertEqual(path_of(place["uri"]), str(self.urdf))
+        self.assertEqual(text_in(self.urdf.read_text(), place["range"]), "joint1_waist")
+        at = self.find(self.motors, "joynt1")
+        self.client.edit(self.motors, at, at + 6, "joint1")
+        self.assertEqual(self.client.published(self.motors), [])
+
+    def test_in_files_that_are_not_open(self):
+        """A joint that gets another name breaks the motor of another file."""
+        self.open(self.urdf)
+        at = self.find(self.urdf, '<joint name="joint1_waist"') + len('<joint name="')
+        self.client.edit(self.urdf, at, at + 6, "joynt1")
+        self.expect_soon(self.motors, ["SML3101"])
+        self.client.edit(self.urdf, at, at + 6, "joint1")
+        self.expect_soon(self.motors, [])
+
+    def test_closed_again(self):
+        self.open(self.motors)
+        self.break_motor()
+        self.client.close(self.motors)
+        self.expect_soon(self.motors, [])
+
+    def test_configuration_and_comments(self):
+        self.write("arm/.smurf-lint.yaml", "severity: {unknown-joint: info}\n")
+        self.open(self.motors)
+        self.assertEqual([one["severity"] for one in self.break_motor()], [3])
+        at = self.find(self.motors, "joynt1_waist", behind=True)
+        self.client.edit(self.motors, at, at, "  # smurf-lint: ignore[SML3101]")
+        self.assertEqual(self.client.published(self.motors), [])
+
+    def test_of_a_configuration(self):
+        config = self.write("arm/.smurf-lint.yaml", "")
+        self.assertEqual(self.open(config, "severty: {SML3101: info}\n")[0]["code"], "SML9001")
+
+    def test_a_yaml_file_of_nobody(self):
+        stray = self.write("workflow.yml", "motors:\n- {name: 1\n")
+        self.assertEqual(self.open(stray), [])
+
+    def test_tags(self):
+        robot = '<robot name="r"><link name="a"><self_filter/></link><bogus_thing/></robot>\n'
+        found = self.open(self.write("r.urdf", robot))
+        for one in found:
+            self.assertTrue(set(one.get("tags", [1])) == {1}, one)
+
+    def test_files_change(self):
+        self.open(self.motors)
+        text = self.urdf.read_text().replace('<joint name="joint1_waist"', '<joint name="other"')
+        self.urdf.write_text(text)
+        self.client.notify("workspace/didChangeWatchedFiles", {"changes": [{"uri": uri(self.urdf), "type": 2}]})
+        self.client.diagnostics.clear()
+        self.assertIn("SML3101", [one["code"] for one in self.client.published(self.motors)])
+
+    def test_watchers_are_registered(self):
+        self.open(self.motors)
+        methods = [one["method"] for one in self.client.requests]
+        self.assertIn("client/registerCapability", methods)
+
+
+class Pulled(LspTest):
+    capabilities = {**ALL, "textDocument": {"diagnostic": {"relatedDocumentSupport": True}}}
+
+    def test_document(self):
+        self.client.open(self.urdf)
+        at = self.find(self.urdf, '<joint name="joint1_waist"') + len('<joint name="')
+        self.client.edit(self.urdf, at, at + 6, "joynt1")
+        report = self.client.of("textDocument/diagnostic", self.urdf)
+        self.assertEqual(report["kind"], "full")
+        related = report["relatedDocuments"][uri(self.motors)]
+        self.assertIn("SML3101", [one["code"] for one in related["items"]])
+        again = self.client.of("textDocument/diagnostic", self.urdf, previousResultId=report["resultId"])
+        self.assertEqual(again["kind"], "unchanged")
+        self.assertEqual(self.client.diagnostics, {})
+
+    def test_workspace(self):
+        self.client.open(self.motors)
+        at = self.find(self.motors, "joint: joint1_waist") + len("joint: ")
+        self.client.edit(self.motors, at, at + 6, "joynt1")
+        report = self.client.request("workspace/diagnostic", {"previousResultIds": []})
+        found = {path_of(one["uri"]): one for one in report["items"]}
+        self.assertEqual([one["code"] for one in found[str(self.motors)]["items"]], ["SML3101"])
+        progress = [params["value"]["kind"] for method, params in self.client.notifications if method == "$/progress"]
+        self.assertEqual((progress[0], progress[-1]), ("begin", "end"))
+        known = [{"uri": one["uri"], "value": one["resultId"]} for one in report["items"]]
+        again = self.client.request("workspace/diagnostic", {"previousResultIds": known})
+        self.assertEqual({one["kind"] for one in again["items"]}, {"unchanged"})
+
+
+class Actions(LspTest):
+    def test_unsafe_fix(self):
+        self.open(self.motors)
+        at = self.find(self.motors, "joint: joint1_waist") + len("joint: ")
+        before = self.client.texts[str(self.motors)]
+        self.client.edit(self.motors, at, at + 6, "joynt1")
+        self.client.published(self.motors)
+        fix = self.actions(self.motors, at)[0]
+        self.assertEqual(fix["title"], "Replace `joynt1_waist` by `joint1_waist` (may change what the model means)")
+        self.assertFalse(fix["isPreferred"])
+        self.assertEqual(self.applied(self.motors, fix["edit"]), before)
+
+    def test_suppress(self):
+        self.open(self.motors)
+        at = self.find(self.motors, "joint: joint1_waist") + len("joint: ")
+        self.client.edit(self.motors, at, at + 6, "joynt1")
+        self.client.published(self.motors)
+        action = next(one for one in self.actions(self.motors, at) if one["title"].startswith("Ignore SML3101"))
+        self.client.replace(self.motors, self.applied(self.motors, action["edit"]))
+        self.assertEqual(self.client.published(self.motors), [])
+
+    def test_suppress_in_a_tag_of_several_lines(self):
+        urdf = self.write("r.urdf", '<robot name="r">\n  <link name="a"/>\n  <link\n    name="a"/>\n</robot>\n')
+        found = self.open(urdf)
+        at = offset(self.client.texts[str(urdf)], found[0]["range"]["start"])
+        action = next(one for one in self.actions(urdf, at) if one["title"].startswith("Ignore"))
+        self.client.replace(urdf, self.applied(urdf, action["edit"]))
+        self.assertEqual([one["code"] for one in self.client.published(urdf) if one["code"] == found[0]["code"]], [])
+
+    def test_safe_fixes(self):
+        """All at once, and each as a preferred one."""
+        fixed = 0
+        for folder in sorted((FIXTURES / "rules").glob("*/bad")):
+            expected = folder / "expected.json"
+            if expected.exists() and '"safe"' not in expected.read_text() or fixed >= 3:
+                continue
+            for path in sorted(folder.glob("*.urdf")) + sorted(folder.glob("*.yml")):
+                copy = self.folder / folder.parent.name
+                shutil.copytree(folder, copy, dirs_exist_ok=True)
+                self.open(copy / path.name)
+                text = self.client.texts[str(copy / path.name)]
+                everything = self.client.of("textDocument/codeAction", copy / path.name, range={
+                    "start": {"line": 0, "character": 0}, "end": client.position(text, len(text))},
+                    context={"diagnostics": [], "only": ["source.fixAll"]})
+                if not everything:
+                    continue
+                self.assertEqual([one["kind"] for one in everything], ["source.fixAll"])
+                before = len(self.client.published(copy / path.name))
+                self.client.replace(copy / path.name, self.applied(copy / path.name, everything[0]["edit"]))
+                self.assertLess(len(self.client.published(copy / path.name)), before)
+                fixed += 1
+        self.assertGreater(fixed, 0)
+
+    def test_what_readers_make(self):
+        self.open(self.motors)
+        at = self.find(self.motors, "joint: joint1_waist") + len("joint: ")
+        self.client.edit(self.motors, at, at + 6, "joynt1")
+        self.client.published(self.motors)
+        command = next(one["command"] for one in self.actions(self.motors, at) if "command" in one)
+        page = self.client.request("workspace/executeCommand", {"command": command["command"],
+                                                                "arguments": command["arguments"]})
+        self.assertIn("What readers make of it", page)
+        self.assertIn("window/showMessage", [method for method, _ in self.client.notifications])
+
+
+class Names(LspTest):
+    def setUp(self):
+        super().setUp()
+        self.open(self.motors)
+        self.at = self.find(self.motors, "joint: joint1_waist") + len("joint: ") + 3
+
+    def test_definition(self):
+        for at in (self.at, self.at - 3, self.find(self.motors, "joint: joint1_waist", behind=True)):
+            places = self.client.at("textDocument/definition", self.motors, at)
+            self.assertEqual([path_of(one["uri"]) for one in places], [str(self.urdf)])
+            self.assertEqual(text_in(self.urdf.read_text(), places[0]["range"]), "joint1_waist")
+
+    def test_definition_of_a_file(self):
+        self.open(self.main)
+        places = self.client.at("textDocument/definition", self.main, self.find(self.main, "arm_motors"))
+        self.assertEqual([path_of(one["uri"]) for one in places], [str(self.motors)])
+
+    def test_references(self):
+        places = self.client.at("textDocument/references", self.motors, self.at, context={"includeDeclaration": True})
+        for one in places:
+            self.assertEqual(text_in(pathlib.Path(path_of(one["uri"])).read_text(), one["range"]), "joint1_waist")
+        files = {pathlib.Path(path_of(one["uri"])).name for one in places}
+        self.assertLessEqual({"arm.urdf", "arm_motors.yml", "arm_sensors.yml", "arm_submechanisms.yml"}, files)
+        uses = self.client.at("textDocument/references", self.motors, self.at, context={"includeDeclaration": False})
+        self.assertEqual(len(uses), len(places) - 1)
+
+    def test_highlights(self):
+        self.open(self.urdf)
+        at = self.find(self.urdf, '<link name="turret"', behind=True) - 3
+        places = self.client.at("textDocument/documentHighlight", self.urdf, at)
+        self.assertEqual(sorted(one["kind"] for one in places)[-1], 3)
+        self.assertGreater(len(places), 2)
+        for one in places:
+            self.assertEqual(text_in(self.client.texts[str(self.urdf)], one["range"]), "turret")
+
+    def test_rename(self):
+        self.open(self.urdf)
+        prepared = self.client.at("textDocument/prepareRename", self.motors, self.at)
+        self.assertEqual(prepared["placeholder"], "joint1_waist")
+        edit = self.client.at("textDocument/rename", self.motors, self.at, newName="waist")
+        changed = {path_of(one["textDocument"]["uri"]): one for one in edit["documentChanges"]}
+        self.assertGreaterEqual(len(changed), 5)
+        self.assertEqual(changed[str(self.motors)]["textDocument"]["version"], 1)
+        self.assertIsNone(changed[str(self.folder / "arm/smurf/arm_sensors.yml")]["textDocument"]["version"])
+        for path, change in changed.items():
+            text = pathlib.Path(path).read_text()
+            for one in change["edits"]:
+                self.assertEqual((text_in(text, one["range"]), one["newText"]), ("joint1_waist", "waist"))
+            if path in self.client.texts:
+                self.client.replace(path, apply(text, change["edits"]))
+            else:
+                pathlib.Path(path).write_text(apply(text, change["edits"]))
+        self.client.notify("workspace/didChangeWatchedFiles", {"changes": []})
+        self.expect_soon(self.motors, [])
+
+    def test_rename_in_a_scene(self):
+        scene = self.folder / "nested/outer.smurfs"
+        self.open(scene)
+        text = self.client.texts[str(scene)]
+        name = next(line.split("name:")[1].split(",")[0].strip() for line in text.split("\n") if "name:" in line)
+        edit = self.client.at("textDocument/rename", scene, text.index(name) + 1, newName="other_name")
+        self.assertIn("other_name", self.applied(scene, edit))
+
+    def test_rename_a_file(self):
+        for new, main in (("arm/smurf/drives.yml", "- drives.yml"), ("arm/other/drives.yml", "- ../other/drives.yml")):
+            edit = self.client.request("workspace/willRenameFiles", {"files": [{
+                "oldUri": uri(self.motors), "newUri": uri(self.folder / new)}]})
+            self.open(self.main)
+            self.assertEqual(self.applied(self.main, edit),
+                             self.main.read_text().replace("- arm_motors.yml", main))
+        edit = self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.folder / "arm/meshes/forearm.obj"), "newUri": uri(self.folder / "arm/meshes/new.obj")}]})
+        self.open(self.urdf)
+        self.assertIn("meshes/new.obj", self.applied(self.urdf, edit))
+        self.assertIsNone(self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.folder / "nothing"), "newUri": uri(self.folder / "new")}]}))
+
+    def test_rename_to_a_name_that_is_taken(self):
+        with self.assertRaisesRegex(client.RequestError, "there is a joint `joint2_shoulder` already"):
+            self.client.at("textDocument/rename", self.motors, self.at, newName="joint2_shoulder")
+        self.assertEqual(self.client.at("textDocument/hover", self.motors, self.at)["contents"]["kind"], "markdown")
+
+    def test_no_name(self):
+        at = self.find(self.motors, "# motors")
+        self.assertIsNone(self.client.at("textDocument/prepareRename", self.motors, at))
+        self.assertEqual(self.client.at("textDocument/definition", self.motors, at), [])
+        with self.assertRaises(client.RequestError):
+            self.client.at("textDocument/rename", self.motors, at, newName="x")
+
+    def test_workspace_symbols(self):
+        found = self.client.request("workspace/symbol", {"query": "jelbow"})
+        self.assertIn(("joint3_elbow", "joint"), {(one["name"], one["containerName"]) for one in found})
+
+
+class Hover(LspTest):
+    def hover(self, path, at):
+        answer = self.client.at("textDocument/hover", path, at)
+        return answer and answer["contents"]["value"]
+
+    def test_names(self):
+        self.open(self.motors)
+        text = self.hover(self.motors, self.find(self.motors, "joint: joint2_shoulder", behind=True) - 2)
+        for part in ("joint `joint2_shoulder`: revolute", "deg", "N m", "driven by", "arm.urdf:"):
+            self.assertIn(part, text)
+        self.open(self.urdf)
+        text = self.hover(self.urdf, self.find(self.urdf, '<link name="turret"', behind=True) - 2)
+        for part in ("link `turret`: 1.2 kg", "carried by link `pedestal`", "seen from `base_link`"):
+            self.assertIn(part, text)
+
+    def test_keys(self):
+        self.open(self.motors)
+        text = self.hover(self.motors, self.find(self.motors, "maxEffort") + 2)
+        self.assertIn("`maxEffort` (motor)", text)
+        self.assertIn("N m", text)
+        self.open(self.urdf)
+        self.assertIn("Largest torque or force", self.hover(self.urdf, self.find(self.urdf, "effort=") + 1))
+        self.assertIn("Limits of the joint", self.hover(self.urdf, self.find(self.urdf, "<limit") + 2))
+
+    def test_pose(self):
+        self.open(self.urdf)
+        self.assertIn("seen from", self.hover(self.urdf, self.find(self.urdf, "<origin") + 2))
+        scene = self.folder / "nested/outer.smurfs"
+        self.open(scene)
+        self.assertIn("in the world: xyz", self.hover(scene, self.find(scene, "position:") + 2))
+
+    def test_mesh(self):
+        self.open(self.urdf)
+        text = self.hover(self.urdf, self.find(self.urdf, "upper_arm.obj"))
+        self.assertIn("triangles", text)
+        self.assertIn(" m\n", text + "\n")
+
+    def test_nothing(self):
+        self.open(self.motors)
+        self.assertIsNone(self.hover(self.motors, 3))
+
+
+class Completion(LspTest):
+    def test_keys(self):
+        self.open(self.motors)
+        at = self.find(self.motors, "  maxSpeed: 3.0\n", behind=True)
+        self.client.edit(self.motors, at, at, "  ")
+        labels = self.labels(self.motors, at + 2)
+        self.assertIn("mimic_motor", labels)
+        self.assertNotIn("maxSpeed", labels)
+        self.assertNotIn("motors", labels)
+
+    def test_a_new_entry(self):
+        path = self.folder / "arm/smurf/arm_motors.yml"
+        self.open(path, "motors:\n- ")
+        items = self.client.at("textDocument/completion", path, len("motors:\n- "))["items"]
+        entry = next(one for one in items if one["label"] == "new motor")
+        self.assertEqual(entry["insertTextFormat"], 2)
+        self.assertIn("name: $1\n  ", entry["textEdit"]["newText"])
+
+    def test_sections(self):
+        self.open(self.motors, "")
+        self.assertIn("sensors", self.labels(self.motors, 0))
+
+    def test_names(self):
+        self.open(self.motors)
+        at = self.find(self.motors, "joint: joint1_waist") + len("joint: ")
+        self.client.edit(self.motors, at, at + len("joint1_waist"), "")
+        items = self.client.at("textDocument/completion", self.motors, at)["items"]
+        self.assertIn("joint3_elbow", [one["label"] for one in items])
+        self.assertNotIn("turret", [one["label"] for one in items])
+        self.assertEqual({one["detail"] for one in items}, {"joint"})
+
+    def test_names_in_flow(self):
+        self.open(self.motors, "motors:\n- {name: a, joint: ")
+        self.assertIn("joint3_elbow", self.labels(self.motors, len("motors:\n- {name: a, joint: ")))
+
+    def test_not_in_comments(self):
+        self.open(self.motors)
+        self.assertEqual(self.labels(self.motors, self.find(self.motors, "every motor")), [])
+
+    def test_booleans(self):
+        text = "motors:\n- name: a\n  noDataPackage: "
+        self.open(self.motors, text)
+        self.assertEqual(self.labels(self.motors, len(text)), ["true", "false"])
+
+    def test_files(self):
+        self.open(self.main)
+        at = self.find(self.main, "- arm_motors.yml") + 2
+        labels = self.labels(self.main, at)
+        self.assertIn("arm_motors.yml", labels)
+        self.client.edit(self.main, at, at, "../urdf/")
+        self.assertIn("../urdf/arm.urdf", self.labels(self.main, at + len("../urdf/")))
+
+    def test_configuration(self):
+        config = self.write("arm/.smurf-lint.yaml", "")
+        self.open(config, "severity:\n  unknown-joint: ")
+        self.assertEqual(self.labels(config, len("severity:\n  unknown-joint: ")), ["error", "warning", "info"])
+        self.client.replace(config, "targets:\n- ")
+        self.assertIn("mujoco", self.labels(config, len("targets:\n- ")))
+
+    def test_elements(self):
+        self.open(self.urdf)
+        at = self.find(self.urdf, "</joint>")
+        self.client.edit(self.urdf, at, at, "<")
+        labels = self.labels(self.urdf, at + 1)
+        self.assertIn("dynamics", labels)
+        self.assertNotIn("inertial", labels)
+
+    def test_attributes(self):
+        self.open(self.urdf)
+        at = self.find(self.urdf, "<limit ", behind=True)
+        self.client.edit(self.urdf, at, self.find(self.urdf, "/>", after=at), "")
+        items = self.client.at("textDocument/completion", self.urdf, at)["items"]
+        self.assertEqual([one["label"] for one in items][:2], ["lower", "upper"])
+        self.assertIn("rad or m", items[0]["detail"])
+
+    def test_values(self):
+        self.open(self.urdf)
+        at = self.find(self.urdf, 'type="') + len('type="')
+        self.assertIn("prismatic", self.labels(self.urdf, at))
+
+    def test_names_while_the_tag_is_broken(self):
+        self.open(self.urdf)
+        at = self.find(self.urdf, '<parent link="', behind=True)
+        self.client.edit(self.urdf, at, self.find(self.urdf, "\n", after=at), "")
+        self.assertIn("turret", self.labels(self.urdf, at))
+        self.assertGreater(len(self.client.published(self.urdf)), 0)
+
+
+class Structure(LspTest):
+    def test_robot(self):
+        self.open(self.urdf)
+        roots = self.client.of("textDocument/documentSymbol", self.urdf)
+        self.assertEqual([one["name"] for one in roots], ["base_link"])
+        below = roots[0]["children"][0]
+        self.assertIn("joint", below["detail"])
+        self.assertEqual(below["children"][0]["name"], "pedestal")
+
+    def test_sections(self):
+        self.open(self.motors)
+        section = self.client.of("textDocument/documentSymbol", self.motors)[0]
+        self.assertEqual(section["name"], "motors")
+        self.assertEqual(section["children"][0]["name"], "joint1_waist")
+
+    def test_folding(self):
+        self.open(self.urdf)
+        text = self.client.texts[str(self.urdf)].split("\n")
+        folds = self.client.of("textDocument/foldingRange", self.urdf)
+        link = text.index('  <link name="turret">')
+        end = text.index("  </link>", link)
+        self.assertIn({"startLine": link, "endLine": end}, folds)
+
+    def test_selection(self):
+        self.open(self.urdf)
+        at = self.find(self.urdf, "0.12 0.08 0.06") + 2
+        place = client.position(self.client.texts[str(self.urdf)], at)
+        selection = self.client.of("textDocument/selectionRange", self.urdf, positions=[place])[0]
+        texts = []
+        while selection:
+            texts.append(text_in(self.client.texts[str(self.urdf)], selection["range"]))
+            selection = selection.get("parent")
+        self.assertEqual(texts[:3], ["0.12 0.08 0.06", 'size="0.12 0.08 0.06"', '<box size="0.12 0.08 0.06"/>'])
+        self.assertTrue(texts[-1].startswith("<robot"))
+
+    def test_links(self):
+        self.open(self.main)
+        targets = [path_of(one["target"]) for one in self.client.of("textDocument/documentLink", self.main)]
+        self.assertEqual(targets[:2], [str(self.urdf), str(self.motors)])
+        self.open(self.urdf)
+        targets = [path_of(one["target"]) for one in self.client.of("textDocument/documentLink", self.urdf)]
+        self.assertIn(str(self.folder / "arm/meshes/upper_arm.obj"), targets)
+
+    def test_colors(self):
+        self.open(self.urdf)
+        boxes = self.client.of("textDocument/documentColor", self.urdf)
+        self.assertEqual(boxes[0]["color"], {"red": 0.1, "green": 0.3, "blue": 0.7, "alpha": 1})
+        written = self.client.of("textDocument/colorPresentation", self.urdf, color=boxes[0]["color"],
+                                 range=boxes[0]["range"])
+        self.assertEqual(written[0]["textEdit"]["newText"], "0.1 0.3 0.7 1")
+        materials = self.folder / "arm/smurf/arm_materials.yml"
+        self.open(materials)
+        self.assertGreater(len(self.client.of("textDocument/documentColor", materials)), 0)
+
+    def test_tokens(self):
+        self.open(self.motors)
+        legend = self.client.initialized["capabilities"]["semanticTokensProvider"]["legend"]
+        data = self.client.of("textDocument/semanticTokens/full", self.motors)["data"]
+        lines = self.client.texts[str(self.motors)].split("\n")
+        line = column = 0
+        tokens = []
+        for i in range(0, len(data), 5):
+            down, right, length, kind, modifiers = data[i:i + 5]
+            line, column = line + down, right if down else column + right
+            tokens.append((lines[line][column:column + length], legend["tokenTypes"][kind], modifiers))
+        self.assertIn(("joint1_waist", "function", 0), tokens)
+        self.assertIn(("joint1_waist", "event", 1), tokens)
+        part = self.client.of("textDocument/semanticTokens/range", self.motors, range={
+            "start": {"line": 0, "character": 0}, "end": {"line": 8, "character": 0}})["data"]
+        self.assertEqual(part, data[:len(part)])
+        self.assertLess(len(part), len(data))
+
+    def test_hints(self):
+        self.open(self.urdf)
+        everything = {"start": {"line": 0, "character": 0}, "end": {"line": 9999, "character": 0}}
+        hints = self.client.of("textDocument/inlayHint", self.urdf, range=everything)
+        self.assertTrue(all(one["label"].endswith(("deg", "deg/s")) for one in hints), hints)
+        self.assertGreater(len(hints), 3)
+        few = self.client.of("textDocument/inlayHint", self.urdf, range={
+            "start": {"line": 0, "character": 0}, "end": {"line": 3, "character": 0}})
+        self.assertEqual(few, [])
+        self.client.notify("workspace/didChangeConfiguration", {"settings": {"smurf": {"inlayHints": {
+            "degrees": False, "defaults": True}}}})
+        self.assertEqual(self.client.of("textDocument/inlayHint", self.urdf, range=everything), [])
+        self.open(self.motors)
+        hints = self.client.of("textDocument/inlayHint", self.motors, range=everything)
+        self.assertTrue(all(one["label"].startswith("taken: ") for one in hints), hints)
+
+
+class Protocol(LspTest):
+    def raw(self, *parts):
+        for part in parts:
+            self.client.send_bytes(part)
+
+    def message(self, text):
+        data = text if isinstance(text, bytes) else text.encode()
+        return b"Content-Length: %d\r\n\r\n%b" % (len(data), data)
+
+    def test_nonsense(self):
+        self.raw(self.message("{"), self.message("[]"), self.message("[[[[[["), self.message("1"),
+                 self.message('{"jsonrpc":"2.0","id":null,"method":5}'), self.message(b"\xff\xfe"),
+                 b"Content-Type: x\r\nContent-Length:   2\r\nX: y\r\n\r\n{}")
+        self.raw(self.message("[" * 100000))
+        for params in (None, [], 5, "x", {"textDocument": 5}, {"textDocument": {"uri": 5}, "position": []},
+                       {"textDocument": {"uri": "file:///nowhere"}, "position": {"line": -1, "character": 1e99}}):
+            for method in ("textDocument/hover", "textDocument/completion", "textDocument/rename",
+                           "textDocument/codeAction", "textDocument/semanticTokens/full", "workspace/symbol",
+                           "textDocument/selectionRange", "textDocument/inlayHint", "workspace/executeCommand"):
+                try:
+                    self.client.request(method, params)
+                except client.RequestError:
+                    pass
+            self.client.notify("textDocument/didOpen", params)
+            self.client.notify("textDocument/didChange", params)
+            self.client.notify("textDocument/didClose", params)
+        with self.assertRaises(client.RequestError) as caught:
+            self.client.request("textDocument/unknown", {})
+        self.assertEqual(caught.exception.code, -32601)
+        self.assertEqual(self.open(self.motors), [])
+
+    def test_edits_out_of_range(self):
+        self.open(self.motors, "motors:\n- name: a\n")
+        self.client.change(self.motors, [
+            {"range": {"start": {"line": 99, "character": 99}, "end": {"line": 0, "character": 0}}, "text": "#"},
+            {"range": {"start": {"line": 0, "character": 500}, "end": {"line": 0, "character": 900}}, "text": " # c"},
+            {"range": {"start": {"line": 1, "character": 2}, "end": {"line": 99, "character": 99}}, "text": ""}, 5, {}])
+        self.client.published(self.motors)
+        symbols = self.client.of("textDocument/documentSymbol", self.motors)
+        self.assertEqual(symbols, [])  # {} puts an empty text in the place of all
+
+    def test_cancelled(self):
+        self.open(self.urdf)
+        requests = [self.client.begin("workspace/diagnostic", {"previousResultIds": []})]
+        for _ in range(20):
+            requests.append(self.client.begin("textDocument/documentSymbol", {"textDocument": {"uri": uri(self.urdf)}}))
+        self.client.notify("$/cancelRequest", {"id": requests[-1]})
+        for request in requests[:-1]:
+            self.client.answer(request)
+        try:
+            self.client.answer(requests[-1])
+        except client.RequestError as error:
+            self.assertEqual(error.code, -32800)
+
+    def test_characters(self):
+        """Columns in the units that were agreed on."""
+        text = '<robot name="r"><!-- \N{ROBOT FACE}\N{LATIN SMALL LETTER U WITH DIAERESIS} --><link name="a"/><link name="a"/></robot>\n'
+        path = self.write("r.urdf", "")
+        columns = {}
+        for encoding, units in (("utf-8", lambda s: len(s.encode())), ("utf-32", len),
+                                ("utf-16", lambda s: len(s.encode("utf-16-le")) // 2)):
+            other = self.another([self.folder], {"general": {"positionEncodings": [encoding]}})
+            self.assertEqual(other.initialized["capabilities"]["positionEncoding"], encoding)
+            other.open(path, text)
+            found = max(other.published(path), key=lambda one: one["range"]["start"]["character"])
+            columns[encoding] = found["range"]["start"]["character"]
+            self.assertEqual(columns[encoding], units(text[:text.rindex('"a"') + 1]))
+            self.assertEqual(other.stop(), 0)
+        self.assertEqual(len(set(columns.values())), 3)
+
+    def test_crlf(self):
+        path = self.write("r.urdf", "")
+        self.open(path, '<robot name="r">\r\n<link name="a"/>\r\n</robot>\r\n')
+        self.client.change(path, [{"range": {"start": {"line": 1, "character": 99}, "end": {"line": 1, "character": 99}},
+                                   "text": '<link name="a"/>'}])
+        found = self.client.published(path)
+        self.assertEqual(found[0]["range"]["start"], {"line": 1, "character": 28})
+
+    def test_shut_down(self):
+        other = self.another()
+        other.request("shutdown", None)
+        with self.assertRaises(client.RequestError) as caught:
+            other.request("textDocument/hover", {})
+        self.assertEqual(caught.exception.code, -32600)
+        other.notify("exit", None)
+        self.assertEqual(other.process.wait(timeout=10), 0)
+        other = self.another()
+        other.notify("exit", None)
+        self.assertEqual(other.process.wait(timeout=10), 1)
+        other = self.another()
+        other.process.stdin.close()
+        self.assertEqual(other.process.wait(timeout=10), 2)
+
+    def test_log(self):
+        log = self.folder / "log"
+        other = self.another(arguments=["--log", str(log), "--stdio"])
+        self.assertEqual(other.stop(), 0)
+        self.assertIn("request initialize", log.read_text())
+
+    def test_large_document(self):
+        path = self.write("r.urdf", "")
+        self.open(path, '<robot name="r">' + "<link/>" * 200000 + "</robot>")
+        self.assertGreater(len(self.client.published(path)), 0)
+
+    def test_folders(self):
+        more = self.folder / "more"
+        shutil.copytree(FIXTURES / "rules/SML3101-unknown-joint/bad", more)
+        self.client.notify("workspace/didChangeWorkspaceFolders", {"event": {
+            "added": [{"uri": uri(more), "name": "more"}], "removed": [{"uri": uri(self.folder), "name": "x"}]}})
+        report = self.client.request("workspace/diagnostic", {"previousResultIds": []})
+        self.assertEqual({pathlib.Path(path_of(one["uri"])).parent for one in report["items"]}, {more})
+
+
+if __name__ == "__main__":
+    TOOL = sys.argv.pop(1)
+    unittest.main()

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loads an MJCF with libmujoco and prints the group of every geom, and of every actuator how far
+// its joint is from the start after 0.3 s: under the command of the keyframe, and under one between
+// that and the largest. Ends with 1 when the world is not loaded or becomes unstable.
+#include <cmath>
+#include <cstdio>
+#include <mujoco/mujoco.h>
+
+namespace {
+
+/// How far the joint of an actuator moves in 0.3 s.
+double travel(const mjModel* model, mjData* data, int actuator, double command) {
+  mj_resetDataKeyframe(model, data, 0);
+  data->ctrl[actuator] = command;
+  const int at = model->jnt_qposadr[model->actuator_trnid[2 * actuator]];
+  const mjtNum start = data->qpos[at];
+  const int steps = static_cast<int>(std::lround(0.3 / model->opt.timestep));
+  for (int step = 0; step < steps; ++step) mj_step(model, data);
+  return data->qpos[at] - start;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  char error[1000] = "";
+  mjModel* model = mj_loadXML(argv[1], nullptr, error, sizeof error);
+  if (model == nullptr || model->nkey == 0) {
+    std::fprintf(stderr, "%s\n", error);
+    return 1;
+  }
+  mjData* data = mj_makeData(model);
+  for (int i = 0; i < model->ngeom; ++i) {
+    const char* name = mj_id2name(model, mjOBJ_GEOM, i);
+    std::printf("geom\t%s\t%d\t%d\t%g\n", name != nullptr ? name : "", model->geom_group[i],
+                model->geom_contype[i], model->geom_friction[3 * i]);
+  }
+  for (int i = 0; i < model->nu; ++i) {
+    const mjtNum start = model->key_ctrl[i];
+    const mjtNum most =
+        model->actuator_ctrllimited[i] != 0 ? model->actuator_ctrlrange[2 * i + 1] : start + 1;
+    const double still = travel(model, data, i, start);
+    const double moved = travel(model, data, i, (start + most) / 2);
+    std::printf("actuator\t%s\t%.9g\t%.9g\t%.9g\n", mj_id2name(model, mjOBJ_ACTUATOR, i), still,
+                moved, model->actuator_forcerange[2 * i + 1]);
+  }
+  const bool is_stable =
+      data->warning[mjWARN_BADQPOS].number == 0 && data->warning[mjWARN_BADQACC].number == 0;
+  if (!is_stable) std::fprintf(stderr, "the world is unstable\n");
+  return is_stable ? 0 : 1;
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/planned_rename.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "common/loaded_names.hpp"
+#include "common/models_around.hpp"
+
+namespace smurf::tools {
+namespace {
+
+/// Why a file cannot be written; models that read it and are not renamed with it.
+std::vector<std::string> problems_of(const std::string& path, const LoadedNames& loaded,
+                                     ModelsAround& around) {
+  if (!DiskFiles().is_file(path)) {
+    return {"'" + path + "' is in an archive, which is not written"};
+  }
+  std::vector<std::string> problems;
+  for (const std::string& model : around.listing(path)) {
+    if (loaded.has_read(model)) continue;
+    problems.push_back("'" + model + "' reads '" + path + "' as well; name it, too");
+  }
+  return problems;
+}
+
+}  // namespace
+
+Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const Rename> renames,
+                       Session& session, const std::string& input) {
+  settings.opens_meshes = false;
+  const LoadedNames before(plan, settings, session);
+  Renamed renamed = rename(before.names(), renames, session.loaded_sources());
+  if (!renamed.problems.empty()) return renamed;
+  ModelsAround around(session.files());
+  for (const FixedText& file : renamed.texts) {
+    if (file.path == input) continue;
+    renamed.problems = problems_of(file.path, before, around);
+    if (!renamed.problems.empty()) return renamed;
+  }
+  for (const FixedText& file : renamed.texts) session.set_text(file.path, file.text);
+  const LoadedNames after(plan, settings, session);
+  renamed.problems = changed_meanings(before.names(), after.names(), session.loaded_sources());
+  return renamed;
+}
+
+}  // namespace smurf::tools

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One function a request, each in the file of its capability.
+#pragma once
+
+#include "smurf-lsp/context.hpp"
+
+namespace smurf::lsp {
+
+// diagnostics.cpp
+Json document_diagnostics(Context& context, const Json& params);
+Json workspace_diagnostics(Context& context, const Json& params);
+/// By file: the client's URI and the list of findings.
+std::map<std::string, Json> diagnostics_by_file(const Context& context, const Report& report,
+                                                const SourceMap& sources);
+Json to_json(const Context& context, const Diagnostic& diagnostic, const SourceMap& sources);
+
+// code_actions.cpp
+Json code_actions(Context& context, const Json& params);
+Json execute_command(Context& context, const Json& params);
+std::vector<std::string> commands();
+
+Json hover(Context& context, const Json& params);       // hover.cpp
+Json completion(Context& context, const Json& params);  // completion.cpp
+Json colors(Context& context, const Json& params);      // colors.cpp
+Json color_presentations(Context& context, const Json& params);
+Json folding_ranges(Context& context, const Json& params);  // ranges.cpp
+Json selection_ranges(Context& context, const Json& params);
+Json inlay_hints(Context& context, const Json& params);      // inlay_hints.cpp
+Json semantic_tokens(Context& context, const Json& params);  // semantic_tokens.cpp
+Json token_legend();
+
+// links.cpp
+Json document_links(Context& context, const Json& params);
+/// The name of a file in a document.
+struct FileLink {
+  Span span;
+  std::string path;
+};
+std::vector<FileLink> links_in(const Context& context, const FileView& view);
+/// Those at the place of a request.
+std::vector<FileLink> links_at(Context& context, const Json& params);
+
+// navigation.cpp
+Json definition(Context& context, const Json& params);
+Json references(Context& context, const Json& params);
+Json highlights(Context& context, const Json& params);
+
+// file_renaming.cpp
+Json rename_files(Context& context, const Json& params);
+Json file_filters();
+
+// renaming.cpp
+Json prepare_rename(Context& context, const Json& params);
+Json rename(Context& context, const Json& params);
+
+// symbols.cpp
+Json document_symbols(Context& context, const Json& params);
+Json workspace_symbols(Context& context, const Json& params);
+
+}  // namespace smurf::lsp

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fixes, comments that let a finding pass, and what readers make of it.
+#include <algorithm>
+
+#include "common/command.hpp"
+#include "smurf-lsp/capabilities.hpp"
+#include "smurf/fix.hpp"
+#include "smurf/readers.hpp"
+#include "smurf/render.hpp"
+#include "smurf/suppress.hpp"
+
+namespace smurf::lsp {
+namespace {
+
+constexpr const char* kExplain = "smurf.explainRule";
+constexpr std::string_view kQuickFix = "quickfix";
+constexpr std::string_view kFixAll = "source.fixAll";
+/// Of the protocol.
+constexpr int kInfo = 3;
+/// Nobody reads a longer menu.
+constexpr std::size_t kMostFindings = 100;
+
+/// Whether the client asks for actions of this kind or of all that it is one of.
+bool is_wanted(const Json& params, std::string_view kind) {
+  const Json& only = at(params, {"context", "only"});
+  if (!only.is_array()) return true;
+  return std::any_of(only.begin(), only.end(), [&](const Json& one) {
+    if (!one.is_string()) return false;
+    const auto wanted = one.get<std::string>();
+    return kind == wanted || (kind.starts_with(wanted) && kind[wanted.size()] == '.');
+  });
+}
+
+std::string shortened(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string line(text.substr(0, text.find('\n')));
+  if (line.size() > kLongest || line.size() < text.size()) {
+    line = line.substr(0, kLongest) + "...";
+  }
+  return line;
+}
+
+/// What a fix does: "Replace `effrot` by `effort`".
+std::string title_of(const Fix& fix, const SourceMap& sources) {
+  const Edit& first = fix.edits.front();
+  const std::string before = shortened(sources.text(first.span));
+  const std::string after = shortened(first.text);
+  std::string title = before.empty()  ? "Insert `" + after + "`"
+                      : after.empty() ? "Delete `" + before + "`"
+                                      : "Replace `" + before + "` by `" + after + "`";
+  if (fix.edits.size() > 1) title += " and more";
+  if (fix.applicability == Applicability::unsafe) title += " (may change what the model means)";
+  return title;
+}
+
+class Actions {
+ public:
+  Actions(Context& context, const Json& params)
+      : context_(context), params_(params), path_(path_in(params)) {}
+
+  Json run() {
+    const Report& report = context_.workspace.report();
+    const SourceMap& sources = context_.workspace.sources();
+    std::size_t shown = 0;
+    for (const Diagnostic& one : report.diagnostics) {
+      const bool is_here = sources.path(one.span.source) == path_ && is_in_range(one.span);
+      if (is_here && shown++ < kMostFindings) add(one);
+    }
+    if (is_wanted(params_, kFixAll)) fix_all(report);
+    return std::move(actions_);
+  }
+
+ private:
+  bool is_in_range(Span span) const {
+    const Positions positions(context_.workspace.sources(), context_.client.encoding);
+    const Json& range = at(params_, {"range"});
+    const std::uint32_t begin = positions.offset(span.source, at(range, {"start"}));
+    const std::uint32_t end = positions.offset(span.source, at(range, {"end"}));
+    return span.begin <= end && begin <= span.end;
+  }
+
+  void add(const Diagnostic& one) {
+    const SourceMap& sources = context_.workspace.sources();
+    const Json diagnostic = to_json(context_, one, sources);
+    if (is_wanted(params_, kQuickFix)) {
+      for (const Fix& fix : one.fixes) {
+        if (fix.edits.empty()) continue;
+        actions_.push_back({{"title", title_of(fix, sources)},
+                            {"kind", kQuickFix},
+                            {"diagnostics", {diagnostic}},
+                            {"isPreferred", fix.applicability == Applicability::safe},
+                            {"edit", workspace_edit(context_, fix.edits, sources)}});
+      }
+      suppress(one, diagnostic);
+      explain(*one.rule, diagnostic);
+    }
+  }
+
+  void suppress(const Diagnostic& one, const Json& diagnostic) {
+    const auto edit = suppression(one);
+    if (!edit) return;
+    const Json whole = workspace_edit(context_, std::span(&*edit, 1), context_.workspace.sources());
+    actions_.push_back({{"title", "Ignore " + std::string(one.rule->id) + " (" +
+                                      std::string(one.rule->name) + ") here"},
+                        {"kind", kQuickFix},
+                        {"diagnostics", {diagnostic}},
+                        {"edit", whole}});
+  }
+
+  std::optional<Edit> suppression(const Diagnostic& one) {
+    const std::string_view text = context_.workspace.sources().text(one.span.source);
+    for (const FileView& view : context_.workspace.views(path_)) {
+      if (view.yaml != nullptr) return suppress_here(one, *view.yaml, text);
+      if (view.xml != nullptr) return suppress_here(one, *view.xml, text);
+    }
+    return std::nullopt;
+  }
+
+  void explain(const Rule& rule, const Json& diagnostic) {
+    const std::string title = "Show what each reader makes of " + std::string(rule.name);
+    actions_.push_back(
+        {{"title", title},
+         {"kind", kQuickFix},
+         {"diagnostics", {diagnostic}},
+         {"command", {{"title", title}, {"command", kExplain}, {"arguments", {rule.id}}}}});
+  }
+
+  void fix_all(const Report& report) {
+    const SourceMap& sources = context_.workspace.sources();
+    std::vector<Diagnostic> own;
+    for (const Diagnostic& one : report.diagnostics) {
+      if (sources.path(one.span.source) == path_) own.push_back(one);
+    }
+    const AppliedFixes fixes = apply_fixes(own, sources, Applicability::safe);
+    if (fixes.edits.empty()) return;
+    actions_.push_back({{"title", "Fix all that is safe to fix"},
+                        {"kind", kFixAll},
+                        {"edit", workspace_edit(context_, fixes.edits, sources)}});
+  }
+
+  Context& context_;
+  const Json& params_;
+  std::string path_;
+  Json actions_ = Json::array();
+};
+
+}  // namespace
+
+std::vector<std::string> commands() { return {kExplain}; }
+
+Json code_actions(Context& context, const Json& params) { return Actions(context, params).run(); }
+
+Json execute_command(Context& context, const Json& params) {
+  const Json& arguments = at(params, {"arguments"});
+  const bool is_known = text_at(params, {"command"}) == kExplain && arguments.is_array() &&
+                        !arguments.empty() && arguments[0].is_string();
+  const Rule* rule = is_known ? find_rule(arguments[0].get<std::string>()) : nullptr;
+  if (rule == nullptr) throw RequestError(kInvalidParams, "there is no such command or rule");
+  const std::string page = render_rule(*rule, {});
+  context.send({{"jsonrpc", "2.0"},
+                {"method", "window/showMessage"},
+                {"params", {{"type", kInfo}, {"message", page}}}});
+  return page;
+}
+
+}  // namespace smurf::lsp

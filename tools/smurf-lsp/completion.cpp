@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What may be written at the cursor: keys, words, names, files, elements and attributes.
+#include <algorithm>
+#include <map>
+
+#include "base/path.hpp"
+#include "smurf-lsp/capabilities.hpp"
+#include "smurf-lsp/xml_context.hpp"
+#include "smurf-lsp/yaml_context.hpp"
+#include "smurf/check.hpp"
+#include "smurf/key_help.hpp"
+
+namespace smurf::lsp {
+namespace {
+
+// CompletionItemKind of the protocol.
+constexpr int kProperty = 10, kValue = 12, kSnippet = 15, kFile = 17, kReference = 18, kFolder = 19,
+              kClass = 7;
+constexpr int kIsSnippet = 2;  // InsertTextFormat
+constexpr std::size_t kMostItems = 2000;
+
+class Completer {
+ public:
+  Completer(Context& context, const Json& params)
+      : context_(context), path_(path_in(params)), text_(context.workspace.document(path_)->text) {
+    offset_ = offset_in(text_, at(params, {"position"}), context.client.encoding);
+  }
+
+  Json run() {
+    if (const auto language = key_language(path_)) {
+      complete_yaml(*language);
+    } else {
+      complete_xml();
+    }
+    const bool is_incomplete = items_.size() >= kMostItems;
+    return {{"isIncomplete", is_incomplete}, {"items", std::move(items_)}};
+  }
+
+ private:
+  Json position(std::size_t offset) const {
+    const std::size_t before = offset == 0 ? text_.npos : text_.rfind('\n', offset - 1);
+    const std::size_t begin = before == text_.npos ? 0 : before + 1;
+    const auto line =
+        std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
+    const std::string_view rest = std::string_view(text_).substr(begin, offset - begin);
+    return {{"line", line}, {"character", units_in(rest, context_.client.encoding)}};
+  }
+
+  void set_place(std::size_t begin, std::size_t end) {
+    range_ = {{"start", position(begin)}, {"end", position(end)}};
+    written_ = text_.substr(begin, end - begin);
+  }
+
+  Json& add(const std::string& label, int kind, const std::string& text,
+            const std::string& detail = {}) {
+    Json item = {{"label", label},
+                 {"kind", kind},
+                 {"filterText", label},
+                 {"textEdit", {{"range", range_}, {"newText", text}}}};
+    if (!detail.empty()) item["detail"] = detail;
+    items_.push_back(std::move(item));
+    return items_.back();
+  }
+
+  void add_snippet(Json& item, const std::string& text) const {
+    if (!context_.client.takes_snippets) return;
+    item["insertTextFormat"] = kIsSnippet;
+    item["textEdit"]["newText"] = text;
+  }
+
+  static std::string detail_of(const KeyHelp& help) {
+    std::string detail(help.value);
+    if (!help.unit.empty()) detail += ", in " + std::string(help.unit);
+    if (help.required) detail += " (required)";
+    return detail;
+  }
+
+  // --- YAML
+
+  void complete_yaml(KeyLanguage language) {
+    const YamlContext context = yaml_context(text_, offset_);
+    if (context.is_comment) return;
+    set_place(context.begin, context.end);
+    if (!context.key.empty()) {
+      KeyPath path = context.path;
+      path.push_back(context.key);
+      if (const auto help = key_help(language, path)) add_values(*help, true);
+      return;
+    }
+    add_keys(keys_in(language, context.path), context);
+    // An item of a list of names, files or words.
+    if (!context.path.empty() && context.path.back() == kItem) {
+      const auto list = std::span(context.path).first(context.path.size() - 1);
+      if (const auto help = key_help(language, list)) add_values(*help, true);
+    }
+  }
+
+  void add_keys(const std::vector<KeyHelp>& keys, const YamlContext& context) {
+    const auto has = [&](const std::string& name) {
+      return std::find(context.siblings.begin(), context.siblings.end(), name) !=
+             context.siblings.end();
+    };
+    std::vector<const KeyHelp*> required;
+    for (const KeyHelp& key : keys) {
+      if (has(key.name)) continue;
+      const bool is_block =
+          !context.is_flow && (key.form == ValueForm::list || key.form == ValueForm::mapping);
+      Json& item = add(key.name, kProperty, key.name + (is_block ? ":" : ": "), detail_of(key));
+      if (!key.doc.empty()) item["documentation"] = markdown(std::string(key.doc));
+      item["sortText"] = (key.required ? "0" : "1") + key.name;
+      if (key.required) required.push_back(&key);
+    }
+    if (required.empty() || !context.siblings.empty() || context.is_flow) return;
+    std::string text;
+    std::string snippet;
+    for (std::size_t i = 0; i < required.size(); ++i) {
+      const std::string line = i == 0 ? "" : "\n" + std::string(context.column, ' ');
+      text += line + required[i]->name + ": ";
+      snippet += line + required[i]->name + ": $" + std::to_string(i + 1);
+    }
+    const std::string label = "new " + required[0]->owner;
+    add_snippet(add(label, kSnippet, text, "all required keys"), snippet);
+  }
+
+  // --- XML
+
+  void complete_xml() {
+    const XmlContext context = xml_context(text_, offset_);
+    set_place(context.begin, offset_);
+    switch (context.kind) {
+    case XmlContext::Kind::element: add_elements(context); return;
+    case XmlContext::Kind::end_tag:
+      if (!context.open.empty()) {
+        const std::string name(context.open.back());
+        add(name, kClass, name + ">");
+      }
+      return;
+    case XmlContext::Kind::attribute: add_attributes(context); return;
+    case XmlContext::Kind::value: {
+      const auto help = element_help(context.element);
+      if (!help) return;
+      for (const KeyHelp& key : help->attributes) {
+        if (key.name != context.attribute) continue;
+        unfinished_tag_ = context.tag;
+        add_values(key, false);
+      }
+      return;
+    }
+    default: return;
+    }
+  }
+
+  void add_elements(const XmlContext& context) {
+    if (context.open.empty()) return add_element(root_element());
+    const auto parent = element_help(context.open.back());
+    if (!parent) return;
+    for (const std::string_view child : parent->children) add_element(child);
+  }
+
+  void add_element(std::string_view name) {
+    const auto help = element_help(name);
+    if (!help) return;
+    std::string snippet(name);
+    int stop = 0;
+    for (const KeyHelp& key : help->attributes) {
+      const bool is_name_of_child = key.name == "link" || key.name == "size" || key.name == "xyz";
+      if (!key.required && !is_name_of_child) continue;
+      snippet += " " + key.name + "=\"$" + std::to_string(++stop) + "\"";
+    }
+    snippet += help->children.empty() ? "/>" : ">\n\t$0\n</" + std::string(name) + ">";
+    Json& item = add(std::string(name), kClass, std::string(name));
+    item["documentation"] = markdown(std::string(help->doc));
+    add_snippet(item, snippet);
+  }
+
+  void add_attributes(const XmlContext& context) {
+    const auto help = element_help(context.element);
+    if (!help) return;
+    for (const KeyHelp& key : help->attributes) {
+      const auto& has = context.attributes;
+      if (std::find(has.begin(), has.end(), key.name) != has.end()) continue;
+      Json& item = add(key.name, kProperty, key.name + "=\"\"", detail_of(key));
+      item["documentation"] = markdown(std::string(key.doc));
+      item["sortText"] = (key.required ? "0" : "1") + key.name;
+      add_snippet(item, key.name + "=\"$1\"");
+    }
+  }
+
+  // --- values of both
+
+  void add_values(const KeyHelp& help, bool is_yaml) {
+    for (const std::string_view choice : help.choices) {
+      add(std::string(choice), kValue, std::string(choice), detail_of(help));
+    }
+    if (!help.names.empty() && !help.defines) add_names(help.names, is_yaml);
+    if (help.is_path) add_files();
+  }
+
+  static std::string as_yaml(const std::string& name) {
+    const bool is_plain =
+        !name.empty() &&
+        name.find_first_not_of("abcdefghijklmnopqrstuvwxyz"
+                               "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:") == std::string::npos &&
+        name.find_first_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") == 0;
+    if (is_plain) return name;
+    std::string text = "\"";
+    for (const char c : name)
+      text += c == '"' || c == '\\' ? "\\" + std::string(1, c) : std::string(1, c);
+    return text + "\"";
+  }
+
+  /// The views of the file; without what is being written, where that keeps it from being read.
+  std::vector<FileView> readable_views() {
+    std::vector<FileView> views = context_.workspace.views(path_);
+    const bool is_broken = views.empty() || std::any_of(views.begin(), views.end(), [](auto& one) {
+                             return one.yaml == nullptr && one.xml == nullptr;
+                           });
+    if (!is_broken) return views;
+    std::string mended = text_;
+    if (unfinished_tag_ != text_.npos) {
+      mended = without_tag(text_, unfinished_tag_, offset_);
+    } else {
+      const std::size_t before = offset_ == 0 ? text_.npos : text_.rfind('\n', offset_ - 1);
+      const std::size_t begin = before == text_.npos ? 0 : before + 1;
+      mended.erase(begin, std::min(text_.find('\n', offset_), text_.size()) - begin);
+    }
+    return context_.workspace.views_with(path_, std::move(mended));
+  }
+
+  void add_names(NameKinds kinds, bool is_yaml) {
+    std::map<std::string, NameKind> names;
+    for (const FileView& view : readable_views()) {
+      for (const Reference& one : context_.workspace.names().names()[view.part]) {
+        const bool is_known = one.is_definition || one.kind == NameKind::material;
+        if (!is_known || !kinds.contains(one.kind) || names.size() >= kMostItems) continue;
+        names.try_emplace(std::string(one.name), one.kind);
+      }
+    }
+    for (const auto& [name, kind] : names) {
+      add(name, kReference, is_yaml ? as_yaml(name) : name, std::string(to_string(kind)));
+    }
+  }
+
+  /// Files and folders, relative to the folder of the document.
+  void add_files() {
+    const std::size_t slash = written_.rfind('/');
+    const std::string before = slash == std::string::npos ? "" : written_.substr(0, slash + 1);
+    const std::string folder = path::join(path::parent(path_), before.empty() ? "." : before);
+    for (const std::string& name : context_.workspace.files().list(folder)) {
+      if (name.starts_with('.') || items_.size() >= kMostItems) continue;
+      const std::string inner = path::join(folder, name);
+      const bool is_file = context_.workspace.files().is_file(inner);
+      if (is_file && input_kind(inner) == InputKind::other) continue;
+      if (inner == path_) continue;
+      add(before + name, is_file ? kFile : kFolder, before + name + (is_file ? "" : "/"));
+    }
+    if (before.empty()) add("../", kFolder, "../");
+  }
+
+  Context& context_;
+  std::string path_;
+  const std::string text_;
+  std::size_t offset_ = 0;
+  std::size_t unfinished_tag_ = std::string::npos;
+  Json range_;
+  std::string written_;
+  Json items_ = Json::array();
+};
+
+}  // namespace
+
+Json completion(Context& context, const Json& params) {
+  if (context.workspace.document(path_in(params)) == nullptr) return Json::array();
+  return Completer(context, params).run();
+}
+
+}  // namespace smurf::lsp

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-lsp/context.hpp"
+
+#include <map>
+#include <set>
+#include <utility>
+
+#include "smurf-lsp/uri.hpp"
+
+namespace smurf::lsp {
+
+std::string path_in(const Json& params) {
+  return path_of_uri(text_at(params, {"textDocument", "uri"}));
+}
+
+std::vector<PlaceView> places_in(Context& context, const Json& params) {
+  const std::string path = path_in(params);
+  if (context.workspace.document(path) == nullptr) return {};
+  std::vector<PlaceView> places;
+  for (const FileView& view : context.workspace.views(path)) {
+    const std::uint32_t offset =
+        loaded_positions(context).offset(view.source, at(params, {"position"}));
+    places.push_back({view, offset});
+  }
+  return places;
+}
+
+Positions loaded_positions(const Context& context) {
+  return {context.workspace.loaded_sources(), context.client.encoding};
+}
+
+const Reference* reference_at(Context& context, const PlaceView& place) {
+  const Reference* found = nullptr;
+  for (const Reference& one : context.workspace.names().names()[place.view.part]) {
+    const bool is_here = one.span.source == place.view.source && one.span.begin <= place.offset &&
+                         place.offset <= one.span.end;
+    // What names nothing may stand where something else is named as well.
+    if (is_here && (found == nullptr || (!found->is_known() && one.is_known()))) found = &one;
+  }
+  return found;
+}
+
+Json location(const Context& context, Span span) {
+  const std::string& path = context.workspace.loaded_sources().path(span.source);
+  return {{"uri", context.workspace.uri_of(path)},
+          {"range", loaded_positions(context).range(span)}};
+}
+
+Json workspace_edit(const Context& context, std::span<const Edit> edits, const SourceMap& sources) {
+  const Positions positions(sources, context.client.encoding);
+  std::map<std::string, Json> files;
+  std::set<std::pair<std::string, Json>> seen;  // two models that share a file have read it twice
+  for (const Edit& edit : edits) {
+    const std::string& path = sources.path(edit.span.source);
+    Json& list = files.try_emplace(path, Json::array()).first->second;
+    Json one = {{"range", positions.range(edit.span)}, {"newText", edit.text}};
+    if (seen.emplace(path, one).second) list.push_back(std::move(one));
+  }
+  Json changes = Json::object();
+  Json documents = Json::array();
+  for (auto& [path, list] : files) {
+    const OpenDocument* open = context.workspace.document(path);
+    const std::string uri = context.workspace.uri_of(path);
+    const Json version = open != nullptr ? Json(open->version) : Json(nullptr);
+    documents.push_back({{"textDocument", {{"uri", uri}, {"version", version}}}, {"edits", list}});
+    changes[uri] = std::move(list);
+  }
+  if (context.client.takes_document_changes) return {{"documentChanges", std::move(documents)}};
+  return {{"changes", std::move(changes)}};
+}
+
+Json markdown(const std::string& text) { return {{"kind", "markdown"}, {"value", text}}; }
+
+}  // namespace smurf::lsp

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What smurf-lint finds, pushed and pulled.
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "common/command.hpp"
+#include "smurf-lsp/capabilities.hpp"
+#include "smurf-lsp/uri.hpp"
+#include "smurf/readers.hpp"
+#include "smurf/render.hpp"
+
+namespace smurf::lsp {
+namespace {
+
+constexpr int kUnnecessary = 1;  // DiagnosticTag
+
+int severity_of(Severity severity) {
+  switch (severity) {
+  case Severity::error: return 1;
+  case Severity::warning: return 2;
+  case Severity::info: return 3;
+  }
+  return 3;
+}
+
+/// Whether all that is known of readers is that they have no use for it.
+bool has_no_effect(const Diagnostic& diagnostic) {
+  const std::vector<const Fact*> facts = facts_about(*diagnostic.rule);
+  bool is_ignored = std::any_of(facts.begin(), facts.end(),
+                                [](const Fact* fact) { return fact->effect == Effect::ignores; });
+  if (!is_ignored) return false;  // which is quickly told of nearly all rules
+  is_ignored = false;
+  for (const Reader* reader : all_readers()) {
+    const Fact* fact = find_fact(*reader, diagnostic);
+    if (fact == nullptr || fact->effect == Effect::takes) continue;
+    if (fact->effect != Effect::ignores) return false;
+    is_ignored = true;
+  }
+  return is_ignored;
+}
+
+std::string message_of(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.message;
+  if (!diagnostic.help.empty()) text += "\n" + diagnostic.help;
+  for (const std::string& note : diagnostic.notes) text += "\n" + note;
+  return text;
+}
+
+std::string result_id(const Json& items) {
+  return std::to_string(std::hash<std::string>{}(dump(items)));
+}
+
+/// A report of a file, which is short when the client has it already.
+Json file_report(Json items, const std::string& previous) {
+  const std::string id = result_id(items);
+  if (id == previous) return {{"kind", "unchanged"}, {"resultId", id}};
+  return {{"kind", "full"}, {"resultId", id}, {"items", std::move(items)}};
+}
+
+/// Tells how far the check of the folders is. Called by several threads.
+class ProgressTeller {
+ public:
+  ProgressTeller(Context& context, Json token) : context_(context), token_(std::move(token)) {}
+
+  void tell(std::size_t done, std::size_t of) {
+    const std::lock_guard lock(mutex_);
+    if (token_.is_null() || of == 0) return;
+    const auto percent = static_cast<int>(done * 100 / of);
+    if (!has_begun_) {
+      has_begun_ = true;
+      send({{"kind", "begin"}, {"title", "smurf-lint"}, {"percentage", percent}});
+    } else if (percent > last_) {
+      send({{"kind", "report"},
+            {"message", std::to_string(done) + " of " + std::to_string(of)},
+            {"percentage", percent}});
+    }
+    last_ = percent;
+  }
+  void end() {
+    if (has_begun_) send({{"kind", "end"}});
+  }
+
+ private:
+  void send(Json value) {
+    context_.send({{"jsonrpc", "2.0"},
+                   {"method", "$/progress"},
+                   {"params", {{"token", token_}, {"value", std::move(value)}}}});
+  }
+
+  Context& context_;
+  Json token_;
+  std::mutex mutex_;
+  bool has_begun_ = false;
+  int last_ = 0;
+};
+
+/// The token that the client gave, or at the first check of the folders one that it is asked for.
+Json token_of(Context& context, const Json& params) {
+  const Json& given = at(params, {"workDoneToken"});
+  if (given.is_string() || given.is_number()) return given;
+  if (!context.client.takes_progress || context.has_checked_folders) return nullptr;
+  Json token = "smurf-lint-folders";
+  context.send({{"jsonrpc", "2.0"},
+                {"id", "server-" + std::to_string(++context.last_id)},
+                {"method", "window/workDoneProgress/create"},
+                {"params", {{"token", token}}}});
+  return token;
+}
+
+}  // namespace
+
+Json to_json(const Context& context, const Diagnostic& diagnostic, const SourceMap& sources) {
+  const Positions positions(sources, context.client.encoding);
+  Json json = {{"range", positions.range(diagnostic.span)},
+               {"severity", severity_of(diagnostic.severity)},
+               {"code", diagnostic.rule->id},
+               {"codeDescription", {{"href", rule_address(*diagnostic.rule, tools::kHomepage)}}},
+               {"source", "smurf-lint"},
+               {"message", message_of(diagnostic)},
+               {"data", {{"name", diagnostic.rule->name}, {"message", diagnostic.message}}}};
+  for (const Label& label : diagnostic.labels) {
+    const std::string uri = context.workspace.uri_of(sources.path(label.span.source));
+    json["relatedInformation"].push_back(
+        {{"location", {{"uri", uri}, {"range", positions.range(label.span)}}},
+         {"message", label.message}});
+  }
+  if (has_no_effect(diagnostic)) json["tags"] = {kUnnecessary};
+  return json;
+}
+
+std::map<std::string, Json> diagnostics_by_file(const Context& context, const Report& report,
+                                                const SourceMap& sources) {
+  std::map<std::string, Json> files;
+  for (const Diagnostic& one : report.diagnostics) {
+    Json& list = files.try_emplace(sources.path(one.span.source), Json::array()).first->second;
+    list.push_back(to_json(context, one, sources));
+  }
+  return files;
+}
+
+Json document_diagnostics(Context& context, const Json& params) {
+  const std::string path = path_in(params);
+  const Report& report = context.workspace.report();
+  std::map<std::string, Json> files =
+      diagnostics_by_file(context, report, context.workspace.sources());
+  Json own = files.try_emplace(path, Json::array()).first->second;
+  files.erase(path);
+  Json answer = file_report(std::move(own), text_at(params, {"previousResultId"}));
+  if (!context.client.takes_related_documents) return answer;
+  for (auto& [other, items] : files) {
+    answer["relatedDocuments"][context.workspace.uri_of(other)] = file_report(std::move(items), {});
+  }
+  return answer;
+}
+
+Json workspace_diagnostics(Context& context, const Json& params) {
+  ProgressTeller progress(context, token_of(context, params));
+  const Workspace::FolderReport checked = context.workspace.check_folders(
+      [&](std::size_t done, std::size_t of) { progress.tell(done, of); });
+  progress.end();
+  context.has_checked_folders = true;
+  std::map<std::string, std::string> previous;
+  const Json& known = at(params, {"previousResultIds"});
+  if (known.is_array()) {
+    for (const Json& one : known) {
+      previous[path_of_uri(text_at(one, {"uri"}))] = text_at(one, {"value"});
+    }
+  }
+  std::map<std::string, Json> files =
+      diagnostics_by_file(context, checked.report, *checked.sources);
+  // A file that has nothing any more is told once.
+  for (const auto& [path, id] : previous) files.try_emplace(path, Json::array());
+  Json items = Json::array();
+  for (auto& [path, list] : files) {
+    const auto last = previous.find(path);
+    Json report = file_report(std::move(list), last == previous.end() ? "" : last->second);
+    const OpenDocument* open = context.workspace.document(path);
+    report["uri"] = context.workspace.uri_of(path);
+    report["version"] = open != nullptr ? Json(open->version) : Json(nullptr);
+    items.push_back(std::move(report));
+  }
+  return {{"items", std::move(items)}};
+}
+
+}  // namespace smurf::lsp

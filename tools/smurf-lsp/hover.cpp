@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What stands under the cursor: a name, a mesh, a pose, a key.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "smurf-lsp/capabilities.hpp"
+#include "smurf/describe.hpp"
+#include "smurf/dialect.hpp"
+#include "smurf/flatten.hpp"
+#include "smurf/key_help.hpp"
+
+namespace smurf::lsp {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// What is said, and of which bytes.
+struct Said {
+  Span span;
+  Lines lines;
+};
+
+std::optional<Said> name_at(Context& context, const PlaceView& place) {
+  const Reference* named = reference_at(context, place);
+  if (named == nullptr || !named->is_known()) return std::nullopt;
+  Lines lines = place.view.model != nullptr ? describe(*place.view.model, *named)
+                                            : describe(*place.view.scene, *named);
+  if (lines.empty()) return std::nullopt;
+  for (const Reference& one : context.workspace.names().names()[place.view.part]) {
+    if (!one.is_definition || !is_same_thing(one, *named)) continue;
+    const SourceMap& sources = context.workspace.loaded_sources();
+    const Position at = sources.position(one.span.source, one.span.begin);
+    lines.push_back("defined in " + sources.path(one.span.source) + ":" + std::to_string(at.line));
+    break;
+  }
+  return Said{named->span, std::move(lines)};
+}
+
+/// Of the shape that names the mesh there.
+Vector3 scale_of(const LinkedModel& model, Span filename) {
+  Vector3 scale{1, 1, 1};
+  const auto look_at = [&](const auto& shapes) {
+    for (const auto& one : shapes) {
+      const auto* mesh = std::get_if<urdf::Mesh>(&one.geometry.shape);
+      if (mesh != nullptr && mesh->filename.span == filename && mesh->scale) scale = *mesh->scale;
+    }
+  };
+  for (const urdf::Link& link : model.robot->links) {
+    look_at(link.visuals);
+    look_at(link.collisions);
+  }
+  return scale;
+}
+
+std::optional<Said> mesh_at(Context& context, const PlaceView& place) {
+  if (place.view.model == nullptr) return std::nullopt;
+  for (const MeshReference& mesh : place.view.model->meshes) {
+    const bool is_here = mesh.span.source == place.view.source && mesh.span.begin <= place.offset &&
+                         place.offset <= mesh.span.end;
+    if (!is_here || mesh.is_texture) continue;
+    if (!mesh.exists) return Said{mesh.span, {"there is no such file"}};
+    MeshLibrary library;
+    const MeshFile& file =
+        library.read(mesh.path, context.workspace.files(), context.workspace.limits());
+    if (file.status != ReadStatus::ok) return Said{mesh.span, {file.reason}};
+    Lines lines = describe(file.facts, scale_of(*place.view.model, mesh.span));
+    lines.push_back(mesh.path);
+    return Said{mesh.span, std::move(lines)};
+  }
+  return std::nullopt;
+}
+
+std::optional<Said> yaml_key_at(const Context& context, const PlaceView& place) {
+  const std::string& path = context.workspace.loaded_sources().path(place.view.source);
+  const auto language = key_language(path);
+  if (!language) return std::nullopt;
+  const yaml::NodeId id = yaml::node_at(*place.view.yaml, place.offset);
+  if (id == yaml::kNoNode) return std::nullopt;
+  const auto help = key_help(*language, key_path(*place.view.yaml, id));
+  if (!help) return std::nullopt;
+  const yaml::Node& node = place.view.yaml->nodes[static_cast<std::size_t>(id)];
+  const bool is_key = node.key_span().begin <= place.offset && place.offset <= node.key_span().end;
+  return Said{is_key ? node.key_span() : node.span, describe(*help)};
+}
+
+bool holds(Span span, std::uint32_t offset) { return span.begin <= offset && offset <= span.end; }
+
+/// The link whose frame an <origin> is in, or leads to.
+std::optional<LinkIndex> link_around(const LinkedModel& model, xml::View element) {
+  for (; element; element = element.parent()) {
+    for (std::uint32_t i = 0; i < model.robot->links.size(); ++i) {
+      if (model.robot->links[i].element == element.id()) return LinkIndex{i};
+    }
+    for (std::uint32_t i = 0; i < model.robot->joints.size(); ++i) {
+      if (model.robot->joints[i].element == element.id()) return model.tree.joint_child[i];
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Said> xml_key_at(const Context&, const PlaceView& place) {
+  const xml::View element(*place.view.xml, xml::element_at(*place.view.xml, place.offset));
+  const auto help = element ? element_help(element.name()) : std::nullopt;
+  if (!help) return std::nullopt;
+  Lines pose;
+  const LinkedModel* model = place.view.model;
+  if (element.name() == "origin" && model != nullptr && model->robot) {
+    if (const auto link = link_around(*model, element)) pose = describe_place(*model, *link);
+  }
+  if (holds(element.name_span(), place.offset)) {
+    Lines lines{"`" + std::string(help->name) + "`", std::string(help->doc)};
+    lines.insert(lines.end(), pose.begin(), pose.end());
+    return Said{element.name_span(), std::move(lines)};
+  }
+  for (const auto* one = element.attributes_begin(); one != element.attributes_end(); ++one) {
+    if (!holds(one->span(), place.offset)) continue;
+    for (const KeyHelp& key : help->attributes) {
+      if (key.name != one->name()) continue;
+      Lines lines = describe(key);
+      lines.insert(lines.end(), pose.begin(), pose.end());
+      return Said{one->span(), std::move(lines)};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The world pose of an entity and the transforms on the way there.
+Lines entity_pose(const PlaceView& place) {
+  const LinkedScene* scene = place.view.scene;
+  if (scene == nullptr || place.view.yaml == nullptr || place.view.model != nullptr) return {};
+  for (std::uint32_t i = 0; i < scene->instances.size(); ++i) {
+    const Instance& instance = scene->instances[i];
+    if (scene->file(scene->use(instance)).source != place.view.source || !instance.X_WE) continue;
+    const yaml::View entity(*place.view.yaml, scene->entity(instance).node);
+    if (!entity || !holds(entity.span(), place.offset)) continue;
+    Lines lines{"in the world: " + describe(*instance.X_WE)};
+    const auto steps = explain(*scene, InstanceIndex{i}, *dialects().front());
+    constexpr std::size_t kMost = 12;
+    for (std::size_t step = 0; step < steps.size() && step < kMost; ++step) {
+      lines.push_back("- " + steps[step].what + ": " + describe(steps[step].X_step));
+    }
+    return lines;
+  }
+  return {};
+}
+
+std::optional<Said> said_at(Context& context, const PlaceView& place) {
+  if (auto name = name_at(context, place)) return name;
+  if (auto mesh = mesh_at(context, place)) return mesh;
+  if (place.view.xml != nullptr) return xml_key_at(context, place);
+  if (place.view.yaml == nullptr) return std::nullopt;
+  auto key = yaml_key_at(context, place);
+  if (!key) return std::nullopt;
+  const bool is_pose =
+      key->lines[0].starts_with("`position`") || key->lines[0].starts_with("`rotation`");
+  if (is_pose) {
+    const Lines pose = entity_pose(place);
+    key->lines.insert(key->lines.end(), pose.begin(), pose.end());
+  }
+  return key;
+}
+
+}  // namespace
+
+Json hover(Context& context, const Json& params) {
+  for (const PlaceView& place : places_in(context, params)) {
+    const auto said = said_at(context, place);
+    if (!said) continue;
+    std::string text;
+    for (const std::string& line : said->lines) {
+      if (!line.empty()) text += (text.empty() ? "" : "\n\n") + line;
+    }
+    return {{"contents", markdown(text)}, {"range", loaded_positions(context).range(said->span)}};
+  }
+  return nullptr;
+}
+
+}  // namespace smurf::lsp

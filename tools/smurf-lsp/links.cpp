@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The names of files in a document, and where they lead.
+#include <set>
+
+#include "base/path.hpp"
+#include "smurf-lsp/capabilities.hpp"
+#include "smurf/key_help.hpp"
+
+namespace smurf::lsp {
+namespace {
+
+void add_scalars(yaml::View value, const std::string& folder, std::vector<FileLink>& links) {
+  if (value.is_sequence()) {
+    for (const yaml::View item : value) add_scalars(item, folder, links);
+  } else if (value.is_scalar() && !value.span().empty()) {
+    links.push_back({value.span(), path::join(folder, value.text())});
+  }
+}
+
+/// Keys whose values are files, by the tables. Textures are looked up by the linker, see below.
+void add_keys(yaml::View value, KeyLanguage language, const std::string& folder,
+              std::vector<FileLink>& links) {
+  if (!value.is_mapping() && !value.is_sequence()) return;
+  for (const yaml::View member : value) {
+    const KeyPath path = key_path(member.document(), member.id());
+    const auto help = key_help(language, path);
+    if (help && help->is_path) {
+      add_scalars(member, folder, links);
+    } else {
+      add_keys(member, language, folder, links);
+    }
+  }
+}
+
+bool is_of_model(KeyLanguage language) { return language == KeyLanguage::annotation; }
+
+}  // namespace
+
+std::vector<FileLink> links_in(const Context& context, const FileView& view) {
+  std::vector<FileLink> links;
+  const std::string& path = context.workspace.loaded_sources().path(view.source);
+  const auto language = key_language(path);
+  if (view.yaml != nullptr && language && !is_of_model(*language) && view.yaml->view()) {
+    add_keys(view.yaml->view(), *language, std::string(path::parent(path)), links);
+  }
+  if (view.model == nullptr) return links;
+  for (const MeshReference& mesh : view.model->meshes) {
+    if (mesh.span.source == view.source && !mesh.path.empty()) {
+      links.push_back({mesh.span, mesh.path});
+    }
+  }
+  for (const TextureReference& texture : view.model->annotation_textures) {
+    if (texture.span.source == view.source) links.push_back({texture.span, texture.path});
+  }
+  return links;
+}
+
+std::vector<FileLink> links_at(Context& context, const Json& params) {
+  std::vector<FileLink> found;
+  for (const PlaceView& place : places_in(context, params)) {
+    for (FileLink& link : links_in(context, place.view)) {
+      if (link.span.begin <= place.offset && place.offset <= link.span.end) {
+        found.push_back(std::move(link));
+      }
+    }
+  }
+  return found;
+}
+
+Json document_links(Context& context, const Json& params) {
+  Json links = Json::array();
+  std::set<Json> seen;  // several models may read the file
+  for (const FileView& view : context.workspace.views(path_in(params))) {
+    for (const FileLink& link : links_in(context, view)) {
+      if (!context.workspace.files().is_file(link.path)) continue;
+      Json one = {{"range", loaded_positions(context).range(link.span)},
+                  {"target", context.workspace.uri_of(link.path)}};
+      if (seen.insert(one).second) links.push_back(std::move(one));
+    }
+  }
+  return links;
+}
+
+}  // namespace smurf::lsp

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// smurf-lsp: what smurf-lint knows, in an editor.
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "common/command.hpp"
+#include "common/output.hpp"
+#include "common/process.hpp"
+#include "smurf-lsp/server.hpp"
+#include "smurf-lsp/transport.hpp"
+
+using namespace smurf::tools;
+using namespace smurf::lsp;
+
+namespace {
+
+constexpr std::string_view kTool = "smurf-lsp";
+
+struct Options {
+  std::string log;
+  bool stdio = false;
+};
+
+Command lsp_command(Options& options) {
+  Command command;
+  command.name = kTool;
+  command.summary =
+      "A language server for SMURF and URDF: shows the findings of smurf-lint and the "
+      "meaning of names and keys in an editor.";
+  command.details =
+      "An editor starts it and talks to it on standard input and output, in the Language Server "
+      "Protocol. It reads the same configurations and comments as smurf-lint.";
+  command.options = {
+      {.group = "Server",
+       .name = "log",
+       .metavar = "FILE",
+       .help = "Write a line for each message to FILE.",
+       .set = set_text(options.log)},
+      {.group = "Server",
+       .name = "stdio",
+       .help = "Use standard input and output. This is the default; some editors pass the option.",
+       .set = set_flag(options.stdio)},
+  };
+  command.examples = {{"smurf-lsp", "Start the server, as editors do:"},
+                      {"smurf-lsp --log /tmp/smurf-lsp.log", "Write a log of all messages:"}};
+  return command;
+}
+
+int serve(std::ostream* log) {
+  std::ios::sync_with_stdio(false);
+  std::cin.tie(nullptr);
+  std::mutex mutex;  // progress comes from several threads
+  const auto send = [&](const Json& message) {
+    const std::lock_guard lock(mutex);
+    write_message(std::cout, message);
+  };
+  Server server(send, [&](std::string_view line) {
+    if (log != nullptr) *log << line << std::endl;
+  });
+  Inbox inbox(std::cin);
+  while (!server.exit_code()) {
+    if (inbox.is_empty()) server.rest();
+    const std::optional<Json> message = inbox.next();
+    if (!message) return kFailed;  // the editor is gone
+    server.handle(*message);
+  }
+  return *server.exit_code();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  prepare_process();
+  Options options;
+  if (const auto code = parse_command_line(lsp_command(options), argc, argv)) return *code;
+  if (options.log.empty()) return serve(nullptr);
+  std::ofstream log(options.log, std::ios::app);
+  if (!log) {
+    complain(kTool, "cannot write '" + options.log + "'");
+    return kFailed;
+  }
+  return serve(&log);
+}

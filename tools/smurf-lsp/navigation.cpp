@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a name is defined and used, from the table of references.
+#include <set>
+
+#include "smurf-lsp/capabilities.hpp"
+
+namespace smurf::lsp {
+namespace {
+
+/// Calls `visit` with every place of what is named at the place of the request, once each.
+template <class Visit>
+void for_each_place(Context& context, const Json& params, const Visit& visit) {
+  for (const PlaceView& place : places_in(context, params)) {
+    const Reference* named = reference_at(context, place);
+    if (named == nullptr || !named->is_known()) continue;
+    for (const Reference& one : context.workspace.names().names()[place.view.part]) {
+      if (is_same_thing(one, *named)) visit(one);
+    }
+  }
+}
+
+/// Places that several models may have.
+class Places {
+ public:
+  void add(Json place) {
+    if (seen_.insert(place).second) places_.push_back(std::move(place));
+  }
+  bool empty() const { return places_.empty(); }
+  Json take() { return std::move(places_); }
+
+ private:
+  std::set<Json> seen_;
+  Json places_ = Json::array();
+};
+
+}  // namespace
+
+Json definition(Context& context, const Json& params) {
+  Places places;
+  for_each_place(context, params, [&](const Reference& one) {
+    if (one.is_definition) places.add(location(context, one.span));
+  });
+  if (!places.empty()) return places.take();
+  // The name of a file leads to the file.
+  for (const FileLink& link : links_at(context, params)) {
+    const Json start = {{"line", 0}, {"character", 0}};
+    places.add({{"uri", context.workspace.uri_of(link.path)},
+                {"range", {{"start", start}, {"end", start}}}});
+  }
+  return places.take();
+}
+
+Json references(Context& context, const Json& params) {
+  const bool with_definition = flag_at(params, {"context", "includeDeclaration"}, true);
+  Places places;
+  for_each_place(context, params, [&](const Reference& one) {
+    if (with_definition || !one.is_definition) places.add(location(context, one.span));
+  });
+  return places.take();
+}
+
+Json highlights(Context& context, const Json& params) {
+  constexpr int kRead = 2;  // DocumentHighlightKind
+  constexpr int kWrite = 3;
+  const std::string path = path_in(params);
+  Places places;
+  for_each_place(context, params, [&](const Reference& one) {
+    if (context.workspace.loaded_sources().path(one.span.source) != path) return;
+    places.add({{"range", loaded_positions(context).range(one.span)},
+                {"kind", one.is_definition ? kWrite : kRead}});
+  });
+  return places.take();
+}
+
+}  // namespace smurf::lsp

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bytes of a text and positions of the protocol, in the units that were agreed on.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "smurf-lsp/json.hpp"
+#include "smurf/source.hpp"
+
+namespace smurf::lsp {
+
+enum class Encoding : std::uint8_t { utf8, utf16, utf32 };
+std::string_view to_string(Encoding encoding);
+
+/// Units in a text of one line.
+std::uint32_t units_in(std::string_view text, Encoding encoding);
+/// Bytes of the first `units`; all when there are not as many.
+std::size_t bytes_of(std::string_view line, std::uint32_t units, Encoding encoding);
+
+/// A byte of a text; one behind the end of a line is the end of the line, as the protocol has it.
+std::size_t offset_in(std::string_view text, const Json& position, Encoding encoding);
+
+/// Places of a source map as the protocol has them.
+class Positions {
+ public:
+  Positions(const SourceMap& sources, Encoding encoding) : sources_(sources), encoding_(encoding) {}
+
+  Json position(SourceId source, std::uint32_t offset) const;
+  Json range(Span span) const;
+  std::uint32_t offset(SourceId source, const Json& position) const;
+
+ private:
+  const SourceMap& sources_;
+  Encoding encoding_;
+};
+
+}  // namespace smurf::lsp

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Messages of a client in, messages to it out.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "smurf-lsp/context.hpp"
+
+namespace smurf::lsp {
+
+class Server {
+ public:
+  Server(Send send, Log log);
+
+  void handle(const Json& message);
+  /// Tells what is found in the texts as they are now. To be called when no message waits.
+  void rest();
+
+  const Workspace& workspace() const { return context_.workspace; }
+  /// After `exit`: 0 when `shutdown` came before it.
+  std::optional<int> exit_code() const { return exit_code_; }
+
+ private:
+  void notify(const std::string& method, const Json& params);
+  Json answer(const std::string& method, const Json& params);
+  void reply(const Json& id, Json result);
+  void refuse(const Json& id, int code, std::string_view message);
+  void initialize(const Json& id, const Json& params);
+
+  Context context_;
+  Log log_;
+  bool is_initialized_ = false;
+  bool is_shut_down_ = false;
+  std::optional<int> exit_code_;
+  std::set<std::string> shown_;  ///< files with findings that the client was told
+};
+
+}  // namespace smurf::lsp

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-lsp/transport.hpp"
+
+#include <algorithm>
+#include <istream>
+#include <ostream>
+#include <string_view>
+#include <utility>
+
+#include "base/numbers.hpp"
+#include "base/path.hpp"
+
+namespace smurf::lsp {
+namespace {
+
+constexpr std::size_t kLongestHeader = 8192;             // bytes of a line
+constexpr std::int64_t kLongestMessage = 1'000'000'000;  // bytes
+
+/// A line of the header without its end; none at the end of the stream.
+std::optional<std::string> read_line(std::istream& in) {
+  std::string line;
+  for (int c = in.get(); c != std::istream::traits_type::eof(); c = in.get()) {
+    if (c == '\n') {
+      if (line.ends_with('\r')) line.pop_back();
+      return line;
+    }
+    if (line.size() < kLongestHeader) line += static_cast<char>(c);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> length_in(std::string_view line) {
+  const std::size_t colon = line.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  if (path::to_lower(line.substr(0, colon)) != "content-length") return std::nullopt;
+  line.remove_prefix(std::min(line.find_first_not_of(" \t", colon + 1), line.size()));
+  while (line.ends_with(' ')) line.remove_suffix(1);
+  return parse_integer(line);
+}
+
+}  // namespace
+
+std::optional<std::string> read_message(std::istream& in) {
+  std::optional<std::int64_t> length;
+  while (true) {
+    const std::optional<std::string> line = read_line(in);
+    if (!line) return std::nullopt;
+    if (const auto found = length_in(*line)) length = found;
+    if (!line->empty() || !length) continue;
+    if (*length < 0 || *length > kLongestMessage) return std::nullopt;
+    // Memory is taken for what comes, not for what is promised.
+    std::string content;
+    constexpr std::size_t kPart = 1U << 20U;
+    for (auto left = static_cast<std::size_t>(*length); left > 0;) {
+      const std::size_t size = content.size();
+      const std::size_t part = std::min(left, kPart);
+      content.resize(size + part);
+      in.read(content.data() + size, static_cast<std::streamsize>(part));
+      if (static_cast<std::size_t>(in.gcount()) != part) return std::nullopt;
+      left -= part;
+    }
+    return content;
+  }
+}
+
+void write_message(std::ostream& out, const Json& message) {
+  const std::string text = dump(message);
+  out << "Content-Length: " << text.size() << "\r\n\r\n" << text << std::flush;
+}
+
+Inbox::Inbox(std::istream& in) : reader_([this, &in] { read(in); }) {}
+
+Inbox::~Inbox() { reader_.join(); }
+
+void Inbox::read(std::istream& in) {
+  while (const auto text = read_message(in)) {
+    Json message = Json::parse(*text, nullptr, false);
+    const bool is_last = text_at(message, {"method"}) == "exit";
+    take(std::move(message));
+    if (is_last) break;
+  }
+  const std::lock_guard lock(mutex_);
+  is_over_ = true;
+  has_more_.notify_one();
+}
+
+void Inbox::take(Json message) {
+  const std::lock_guard lock(mutex_);
+  if (text_at(message, {"method"}) == "$/cancelRequest") {
+    const Json& id = at(message, {"params", "id"});
+    for (Json& waiting : messages_) {
+      if (!id.is_null() && at(waiting, {"id"}) == id) waiting[kCancelled] = true;
+    }
+    return;
+  }
+  messages_.push_back(std::move(message));
+  has_more_.notify_one();
+}
+
+std::optional<Json> Inbox::next() {
+  std::unique_lock lock(mutex_);
+  has_more_.wait(lock, [this] { return is_over_ || !messages_.empty(); });
+  if (messages_.empty()) return std::nullopt;
+  Json message = std::move(messages_.front());
+  messages_.pop_front();
+  return message;
+}
+
+bool Inbox::is_empty() {
+  const std::lock_guard lock(mutex_);
+  return messages_.empty();
+}
+
+}  // namespace smurf::lsp

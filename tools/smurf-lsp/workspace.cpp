@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-lsp/workspace.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "base/path.hpp"
+#include "common/input.hpp"
+#include "common/models_around.hpp"
+#include "common/planned_rename.hpp"
+#include "smurf-lint/settings.hpp"
+#include "smurf-lsp/uri.hpp"
+#include "smurf/config.hpp"
+
+namespace smurf::lsp {
+namespace {
+
+bool is_config(const std::string& path) { return path::file_name(path) == kConfigName; }
+
+/// Whether another text of the file may change which files are checked.
+bool decides_plan(const std::string& path) {
+  return is_config(path) || input_kind(path) == InputKind::model;
+}
+
+bool is_checkable(const std::string& path) {
+  switch (input_kind(path)) {
+  case InputKind::model:
+  case InputKind::scene:
+  case InputKind::urdf: return true;
+  case InputKind::annotation: return !is_config(path);
+  default: return false;
+  }
+}
+
+/// As hooks check: what is excluded is left alone, and so are YAML files that no model lists.
+tools::LintOptions options_for(std::vector<std::string> paths) {
+  tools::LintOptions options;
+  options.paths = std::move(paths);
+  options.only_listed = true;
+  options.force_exclude = true;
+  return options;
+}
+
+CheckSettings settings_of_check() {
+  CheckSettings settings = tools::check_settings({});
+  settings.remembers = true;
+  return settings;
+}
+
+/// A change of a range, or of all.
+void apply(const Json& change, std::string& text, Encoding encoding) {
+  std::string inserted = text_at(change, {"text"});
+  const Json& range = at(change, {"range"});
+  if (!range.is_object()) {
+    text = std::move(inserted);
+    return;
+  }
+  const std::size_t begin = offset_in(text, at(range, {"start"}), encoding);
+  const std::size_t end = offset_in(text, at(range, {"end"}), encoding);
+  text.replace(begin, std::max(begin, end) - begin, inserted);
+}
+
+/// Adds the views of a model that was loaded alone or with a scene.
+void add_views(const LinkedModel& model, const std::string& path, const SourceMap& sources,
+               FileView view, std::vector<FileView>& views) {
+  view.model = &model;
+  for (const ModelFile& file : model.files) {
+    if (sources.path(file.source) != path) continue;
+    view.source = file.source;
+    view.yaml = file.document ? &*file.document : nullptr;
+    const bool is_robot = model.robot && model.robot->document.source == file.source;
+    view.xml = is_robot ? &model.robot->document : nullptr;
+    views.push_back(view);
+  }
+}
+
+void add_views(const LinkedScene& scene, const std::string& path, const SourceMap& sources,
+               FileView view, std::vector<FileView>& views) {
+  view.scene = &scene;
+  for (const SceneFile& file : scene.scenes) {
+    if (!file.document || sources.path(file.source) != path) continue;
+    FileView own = view;
+    own.source = file.source;
+    own.yaml = &*file.document;
+    views.push_back(own);
+  }
+  for (const LinkedModel& model : scene.models) add_views(model, path, sources, view, views);
+}
+
+}  // namespace
+
+bool is_same_thing(const Reference& a, const Reference& b) {
+  return a.kind == b.kind && a.name == b.name && a.item == b.item && a.model == b.model;
+}
+
+void Workspace::set_folders(std::vector<std::string> folders) {
+  folders_ = std::move(folders);
+  folder_session_.reset();
+}
+
+void Workspace::touch(const std::string& path) {
+  changed_.push_back(path);
+  is_checked_ = false;
+  names_.reset();
+  if (decides_plan(path)) plan_.reset();
+}
+
+void Workspace::open(const std::string& path, OpenDocument document) {
+  documents_[path] = std::move(document);
+  touch(path);
+  plan_.reset();
+}
+
+void Workspace::change(const std::string& path, std::int64_t version, const Json& changes,
+                       Encoding encoding) {
+  const auto document = documents_.find(path);
+  if (document == documents_.end() || !changes.is_array()) return;
+  document->second.version = version;
+  for (const Json& change : changes) apply(change, document->second.text, encoding);
+  touch(path);
+}
+
+void Workspace::close(const std::string& path) {
+  if (documents_.erase(path) == 0) return;
+  touch(path);
+  plan_.reset();
+}
+
+void Workspace::forget_files() {
+  is_checked_ = false;
+  names_.reset();
+  plan_.reset();
+}
+
+const OpenDocument* Workspace::document(const std::string& path) const {
+  const auto found = documents_.find(path);
+  return found == documents_.end() ? nullptr : &found->second;
+}
+
+std::string Workspace::uri_of(const std::string& path) const {
+  const OpenDocument* open = document(path);
+  return open != nullptr ? open->uri : uri_of_path(path);
+}
+
+void Workspace::put_texts() {
+  for (const std::string& path : changed_) {
+    const OpenDocument* open = document(path);
+    if (open == nullptr) {
+      session_.clear_text(path);
+    } else {
+      session_.set_text(path, open->text);
+    }
+  }
+  changed_.clear();
+}
+
+tools::LintPlan Workspace::make_plan(const std::vector<std::string>& paths) const {
+  if (paths.empty()) return {};
+  const tools::LintOptions options = options_for(paths);
+  ConfinedFiles disk;
+  tools::confine_to_inputs(disk, options);
+  MemoryFiles files(&disk);
+  for (const auto& [path, document] : documents_) files.add(path, document.text);
+  return tools::make_plan(options, files);
+}
+
+const Plan& Workspace::plan() {
+  if (plan_) return *plan_;
+  std::vector<std::string> paths;
+  for (const auto& [path, document] : documents_) {
+    if (is_checkable(path)) paths.push_back(path);
+  }
+  plan_ = make_plan(paths);
+  for (const auto& [path, document] : documents_) {
+    auto& configs = plan_->configs;
+    if (!is_config(path) || std::find(configs.begin(), configs.end(), path) != configs.end()) {
+      continue;
+    }
+    configs.push_back(path);
+  }
+  return *plan_;
+}
+
+const Report& Workspace::report() {
+  if (is_checked_) return report_;
+  put_texts();
+  report_ = session_.check(plan(), settings_of_check());
+  is_checked_ = true;
+  return report_;
+}
+
+Workspace::FolderReport
+Workspace::check_folders(std::function<void(std::size_t, std::size_t)> on_progress) {
+  if (!folder_session_) folder_session_.emplace();
+  for (const auto& [path, document] : documents_) folder_session_->set_text(path, document.text);
+  CheckSettings settings = settings_of_check();
+  settings.on_progress = std::move(on_progress);
+  Report report = folder_session_->check(make_plan(folders_), settings);
+  return {std::move(report), &folder_session_->sources()};
+}
+
+void Workspace::load() {
+  session_.forget_loaded();
+  Plan all = plan();
+  for (const auto& [path, document] : documents_) {
+    const bool is_tree = is_checkable(path) || is_config(path);
+    if (is_tree && input_kind(path) != InputKind::scene) all.strays.push_back({path, 0});
+  }
+  CheckSettings settings = settings_of_check();
+  settings.opens_meshes = false;
+  names_.emplace(all, settings, session_);
+}
+
+const tools::LoadedNames& Workspace::names() {
+  if (names_) return *names_;
+  put_texts();
+  load();
+  return *names_;
+}
+
+std::vector<FileView> Workspace::views(const std::string& path) {
+  std::vector<FileView> found;
+  const auto& parts = names().parts();
+  const SourceMap& sources = loaded_sources();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const tools::LoadedNames::Part& part = parts[i];
+    const FileView view{i};
+    if (part.scene != nullptr) {
+      add_views(part.scene->scene, path, sources, view, found);
+      continue;
+    }
+    add_views(part.model->model, path, sources, view, found);
+    for (const xml::Document* srdf : part.srdfs) {
+      if (sources.path(srdf->source) != path) continue;
+      found.push_back({i, srdf->source, &part.model->model, nullptr, nullptr, srdf});
+    }
+  }
+  std::stable_partition(found.begin(), found.end(),
+                        [](const FileView& one) { return one.scene == nullptr; });
+  return found;
+}
+
+std::vector<FileView> Workspace::views_with(const std::string& path, std::string text) {
+  put_texts();
+  session_.set_text(path, std::move(text));
+  load();
+  std::vector<FileView> found = views(path);
+  // What was loaded stays until it is asked for again.
+  changed_.push_back(path);
+  return found;
+}
+
+std::string Workspace::place_of_definition(std::size_t part, const Reference& reference) {
+  for (const Reference& one : names().names()[part]) {
+    if (one.is_definition && is_same_thing(one, reference)) {
+      return loaded_sources().path(one.span.source);
+    }
+  }
+  return loaded_sources().path(reference.span.source);
+}
+
+/// All models and scenes of the folders and around the file, that read it.
+Plan Workspace::plan_of_rename(const std::string& defined_in) {
+  std::vector<std::string> paths = folders_;
+  for (const auto& [open, document] : documents_) {
+    if (is_checkable(open)) paths.push_back(open);
+  }
+  tools::ModelsAround around(files());
+  for (const std::string& model : around.listing(defined_in)) paths.push_back(model);
+  const Plan all = make_plan(paths);
+  CheckSettings settings = settings_of_check();
+  settings.opens_meshes = false;
+  const tools::LoadedNames loaded(all, settings, session_);
+  const std::string wanted = tools::identity(defined_in);
+  Plan those;
+  those.configs = all.configs;
+  std::size_t part = 0;
+  const auto keep = [&](const std::vector<PlannedFile>& from, std::vector<PlannedFile>& to) {
+    for (const PlannedFile& file : from) {
+      if (loaded.parts()[part++].read.contains(wanted)) to.push_back(file);
+    }
+  };
+  keep(all.scenes, those.scenes);
+  keep(all.models, those.models);
+  for (const PlannedFile& file : all.strays) {
+    if (tools::identity(file.path) == wanted) those.strays.push_back(file);
+  }
+  return those;
+}
+
+Renamed Workspace::rename(std::size_t part, const Reference& reference, const std::string& to) {
+  const Rename rename{reference.kind, std::string(reference.name), to};
+  const Plan plan = plan_of_rename(place_of_definition(part, reference));
+  Renamed renamed =
+      tools::rename_planned(plan, settings_of_check(), std::span(&rename, 1), session_);
+  for (const FixedText& file : renamed.texts) changed_.push_back(file.path);
+  put_texts();
+  return renamed;
+}
+
+}  // namespace smurf::lsp

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The open documents over the session: what is found in them, and what they are loaded as.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/loaded_names.hpp"
+#include "smurf-lint/plan.hpp"
+#include "smurf-lsp/positions.hpp"
+#include "smurf/check.hpp"
+
+namespace smurf::lsp {
+
+struct OpenDocument {
+  std::string uri;  ///< as the client writes it
+  std::int64_t version = 0;
+  std::string text;
+};
+
+/// A file in one model or scene that reads it.
+struct FileView {
+  std::size_t part = 0;  ///< of LoadedNames
+  SourceId source{};
+  const LinkedModel* model = nullptr;    ///< null: a scene file
+  const LinkedScene* scene = nullptr;    ///< null: a model that was loaded alone
+  const yaml::Document* yaml = nullptr;  ///< both null: it could not be read
+  const xml::Document* xml = nullptr;
+};
+
+/// Of one model or scene.
+bool is_same_thing(const Reference& a, const Reference& b);
+
+class Workspace {
+ public:
+  void set_folders(std::vector<std::string> folders);
+  const std::vector<std::string>& folders() const { return folders_; }
+
+  /// Changes of documents that are not open are ignored.
+  void open(const std::string& path, OpenDocument document);
+  void change(const std::string& path, std::int64_t version, const Json& changes,
+              Encoding encoding);
+  void close(const std::string& path);
+  /// Something on the disk is another file now.
+  void forget_files();
+
+  const std::map<std::string, OpenDocument>& documents() const { return documents_; }
+  const OpenDocument* document(const std::string& path) const;
+  /// As the client writes it, where it has the file open.
+  std::string uri_of(const std::string& path) const;
+
+  /// Whether report() is that of the last check.
+  bool is_checked() const { return is_checked_; }
+  /// What smurf-lint finds in the open documents and the models around them.
+  const Report& report();
+  const SourceMap& sources() const { return session_.sources(); }
+  /// What it finds in the folders; points into `sources` until the next check of the folders.
+  struct FolderReport {
+    Report report;
+    const SourceMap* sources = nullptr;
+  };
+  FolderReport check_folders(std::function<void(std::size_t, std::size_t)> on_progress);
+
+  /// The models and scenes of the open documents.
+  const tools::LoadedNames& names();
+  const SourceMap& loaded_sources() const { return session_.loaded_sources(); }
+  /// In every model and scene that reads the file, an open one; scenes last.
+  std::vector<FileView> views(const std::string& path);
+  /// The same, as if an open document had another text.
+  std::vector<FileView> views_with(const std::string& path, std::string text);
+  const FileReader& files() const { return session_.files(); }
+  const Limits& limits() const { return session_.limits(); }
+
+  /// New names, also in the folders. Edits point into loaded_sources() until the next change.
+  Renamed rename(std::size_t part, const Reference& reference, const std::string& to);
+
+ private:
+  tools::LintPlan make_plan(const std::vector<std::string>& paths) const;
+  const Plan& plan();
+  void put_texts();
+  void load();
+  void touch(const std::string& path);
+  std::string place_of_definition(std::size_t part, const Reference& reference);
+  Plan plan_of_rename(const std::string& defined_in);
+
+  std::vector<std::string> folders_;
+  std::map<std::string, OpenDocument> documents_;  ///< by path
+  Session session_;
+  std::optional<Session> folder_session_;  ///< so that typing does not wait for the folders
+  std::vector<std::string> changed_;       ///< documents whose text the session does not have
+  std::optional<Plan> plan_;
+  Report report_;
+  bool is_checked_ = false;
+  std::optional<tools::LoadedNames> names_;
+};
+
+}  // namespace smurf::lsp
