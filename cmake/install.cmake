@@ -19,8 +19,14 @@ file(RELATIVE_PATH SMURF_PC_TO_PREFIX
 configure_file(cmake/smurf.pc.in ${CMAKE_CURRENT_BINARY_DIR}/smurf.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/smurf.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(DIRECTORY schemas/ DESTINATION ${CMAKE_INSTALL_DATADIR}/smurf/schemas)
-install(FILES LICENSE README.md CHANGELOG.md docs/integrations.md docs/python.md docs/rules.md docs/readers.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# All pages, in the folders that their links expect.
+install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+install(FILES python/examples/plot_scene.ipynb
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/python/examples COMPONENT documentation)
 
 # `cpack` in the build folder writes a .deb and a .tar.gz.
 set(CPACK_GENERATOR DEB TGZ)

@@ -24,8 +24,8 @@ void bind_actuation(py::module_& module) {
       .field("min_position", &Motor::min_position, "Newer name of min_value; it wins in MARS.")
       .field("max_position", &Motor::max_position, "Newer name of max_value; it wins in MARS.")
       .field("p", &Motor::p, "Proportional gain.")
-      .field("i", &Motor::i, "Integral gain; MARS counts time in milliseconds.")
-      .field("d", &Motor::d, "Differential gain; MARS counts time in milliseconds.")
+      .field("i", &Motor::i, "Integral gain; MARS measures time in milliseconds.")
+      .field("d", &Motor::d, "Differential gain; MARS measures time in milliseconds.")
       .field("mimic_motor", &Motor::mimic_motor, "Motor that it follows.")
       .field("mimic_multiplier", &Motor::mimic_multiplier, "Factor on the leader's position.")
       .field("mimic_offset", &Motor::mimic_offset, "Added to that, rad or m.");

@@ -121,7 +121,7 @@ void bind_verdict(py::module_& module) {
           "Name of the reader: \"mujoco\".")
       .def_property_readonly(
           "answer", [](const TargetVerdict& self) { return to_text(to_string(self.answer())); },
-          "\"takes it\" and worse, in words of smurf-lint.")
+          "\"takes\", \"loses\", \"unknown\" or \"refuses\".")
       .def_readonly("refusals", &TargetVerdict::refusals, "Findings that it refuses the files for.")
       .def_readonly("losses", &TargetVerdict::losses,
                     "Findings of which it silently makes something else.")

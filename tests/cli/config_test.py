@@ -191,7 +191,7 @@ class Content(ConfigTest):
         self.expect_complaint("a configuration that was found beside the files does not choose what is written; to "
                               "write its baseline, add --baseline 'robots/known.yaml'", "--generate-baseline", "robots")
         self.assertEqual(self.expect(0, "--config", "robots/.smurf-lint.yaml", "--generate-baseline", "robots").stdout,
-                         "let 1 finding pass in robots/known.yaml\n")
+                         "wrote 1 finding to robots/known.yaml\n")
         self.assertEqual(self.findings("robots"), [])
         self.assertEqual(self.findings(".", cwd=self.folder / "robots"), [])
 

@@ -64,6 +64,30 @@ class Pages(cli.CliTest):
             self.skipTest("only smurf-lint takes rules")
         self.assertEqual(self.complete("--explain", "SML3101"), ["SML3101"])
         self.assertEqual(self.complete("--explain", "unknown-joi"), ["unknown-joint"])
+        self.assertEqual(self.complete("--explain", "controll"), ["controllers"])
+        self.assertEqual(self.complete("--severity", "SML3101"), ["SML3101"])
+        self.assertEqual(self.complete("--severity", "SML3101", "=", "w"), ["warning"])
+        self.assertEqual(self.complete("--severity", "SML3101", "="), ["error", "warning", "info"])
+        self.assertEqual(self.complete("--target", "muj"), ["mujoco"])
+        self.assertIn("SML3101=error", self.generate("fish"))
+
+    def test_help_begins_with_examples_and_ends_with_shared_options(self):
+        text = self.expect(0, "--help").stdout
+        headings = [line for line in text.splitlines() if line.endswith(":") and not line.startswith(" ")]
+        self.assertEqual(headings[0], "Examples:")
+        self.assertEqual(headings[-1], "General:")
+        shared = [heading for heading in headings if heading in ("Output:", "Exit code:", "Input:", "General:")]
+        self.assertEqual(headings[-len(shared):], shared)
+        self.assertEqual(shared, [one for one in ("Output:", "Exit code:", "Input:", "General:") if one in shared])
+        examples = text.split("Examples:\n")[1].split("\n\n")[0]
+        self.assertEqual(examples.count("\n      "), 2)
+
+    def test_limits_have_a_page(self):
+        if "--limit" not in self.long_options():
+            self.skipTest("has no limits")
+        self.assertNotIn("yaml-nodes=", self.expect(0, "--help").stdout)
+        page = self.expect(0, "--limit", "help").stdout
+        self.assertRegex(page, r"\n  yaml-depth +100  ")
 
 
 if __name__ == "__main__":

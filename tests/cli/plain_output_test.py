@@ -140,9 +140,9 @@ class Names(PlainOutputTest):
         for name in (NASTY.replace("\0", ""), COMMANDS[0]):
             self.people("smurfs-flatten", "--force", "--explain=" + name, "--", scene)
         for name in ("json", "sarif", "gitlab", "junit"):
-            for tool in ("smurf-lint", "smurf-load-check"):
+            for tool, option in (("smurf-lint", "--format"), ("smurf-load-check", "--report")):
                 with self.subTest(name, tool=tool):
-                    self.run_tool(tool, f"--report={name}=report", "--", scene)
+                    self.run_tool(tool, f"{option}={name}=report", "--", scene)
                     text = (self.folder / "report").read_bytes().decode()
                     PARSERS[name](text)
                     self.assertIsNone(FORBIDDEN.search(text))

@@ -197,7 +197,8 @@ class Output(FlattenTest):
 
 class Explain(FlattenTest):
     def test_chain(self):
-        done = self.expect(0, "scene.smurfs", "--explain", "B")
+        done = self.expect(0, "scene.smurfs", "--explain-pose", "B")
+        self.assertEqual(self.expect(0, "scene.smurfs", "--explain", "B").stdout, done.stdout)
         lines = done.stdout.splitlines()
         self.assertEqual([line.split("  ")[0] for line in lines],
                          ["scene.smurfs:2:10", "models/box.urdf:5:16", "scene.smurfs:3:10",

@@ -364,7 +364,7 @@ class Inputs(StrangerTest):
 
     def test_smurf_lint(self):
         self.inputs = ["arm"]
-        for option in ("-o", "--format=json=", "--report=sarif="):
+        for option in ("-o", "--format=json=", "--format=sarif="):
             self.refuse("smurf-lint", [], option, [*self.MODEL, ".smurf-lint.yaml"])
         self.refuse("smurf-lint", ["--fix"], "-o", self.MODEL[:1])
         self.refuse("smurf-lint", ["--list-files"], "-o", self.MODEL[:1])

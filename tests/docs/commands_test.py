@@ -6,8 +6,9 @@ Usage: commands_test.py BIN_FOLDER PAGE...
 
 A code block after a line that is only "`PATH`:" is the file PATH. In a block `text`, a line that starts
 with "$ " is a command, and what follows is all it prints; a line "..." stands for any number of
-lines, and "..." at the end of a line for the rest of that line. All commands of a page run in one
-folder, which also holds `fixtures` and `arm`, the model of the examples.
+lines, and "..." at the end of a line for the rest of that line. The command in "<!-- $ COMMAND -->" is
+run, and its output ignored. All commands of a page run in one folder, which also holds `fixtures`, the
+model `arm` and `arm.urdf`.
 """
 import os
 import pathlib
@@ -18,7 +19,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-BLOCK = re.compile(r"(?:^`(?P<path>[^`\n]+)`:\n\n)?^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
+BLOCK = re.compile(r"^<!-- \$ (?P<silent>[^\n]*) -->$|"
+                   r"(?:^`(?P<path>[^`\n]+)`:\n\n)?^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
 
 
 def pattern_of(expected):
@@ -51,7 +53,9 @@ def differences(page, folder, environment):
     count = 0
     messages = []
     for block in BLOCK.finditer(page.read_text(encoding="utf-8")):
-        if block["path"]:
+        if block["silent"]:
+            run(block["silent"], folder, environment)
+        elif block["path"]:
             path = folder / block["path"]
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(block["text"], encoding="utf-8")
@@ -68,6 +72,7 @@ def set_up(folder):
     """The models that the pages name."""
     (folder / "fixtures").symlink_to(ROOT / "fixtures")
     shutil.copytree(ROOT / "fixtures" / "models" / "arm", folder / "arm")
+    shutil.copy(ROOT / "tests" / "docs" / "arm.urdf", folder)
 
 
 def main():

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "smurf/render.hpp"
+
 namespace smurf::test {
 
 /// "" when there is no such file.
@@ -19,6 +21,12 @@ inline std::string read_page(const std::filesystem::path& path) {
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
+}
+
+/// "[SML1408](rules/sml14.md#sml1408-bounds-equal)", for a page in docs/.
+inline std::string link_to(const Rule& rule) {
+  const std::string address = rule_address(rule, "");
+  return "[" + std::string(rule.id) + "](" + address.substr(address.find("rules/")) + ")";
 }
 
 /// `name` is that of a file in docs/.

@@ -16,7 +16,7 @@ namespace {
 std::string link_to(std::string_view id) {
   const Rule* rule = find_rule(id);
   if (rule != nullptr) {
-    return "[" + std::string(id) + "](rules.md#" + std::string(rule->name) + ")";
+    return test::link_to(*rule);
   }
   return std::string(id) + std::string(7 - id.size(), 'x');
 }
@@ -32,9 +32,9 @@ void write_reader(std::ostream& page, const Reader& reader) {
   if (reader.is_target) page << " (`" << reader.name << "`)";
   page << "\n\nBasis: " << reader.basis << ".";
   if (reader.like != nullptr) {
-    page << " What is not said here is as for " << reader.like->title << ".";
+    page << " Other facts are those of " << reader.like->title << ".";
   }
-  page << "\n\n| rule | where | effect | what it makes of it | source |\n|---|---|---|---|---|\n";
+  page << "\n\n| rule | where | effect | what the reader does | source |\n|---|---|---|---|---|\n";
   for (const Rule* rule : all_rules()) {
     for (const Fact& fact : rule->facts) {
       if (fact.reader == &reader) write_fact(page, rule->id, fact);
@@ -48,28 +48,27 @@ std::string readers_page() {
   std::ostringstream page;
   page
       << "# Readers\n\n"
-         "What each reader makes of what the rules find. Made from the facts in the rows of the "
-         "rules by `readers_page_test`; do not edit.\n\n"
-         "`smurf-lint --target LIST` judges findings by these facts. The first fact of a reader "
-         "that fits a finding counts; `where` is a part of its path, or after `#` the case of its "
-         "rule; first of all come the parts of a URDF that it does not look at (SML1xxx, but for what "
-         "is wrong with the XML). What is misspelt is judged as what is missing as well, by the worse of the two. "
-         "The effects, and the severity they give a finding:\n\n"
+         "What each program does with the defects that the rules find. Made from the facts in the "
+         "rows of the rules by `readers_page_test`; do not edit.\n\n"
+         "`smurf-lint --target LIST` judges findings by these facts. The first matching fact of a "
+         "reader applies. `where` is a part of the path of the finding, or after `#` the case of its "
+         "rule. Before all others come the parts of a URDF that the reader does not look at (SML1xxx, "
+         "except for malformed XML). A misspelt name is judged as both misspelt and missing; the "
+         "worse effect applies. The effects, and the severities that they give a finding:\n\n"
          "| effect | the reader ... | severity |\n|---|---|---|\n"
-         "| takes | reads it as it is meant | as if no reader stumbled |\n"
-         "| ignores | has no use for it, and nothing else changes | info |\n"
-         "| changes | silently makes something else of it | warning |\n"
+         "| takes | reads it as intended | as if no reader had a problem |\n"
+         "| ignores | does not use it, and nothing else changes | info |\n"
+         "| changes | silently builds something else | warning |\n"
          "| loses | silently leaves a part of the robot out | warning |\n"
-         "| breaks | reports an error and goes on with the rest | error |\n"
+         "| breaks | reports an error and continues with the rest | error |\n"
          "| refuses | does not load the file | error |\n"
          "| crashes | ends or hangs | error |\n\n"
-         "The worst of the targets counts. When none of them stumbles over what others stumble "
-         "over, an error becomes a warning and a warning an info. An error stays one while it is "
-         "not known what a target makes of it, and the verdict on that target is then `not "
-         "known`. Findings about which nothing is known of any reader stay as they are, and so "
-         "does what no body can be: a negative mass, an impossible inertia, a joint from a link "
-         "to itself.\n\n"
-         "Readers that open the URDF only are not asked about annotations (SML3xxx, "
+         "The worst effect among the targets applies. When all targets read a construct that other "
+         "readers fail on, an error becomes a warning and a warning an info. An error remains one "
+         "while its effect on a target is unknown; the verdict on that target is then `not known`. "
+         "Findings without any fact keep their severity, and so do impossible bodies: a negative "
+         "mass, an impossible inertia, a joint from a link to itself.\n\n"
+         "Readers that open the URDF only are not judged by findings in annotations (SML3xxx, "
          "SML4xxx).\n";
   for (const Reader* reader : all_readers()) write_reader(page, *reader);
   return page.str();

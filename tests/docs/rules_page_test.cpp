@@ -1,33 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// docs/rules.md is made from the rule table and the fixtures; this test fails when it is stale.
-// SMURF_UPDATE_SNAPSHOTS=1 writes it.
+// docs/rules.md and docs/rules/*.md are made from the rule table and the fixtures; this test fails
+// when they are stale. SMURF_UPDATE_SNAPSHOTS=1 writes them.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <sstream>
+#include <vector>
 
 #include "docs/page.hpp"
 #include "smurf/readers.hpp"
+#include "smurf/render.hpp"
 
 namespace fs = std::filesystem;
 using namespace smurf;
 
 namespace {
 
-std::string family_title(std::string_view id) {
-  static const std::map<char, std::string> kTitles = {
-      {'0', "SML0xxx: files, YAML, encodings, limits"},
-      {'1', "SML1xxx: the URDF"},
-      {'2', "SML2xxx: the main file"},
-      {'3', "SML3xxx: what annotations refer to"},
-      {'4', "SML4xxx: shapes and values of annotations"},
-      {'5', "SML5xxx: scenes and assemblies"},
-      {'6', "SML6xxx: the load check"},
-      {'7', "SML7xxx: readers that disagree"},
-      {'8', "SML8xxx: losses in a conversion"},
-      {'9', "SML9xxx: configuration and suppressions"}};
-  return kTitles.at(id[3]);
+/// By the name of the page.
+const std::map<std::string, std::string>& page_titles() {
+  static const std::map<std::string, std::string> kTitles = {
+      {"sml0", "SML0xxx: files, YAML, encodings, limits"},
+      {"sml10", "SML10xx: XML and xacro"},
+      {"sml11", "SML11xx: elements and attributes of URDF"},
+      {"sml12", "SML12xx: the tree of links and joints"},
+      {"sml13", "SML13xx: names"},
+      {"sml14", "SML14xx: joints, transmissions, extensions"},
+      {"sml15", "SML15xx: masses and inertias"},
+      {"sml16", "SML16xx: shapes and meshes"},
+      {"sml17", "SML17xx: materials"},
+      {"sml18", "SML18xx: numbers"},
+      {"sml19", "SML19xx: what single programs do not support"},
+      {"sml2", "SML2xxx: the main file"},
+      {"sml3", "SML3xxx: references of annotations"},
+      {"sml4", "SML4xxx: shapes and values of annotations"},
+      {"sml5", "SML5xxx: scenes and assemblies"},
+      {"sml6", "SML6xxx: the load check"},
+      {"sml7", "SML7xxx: readers that disagree"},
+      {"sml8", "SML8xxx: losses in a conversion"},
+      {"sml9", "SML9xxx: configuration and suppressions"}};
+  return kTitles;
+}
+
+/// "sml14": the page that the address of the rule leads to.
+std::string page_of(const Rule& rule) {
+  const std::string address = rule_address(rule, "");
+  const std::size_t begin = address.rfind('/') + 1;
+  return address.substr(begin, address.find(".md") - begin);
 }
 
 /// Why it matters, and what readers make of it.
@@ -40,39 +61,112 @@ std::string reasons(const Rule& rule) {
   return text;
 }
 
-std::string rules_page() {
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+fs::path fixture_of(const Rule& rule) {
+  return fs::path(SMURF_FIXTURES) / "rules" / (std::string(rule.id) + "-" + std::string(rule.name));
+}
+
+/// The first file that the finding names: " --> robot.urdf:20:19".
+std::string file_of(const std::string& finding) {
+  const std::size_t arrow = finding.find("--> ");
+  if (arrow == std::string::npos) return {};
+  const std::size_t begin = arrow + 4;
+  return finding.substr(begin, finding.find(':', begin) - begin);
+}
+
+/// The lines of `good` that `bad` does not have, with one line around them; "" when there are none
+/// or many.
+std::string new_lines(const std::string& bad, const std::string& good) {
+  const std::vector<std::string> before = lines_of(bad);
+  const std::vector<std::string> after = lines_of(good);
+  const std::set<std::string> known(before.begin(), before.end());
+  std::set<std::size_t> shown;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (known.contains(after[i])) continue;
+    ++count;
+    for (std::size_t k = i == 0 ? 0 : i - 1; k <= std::min(i + 1, after.size() - 1); ++k) {
+      shown.insert(k);
+    }
+  }
+  constexpr std::size_t kMost = 8;
+  if (count == 0 || count > kMost) return {};
+  std::string text;
+  std::size_t last = 0;
+  for (const std::size_t i : shown) {
+    if (!text.empty() && i > last + 1) text += "...\n";
+    text += after[i] + "\n";
+    last = i;
+  }
+  return text;
+}
+
+/// The first finding of the bad fixture, and how the good one is written in the same place.
+std::string example_of(const Rule& rule) {
+  const fs::path folder = fixture_of(rule);
+  const std::string report = test::read_page(folder / "bad.expected.txt");
+  if (report.empty()) return {};
+  const std::string finding = report.substr(0, report.find("\n\n"));
+  std::string text = "\n```text\n" + finding + "\n```\n";
+  const std::string file = file_of(finding);
+  const std::string bad = test::read_page(folder / "bad" / file);
+  const std::string good = test::read_page(folder / "good" / file);
+  const std::string lines = new_lines(bad, good);
+  if (bad.empty() || lines.empty()) return text;
+  const bool is_xml = file.ends_with(".urdf") || file.ends_with(".svg");
+  return text + "\nWithout a finding:\n\n```" + (is_xml ? "xml" : "yaml") + "\n" + lines + "```\n";
+}
+
+void write_rule(std::ostream& page, const Rule& rule) {
+  page << "\n### " << rule.id << " " << rule.name << "\n\n"
+       << rule.summary << " (" << to_string(rule.severity) << ")\n\n"
+       << reasons(rule) << "**What to do.** " << rule.remedy << "\n";
+  if (const Tolerance& tolerance = rule.tolerance; !tolerance.meaning.empty()) {
+    page << "\n**Tolerance.** " << tolerance.value << (tolerance.unit.empty() ? "" : " ")
+         << tolerance.unit << ": " << tolerance.meaning << "\n";
+  }
+  page << example_of(rule) << "\n**Sources.** " << sources_of(rule) << "\n";
+}
+
+/// A row of the index. The anchors are those of the time when all rules were on one page.
+void write_row(std::ostream& page, const Rule& rule) {
+  const std::string address = rule_address(rule, "");
+  const std::string anchor = address.substr(address.find('#') + 1);
+  page << "| <a id=\"" << rule.name << "\"></a><a id=\"" << anchor << "\"></a>[" << rule.id
+       << "](rules/" << page_of(rule) << ".md#" << anchor << ") | " << rule.name << " | "
+       << to_string(rule.severity) << " | " << rule.summary << " |\n";
+}
+
+std::string index_page() {
   std::ostringstream page;
   page << "# Rules\n\n"
           "Made from the rule table and the fixtures by `rules_page_test`; do not edit. "
-          "`smurf-lint --explain ID` prints the same texts.\n";
-  char family = 0;
+          "`smurf-lint --explain ID` prints the text of a rule.\n";
+  std::string current;
   for (const Rule* rule : all_rules()) {
-    if (rule->id[3] != family) {
-      family = rule->id[3];
-      page << "\n## " << family_title(rule->id)
+    if (page_of(*rule) != current) {
+      current = page_of(*rule);
+      page << "\n## " << page_titles().at(current)
            << "\n\n| id | name | severity | finds |\n|---|---|---|---|\n";
-      for (const Rule* row : all_rules()) {
-        if (row->id[3] != family) continue;
-        page << "| [" << row->id << "](#" << row->name << ") | " << row->name << " | "
-             << to_string(row->severity) << " | " << row->summary << " |\n";
-      }
     }
-    page << "\n<a id=\"" << rule->name << "\"></a>\n### " << rule->id << " " << rule->name << "\n\n"
-         << rule->summary << " (" << to_string(rule->severity) << ")\n\n"
-         << reasons(*rule) << "**What to do.** " << rule->remedy << "\n";
-    if (const Tolerance& tolerance = rule->tolerance; !tolerance.meaning.empty()) {
-      page << "\n**Tolerance.** " << tolerance.value << (tolerance.unit.empty() ? "" : " ")
-           << tolerance.unit << ": " << tolerance.meaning << "\n";
-    }
-    page << "\n**Sources.** " << sources_of(*rule) << "\n";
-    const std::string example = test::read_page(
-        fs::path(SMURF_FIXTURES) / "rules" /
-        (std::string(rule->id) + "-" + std::string(rule->name)) / "bad.expected.txt");
-    if (!example.empty()) {
-      // The first diagnostic is example enough.
-      const std::size_t second = example.find("\n\n");
-      page << "\n```text\n" << example.substr(0, second) << "\n```\n";
-    }
+    write_row(page, *rule);
+  }
+  return page.str();
+}
+
+std::string family_page(const std::string& name) {
+  std::ostringstream page;
+  page << "# " << page_titles().at(name)
+       << "\n\nMade from the rule table and the fixtures by `rules_page_test`; do not edit. "
+          "[All rules](../rules.md).\n";
+  for (const Rule* rule : all_rules()) {
+    if (page_of(*rule) == name) write_rule(page, *rule);
   }
   return page.str();
 }
@@ -80,5 +174,11 @@ std::string rules_page() {
 }  // namespace
 
 TEST_CASE("docs/rules.md is what the rule table says") {
-  test::check_page("rules.md", rules_page());
+  test::check_page("rules.md", index_page());
+}
+
+TEST_CASE("docs/rules/*.md are what the rule table says") {
+  for (const auto& [name, title] : page_titles()) {
+    test::check_page("rules/" + name + ".md", family_page(name));
+  }
 }

@@ -61,7 +61,7 @@ class Action(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("::warning file=robots/arm/urdf/arm.urdf,line=", done.stdout)
         self.assertIn("    warning[SML1604]: mesh file not found", self.summary())
-        self.assertRegex(self.summary(), r"\n    ros +takes it with losses")
+        self.assertRegex(self.summary(), r"\n    ros +loads, with losses")
         self.assertIn("SML1604", (self.folder / "work/out.sarif").read_text())
 
     def test_a_corrupted_release(self):

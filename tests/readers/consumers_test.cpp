@@ -3,8 +3,8 @@
 // each, and with the URDFs of the test suites of other readers. Drake is not among the readers that
 // were run; for it count what its own tests expect.
 //
-// A false all-clear is a file that a reader refused, of which we print "takes it", with losses or
-// without. A false alarm is one that it took, of which we print "refuses it". Neither may become
+// A false all-clear is a file that a reader refused, of which we print "loads", with losses or
+// without. A false alarm is one that it took, of which we print "fails to load". Neither may become
 // more, nor may the files of which we print "not known".
 //
 // usage: consumers_test SHARED-FOLDER; exits with 77 (skipped) without that folder.

@@ -26,8 +26,10 @@ TEST_CASE("a fix without help describes itself") {
   CHECK(help({{{id, 2, 3}, "&amp;"}}) == "  = help: write `&amp;` [safe fix]\n\n");
   CHECK(help({{{id, 2, 4}, ""}}) == "  = help: delete `& ` [safe fix]\n\n");
   CHECK(help({{{id, 2, 2}, "#"}}) == "  = help: insert `#` [safe fix]\n\n");
-  CHECK(help({{{id, 2, 2}, "#"}, {{id, 3, 3}, "#"}}) == "  = help: a fix is known [safe fix]\n\n");
-  CHECK(help({{{id, 2, 3}, std::string(61, 'x')}}) == "  = help: a fix is known [safe fix]\n\n");
+  CHECK(help({{{id, 2, 2}, "#"}, {{id, 3, 3}, "#"}}) ==
+        "  = help: see the fix with `--diff` [safe fix]\n\n");
+  CHECK(help({{{id, 2, 3}, std::string(61, 'x')}}) ==
+        "  = help: see the fix with `--diff` [safe fix]\n\n");
 }
 
 TEST_CASE("colour only when asked for") {
@@ -82,10 +84,10 @@ TEST_CASE("targets have a line each, and the first reason below it") {
                              .span = diagnostic.span};
   const std::vector<TargetVerdict> targets = {losing, {.reader = &other}};
   CHECK(render_targets(targets, sources, {}) ==
-        "abc     takes it with losses (2)\n"
+        "abc     loads, with losses (2)\n"
         "        a.yml:1:4: leaves the motor out, and with it the controller that would\n"
         "        have moved the joint (SML3101)\n"
-        "defghi  takes it\n");
+        "defghi  loads\n");
 }
 
 TEST_CASE("a verdict may be that it is not known, and says what was let pass") {
@@ -97,9 +99,9 @@ TEST_CASE("a verdict may be that it is not known, and says what was let pass") {
   CHECK(line({.unknown = 3, .losses = 1, .unknown_rules = {&kRule, &kOtherRule}}) ==
         "abc  not known (3): SML3101, SML0011\n");
   CHECK(line({.refusals = 1, .unknown = 1, .in_baseline = 1}) ==
-        "abc  refuses it (1, in the baseline)\n");
+        "abc  fails to load (1, in the baseline)\n");
   CHECK(line({.refusals = 3, .ignored = 2, .in_baseline = 1}) ==
-        "abc  refuses it (3, 2 ignored by a comment, 1 in the baseline)\n");
+        "abc  fails to load (3, 2 ignored by a comment, 1 in the baseline)\n");
 }
 
 TEST_CASE("statistics list the most frequent rule first") {

@@ -5,8 +5,8 @@
 usage: verdicts_test.py SMURF-LINT [--list READER WHAT]
 
 For each reader are counted, and may not become more than BOUNDS:
-  all-clears  we print "takes it", with losses or without; it refuses the file or crashes
-  alarms      we print "refuses it"; it takes the file
+  all-clears  we print "loads", with losses or without; it refuses the file or crashes
+  alarms      we print "fails to load"; it takes the file
   not-known   we print "not known"
   others      we print no more losses than for the undamaged robot; it makes another robot of a file
               that can mean nothing but the undamaged one

@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::size_t kColumns = 80;
 constexpr std::size_t kHelpColumn = 30;
+constexpr std::size_t kExamplesInHelp = 2;
+
+/// Headings of options that all or most tools have, in the order of --help.
+constexpr std::string_view kSharedGroups[] = {"Output", "Exit code", "Input", "General"};
 
 const Option kStandardOptions[] = {
     {.group = "General", .letter = 'h', .name = "help", .help = "Show this page."},
@@ -21,7 +25,7 @@ const Option kStandardOptions[] = {
     {.name = "generate",
      .metavar = "WHAT",
      .help = "A manual page or a completion script, for packages.",
-     .values = {"man", "bash", "zsh", "fish"}},
+     .values = {"man", "bash", "zsh", "fish", "markdown"}},
 };
 
 /// "  -o, --output FILE"
@@ -66,6 +70,12 @@ std::vector<std::string_view> option_groups(std::span<const Option> options) {
       groups.push_back(option.group);
     }
   }
+  const auto rank_of = [](std::string_view group) {
+    const auto* found = std::find(std::begin(kSharedGroups), std::end(kSharedGroups), group);
+    return found == std::end(kSharedGroups) ? 0 : found - std::begin(kSharedGroups) + 1;
+  };
+  std::stable_sort(groups.begin(), groups.end(),
+                   [&](std::string_view a, std::string_view b) { return rank_of(a) < rank_of(b); });
   return groups;
 }
 
@@ -73,20 +83,21 @@ std::string help_text(const Command& command) {
   std::string usage = "Usage: " + std::string(command.name) + " [OPTION]...";
   if (!command.operands.empty()) usage.append(" ").append(command.operands);
   std::string out = usage + "\n\n" + render::wrap(command.summary, 0, kColumns);
+  if (!command.examples.empty()) out += "\nExamples:\n";
+  for (const Example& example :
+       std::span(command.examples).first(std::min(kExamplesInHelp, command.examples.size()))) {
+    out += render::wrap(example.does, 2, kColumns);
+    out.append("      ").append(example.command).append("\n");
+  }
   if (!command.details.empty()) out += "\n" + render::wrap(command.details, 0, kColumns);
 
   const std::vector<Option> options = all_options(command);
   for (const std::string_view group : option_groups(options)) {
     out += options_text(options, group);
   }
-
-  if (!command.examples.empty()) out += "\nExamples:\n";
-  for (const Example& example : command.examples) {
-    out += render::wrap(example.does, 2, kColumns);
-    out.append("      ").append(example.command).append("\n");
-  }
-  return out +
-         "\nExit codes: 0 done, 1 findings at or above the threshold, 2 could not do the job\n";
+  out += "\nExit codes: 0 done, 1 findings at or above the threshold, 2 could not do the job\n";
+  return out + "More examples:\n  " + std::string(kHomepage) + "/blob/main/docs/tools/" +
+         std::string(command.name) + ".md\n";
 }
 
 Setter set_flag(bool& flag) {
@@ -142,8 +153,20 @@ std::string none_of(std::string_view value, std::span<const std::string_view> kn
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {
-  const auto found = nearest(name, known);
-  return found ? "; did you mean '" + std::string(*found) + "'?" : std::string();
+  if (const auto found = nearest(name, known)) {
+    return "; did you mean '" + std::string(*found) + "'?";
+  }
+  constexpr std::size_t kShortest = 3;  // dashes in front do not count
+  constexpr std::size_t kMost = 3;
+  const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
+  if (name.size() - dashes < kShortest) return {};
+  std::string longer;
+  std::size_t count = 0;
+  for (const std::string_view word : known) {
+    if (!word.starts_with(name) || ++count > kMost) continue;
+    longer.append(longer.empty() ? "'" : " or '").append(word).append("'");
+  }
+  return count == 0 || count > kMost ? std::string() : "; did you mean " + longer + "?";
 }
 
 }  // namespace smurf::tools

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A command line as data: parsed, explained by --help, and open to whoever generates manual pages
+// A command line as data: parsed, explained by --help, and the source of manual pages
 // or shell completions from it.
 #pragma once
 
@@ -35,7 +35,9 @@ struct Option {
   std::string_view help{};
   std::vector<std::string_view> values{};  ///< the only ones allowed; empty: any
   std::vector<std::string_view> (*suggestions)() =
-      nullptr;  ///< for completions, when any is allowed
+      nullptr;                             ///< for completions, when any is allowed
+  std::vector<std::string_view> levels{};  ///< for completions of ID=LEVEL: what follows the "="
+  std::string (*help_page)() = nullptr;    ///< what the value "help" prints, instead of a run
   Setter set{};
 };
 
@@ -51,12 +53,12 @@ struct Command {
   std::string_view details{};   ///< what the operands are and the like
   std::vector<Option> options{};
   Setter set_operand{};
-  std::vector<Example> examples{};
+  std::vector<Example> examples{};  ///< the two most useful ones first: --help shows only those
 };
 
 /// The command's own options and those that every tool has, as --help shows them.
 std::vector<Option> all_options(const Command& command);
-/// The headings, in the order of their first options.
+/// The headings in the order of --help: those of the tool alone, then those that tools share.
 std::vector<std::string_view> option_groups(std::span<const Option> options);
 /// --help, --version, and what packages are made with.
 std::span<const Option> standard_options();
@@ -93,7 +95,7 @@ std::vector<std::string_view> split_items(std::string_view list);
 /// "'x' is none of a, b, c; did you mean 'a'?"
 std::string none_of(std::string_view value, std::span<const std::string_view> known);
 
-/// "; did you mean 'x'?" for the nearest of `known`, or "".
+/// "; did you mean 'x'?" for the nearest of `known`, else for those that begin with `name`; or "".
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace smurf::tools

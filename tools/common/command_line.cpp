@@ -25,7 +25,7 @@ class CommandLine {
     for (const Option& option : standard_options()) add_if_written(option);
   }
 
-  /// What is wrong, if anything.
+  /// Returns an error message, or nullopt.
   std::optional<std::string> parse() {
     try {
       app_.parse(std::vector<std::string>(arguments_.rbegin(), arguments_.rend()));
@@ -36,6 +36,10 @@ class CommandLine {
     if (has("generate")) return set(options_[index_of("generate")], value_of("generate"));
     for (std::size_t i = 0; i < options_.size(); ++i) {
       for (const std::string& value : cli_options_[i]->results()) {
+        if (options_[i].help_page != nullptr && value == "help") {
+          page_ = options_[i].help_page();
+          return std::nullopt;
+        }
         if (auto wrong = set(options_[i], value)) return wrong;
       }
     }
@@ -46,6 +50,9 @@ class CommandLine {
     const std::size_t index = index_of(name);
     return index < options_.size() && cli_options_[index]->count() > 0;
   }
+
+  /// The page that a value "help" asked for; "" when none did.
+  const std::string& page() const { return page_; }
 
   /// Precondition: has(name).
   std::string value_of(std::string_view name) const {
@@ -144,6 +151,7 @@ class CommandLine {
   CLI::App app_;
   std::vector<Option> options_;  ///< those that may be written
   std::vector<CLI::Option*> cli_options_;
+  std::string page_;
 };
 
 }  // namespace
@@ -159,7 +167,8 @@ std::optional<ExitCode> parse_command_line(const Command& command, int argc,
   static const std::map<std::string_view, Generator> kGenerators = {{"man", manual_page},
                                                                     {"bash", bash_completion},
                                                                     {"zsh", zsh_completion},
-                                                                    {"fish", fish_completion}};
+                                                                    {"fish", fish_completion},
+                                                                    {"markdown", markdown_page}};
   std::string text;
   if (line.has("help")) {
     text = help_text(command);
@@ -167,6 +176,8 @@ std::optional<ExitCode> parse_command_line(const Command& command, int argc,
     text = std::string(command.name) + " " + std::string(kVersion) + "\n";
   } else if (line.has("generate")) {
     text = kGenerators.at(line.value_of("generate"))(command);
+  } else if (!line.page().empty()) {
+    text = line.page();
   } else {
     return std::nullopt;
   }

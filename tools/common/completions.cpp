@@ -18,6 +18,35 @@ std::vector<std::string_view> words_of(const Option& option) {
                                                                 : option.values;
 }
 
+/// All words, those with a level written out: "SML3101=error".
+std::string whole_words_of(const Option& option) {
+  if (option.levels.empty()) return joined(words_of(option));
+  std::string out;
+  for (const std::string_view word : words_of(option)) {
+    for (const std::string_view level : option.levels) {
+      out.append(out.empty() ? "" : " ").append(word).append("=").append(level);
+    }
+  }
+  return out;
+}
+
+/// bash takes "ID=LEVEL" for three words: the level is completed by the word before the ID.
+std::string bash_levels(const Command& command) {
+  std::string cases;
+  for (const Option& option : all_options(command)) {
+    if (option.levels.empty()) continue;
+    cases += "    --" + std::string(option.name) + ")\n      COMPREPLY=($(compgen -W \"" +
+             joined(option.levels) + "\" -- \"${word#=}\"))\n      return ;;\n";
+  }
+  if (cases.empty()) return {};
+  return "  local option=\n"
+         "  if [[ $word == \"=\" ]]; then option=${COMP_WORDS[COMP_CWORD-2]}; fi\n"
+         "  if [[ $before == \"=\" && COMP_CWORD -gt 2 ]]; then "
+         "option=${COMP_WORDS[COMP_CWORD-3]}; fi\n"
+         "  case $option in\n" +
+         cases + "  esac\n";
+}
+
 bool takes_file(const Option& option) {
   return option.metavar.find("FILE") != std::string_view::npos ||
          option.metavar.find("PATH") != std::string_view::npos ||
@@ -37,7 +66,7 @@ std::string quoted(std::string_view text, std::string_view apostrophe) {
   return out + "'";
 }
 
-/// The first sentence, without what zsh takes for its own.
+/// The first sentence, with the characters escaped that zsh interprets.
 std::string gist(std::string_view help, bool escape_brackets) {
   const std::size_t end = std::min(help.find(". "), help.size());
   std::string out;
@@ -79,7 +108,8 @@ std::string bash_completion(const Command& command) {
   return "# bash completion of " + std::string(command.name) + "\n" + function +
          "() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
-         "  COMPREPLY=()\n"
+         "  COMPREPLY=()\n" +
+         bash_levels(command) +
          "  if [[ $before == \"=\" ]]; then before=${COMP_WORDS[COMP_CWORD-2]}; fi\n"
          "  if [[ $word == \"=\" ]]; then before=${COMP_WORDS[COMP_CWORD-1]}; word=; fi\n"
          "  case $before in\n" +
@@ -105,7 +135,7 @@ std::string zsh_completion(const Command& command) {
     if (!option.metavar.empty()) {
       value = std::string(option.may_omit_value ? "::" : ":") + gist(option.metavar, true) + ":";
       if (!words_of(option).empty()) {
-        value += "(" + joined(words_of(option)) + ")";
+        value += "(" + whole_words_of(option) + ")";
       } else if (takes_file(option)) {
         value += "_files";
       }
@@ -131,7 +161,7 @@ std::string fish_completion(const Command& command) {
     if (!option.metavar.empty() && !option.may_omit_value) {
       out += takes_file(option) && words_of(option).empty() ? " -r -F" : " -x";
     }
-    if (!words_of(option).empty()) out += " -a " + quoted(joined(words_of(option)), "\\'");
+    if (!words_of(option).empty()) out += " -a " + quoted(whole_words_of(option), "\\'");
     out += " -d " + quoted(gist(option.help, false), "\\'") + "\n";
   }
   return out;

@@ -6,7 +6,7 @@
 namespace smurf::tools {
 namespace {
 
-/// Text as roff takes it for nothing but text.
+/// Escapes what roff would interpret.
 std::string roff(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -74,6 +74,52 @@ std::string manual_page(const Command& command) {
            "\n.fi\n.RE\n";
   }
   return out + ".SH \"SEE ALSO\"\n" + roff(kHomepage) + "\n";
+}
+
+namespace {
+
+/// Text in a cell of a table.
+std::string cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '|' || c == '<') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string row(const Option& option) {
+  std::string names = "`";
+  if (option.letter != 0) names += std::string("-") + option.letter + "`, `";
+  names.append("--").append(option.name);
+  if (option.may_omit_value) {
+    names.append("[=").append(option.metavar).append("]");
+  } else if (!option.metavar.empty()) {
+    names.append(" ").append(option.metavar);
+  }
+  return "| " + names + "` | " + cell(option.help) + " |\n";
+}
+
+}  // namespace
+
+std::string markdown_page(const Command& command) {
+  std::string out = "## Examples\n\n| to | run |\n|---|---|\n";
+  for (const Example& example : command.examples) {
+    std::string_view does = example.does;
+    while (does.ends_with(':')) does.remove_suffix(1);
+    out += "| " + cell(does) + " | `" + cell(example.command) + "` |\n";
+  }
+  out += "\n## Options\n\nUsage: `" + std::string(command.name) + " [OPTION]...";
+  if (!command.operands.empty()) out.append(" ").append(command.operands);
+  out += "`\n\n" + std::string(command.details) + "\n";
+  const std::vector<Option> options = all_options(command);
+  for (const std::string_view group : option_groups(options)) {
+    out += "\n### " + std::string(group) + "\n\n| option | meaning |\n|---|---|\n";
+    for (const Option& option : options) {
+      if (option.group == group) out += row(option);
+    }
+  }
+  return out;
 }
 
 }  // namespace smurf::tools

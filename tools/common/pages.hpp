@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Manual pages and shell completions, made from the option tables.
+// Manual pages, pages of the documentation and shell completions, made from the option tables.
 #pragma once
 
 #include <string>
@@ -10,6 +10,9 @@ namespace smurf::tools {
 
 /// For man(1).
 std::string manual_page(const Command& command);
+
+/// What docs/tools/NAME.md says of options and examples.
+std::string markdown_page(const Command& command);
 
 /// Scripts that complete options, their values, and files.
 std::string bash_completion(const Command& command);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a long run is, for whoever waits at a terminal.
+// Progress of a long run, on a terminal.
 #pragma once
 
 #include <atomic>

@@ -82,7 +82,8 @@ std::string gitlab(const Results& results, const TextStyle&) {
 }
 
 std::string junit(const Results& results, const TextStyle&) {
-  return render_junit(results.diagnostics, results.sources, {results.tool, kVersion});
+  return render_junit(results.diagnostics, results.sources, {results.tool, kVersion},
+                      results.least_failure);
 }
 
 /// What a log is read with: GitHub turns its own lines into marks in the changed files.
@@ -148,17 +149,22 @@ Setter append_report(std::vector<ReportRequest>& requests) {
   };
 }
 
+std::optional<Severity> least_failure(const Summary& summary, const Threshold& threshold) {
+  const bool too_many = threshold.max_warnings &&
+                        summary.warnings > static_cast<std::size_t>(*threshold.max_warnings);
+  if (!too_many) return threshold.fail_on;
+  return std::min(threshold.fail_on.value_or(Severity::warning), Severity::warning);
+}
+
 ExitCode judge(const Summary& summary, const Threshold& threshold) {
   if (threshold.exit_zero) return kDone;
   const std::size_t by_severity[] = {summary.infos, summary.warnings, summary.errors};
-  if (threshold.fail_on) {
-    for (auto i = static_cast<std::size_t>(*threshold.fail_on); i < 3; ++i) {
+  if (const std::optional<Severity> least = least_failure(summary, threshold)) {
+    for (auto i = static_cast<std::size_t>(*least); i < 3; ++i) {
       if (by_severity[i] > 0) return kFindings;
     }
   }
-  const bool too_many = threshold.max_warnings &&
-                        summary.warnings > static_cast<std::size_t>(*threshold.max_warnings);
-  return too_many ? kFindings : kDone;
+  return kDone;
 }
 
 }  // namespace smurf::tools

@@ -25,6 +25,8 @@ struct Results {
   bool quiet = false;          ///< no summary
   bool counts_only = false;    ///< for people: how often each rule, instead of every finding
   OverviewOptions overview{};  ///< for people
+  std::optional<Severity> least_failure =
+      Severity::error;  ///< for JUnit: what decides the exit code
 };
 
 struct ReportFormat {
@@ -53,6 +55,8 @@ struct Threshold {
   std::optional<int> max_warnings;
   bool exit_zero = false;
 };
+/// The least severity that ends a run with kFindings; none when nothing does.
+std::optional<Severity> least_failure(const Summary& summary, const Threshold& threshold);
 /// kDone or kFindings.
 ExitCode judge(const Summary& summary, const Threshold& threshold);
 

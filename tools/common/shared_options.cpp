@@ -39,17 +39,19 @@ std::optional<std::string> set_limit(std::string_view item, Limits& limits) {
   return std::nullopt;
 }
 
-std::string_view limit_help() {
-  static const std::string help = [] {
-    std::string text =
-        "Another bound on what files may demand, such as yaml-depth=200. The usual ones:";
-    for (const LimitInfo& info : kLimits) {
-      text.append(" ").append(info.name).append("=").append(std::to_string(Limits{}.*info.value));
-      text.append(&info == &kLimits.back() ? "." : ",");
-    }
-    return text;
-  }();
-  return help;
+/// A table of all limits, for `--limit help`.
+std::string limits_page() {
+  std::size_t longest = 0;
+  for (const LimitInfo& info : kLimits) longest = std::max(longest, info.name.size());
+  std::string page = "Limits, their defaults and what they bound:\n\n";
+  for (const LimitInfo& info : kLimits) {
+    constexpr std::size_t kDigits = 10;
+    const std::string number = std::to_string(Limits{}.*info.value);
+    page.append("  ").append(info.name).append(longest - info.name.size() + 2, ' ');
+    page.append(kDigits - std::min(kDigits, number.size()), ' ').append(number);
+    page.append("  ").append(info.counts).append("\n");
+  }
+  return page + "\nSet one with --limit NAME=N, several separated by commas.\n";
 }
 
 }  // namespace
@@ -89,11 +91,12 @@ Option report_option(std::string_view name, std::vector<ReportRequest>& reports)
 
 Option fail_on_option(Threshold& threshold) {
   using Level = std::optional<Severity>;
-  return {.group = "Verdict",
+  return {.group = "Exit code",
           .name = "fail-on",
           .metavar = "LEVEL",
-          .help = "Exit with 1 when there is a finding of this severity or above: error (the "
-                  "default), warning, info or never.",
+          .help =
+              "Exit with 1 on findings of this severity or above: error (the default), warning, "
+              "info or never.",
           .values = {"error", "warning", "info", "never"},
           .set = choose<Level>(threshold.fail_on, {{"error", Severity::error},
                                                    {"warning", Severity::warning},
@@ -105,7 +108,7 @@ Option stdin_filename_option(std::string& path) {
   return {.group = "Input",
           .name = "stdin-filename",
           .metavar = "PATH",
-          .help = "What '-' is called in messages, and where its relative paths start.",
+          .help = "The name of '-' in messages; its relative paths start in that folder.",
           .set = set_text(path)};
 }
 
@@ -113,7 +116,7 @@ Option package_option(std::map<std::string, std::string>& packages) {
   return {.group = "Input",
           .name = "package",
           .metavar = "NAME=DIR",
-          .help = "The folder that package://NAME/ stands for; may be repeated.",
+          .help = "The folder of the package in package://NAME/; may be repeated.",
           .set = set_package(packages)};
 }
 
@@ -121,7 +124,9 @@ Option limit_option(Limits& limits) {
   return {.group = "Input",
           .name = "limit",
           .metavar = "NAME=N",
-          .help = limit_help(),
+          .help = "Set another limit on what files may demand, such as yaml-depth=200; `--limit "
+                  "help` lists the limits.",
+          .help_page = limits_page,
           .set = [&limits](std::string_view list) -> std::optional<std::string> {
             for (const std::string_view item : split_items(list)) {
               if (auto wrong = set_limit(item, limits)) return wrong;
@@ -135,17 +140,18 @@ Option jobs_option(std::optional<int>& jobs) {
           .letter = 'j',
           .name = "jobs",
           .metavar = "N",
-          .help = "Threads to use at most. The output does not depend on it.",
+          .help = "Largest number of threads. The output does not depend on it.",
           .set = set_number(jobs, 1)};
 }
 
 Option allow_outside_option(bool& allow_outside) {
-  return {.group = "Input",
-          .name = "allow-outside",
-          .help =
-              "Read files that models name wherever they lie. Without it: in the current folder, "
-              "in the repository or package of the input, and in packages.",
-          .set = set_flag(allow_outside)};
+  return {
+      .group = "Input",
+      .name = "allow-outside",
+      .help =
+          "Read files that models name wherever they are. By default, only files in the "
+          "current folder, in the repository or package of the input, and in packages are read.",
+      .set = set_flag(allow_outside)};
 }
 
 }  // namespace smurf::tools

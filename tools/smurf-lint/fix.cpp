@@ -20,7 +20,7 @@ namespace smurf::tools {
 namespace {
 
 constexpr std::string_view kTool = "smurf-lint";
-/// A fix may uncover the next fault, but not for ever.
+/// A fix may uncover the next fault; this bounds the number of rounds.
 constexpr int kRounds = 10;
 /// With those that only fix what was left out before, because there were too many findings.
 constexpr int kMostRounds = 100;

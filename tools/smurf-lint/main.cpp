@@ -12,8 +12,8 @@
 #include "common/process.hpp"
 #include "common/progress.hpp"
 #include "render/printable.hpp"
-#include "render/wrap.hpp"
 #include "smurf-lint/dump.hpp"
+#include "smurf-lint/explain.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
 #include "smurf-lint/rename.hpp"
@@ -21,7 +21,7 @@
 #include "smurf-lint/show_config.hpp"
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
-#include "smurf/key_help.hpp"
+#include "smurf/suppress.hpp"
 
 using namespace smurf;
 using namespace smurf::tools;
@@ -48,25 +48,14 @@ ExitCode write_text(const LintOptions& options, std::string_view text) {
   return write_output(kTool, options.output, text) ? kDone : kFailed;
 }
 
-/// What the tables say of all keys and attributes of a name; "" when there are none.
-std::string explain_keys(std::string_view name) {
-  std::string text;
-  for (const KeyHelp& key : find_keys(name)) {
-    if (!text.empty()) text += "\n";
-    for (const std::string& line : describe(key)) text += render::wrap(line, 0, 80);
-  }
-  return text;
-}
-
 ExitCode explain(const LintOptions& options) {
-  const Rule* rule = find_rule(options.explain);
-  if (rule == nullptr) {
-    const std::string keys = explain_keys(options.explain);
-    if (!keys.empty()) return write_text(options, keys);
-    complain(kTool, no_such_rule(options.explain));
+  const TextStyle style = style_of(options, options.output);
+  const std::string text = explanation(options.explain, style);
+  if (text.empty()) {
+    complain(kTool, nothing_to_explain(options.explain));
     return kFailed;
   }
-  return write_text(options, render_rule(*rule, style_of(options, options.output)));
+  return write_text(options, text);
 }
 
 ExitCode list_rules(const LintOptions& options) {
@@ -103,7 +92,8 @@ ExitCode write_reports(const LintOptions& options, const std::string& place, con
                         .remarks = std::move(remarks),
                         .quiet = options.quiet || is_nothing,
                         .counts_only = options.statistics,
-                        .overview = overview(options, settings.threshold)};
+                        .overview = overview(options, settings.threshold),
+                        .least_failure = least_failure(report.summary, settings.threshold)};
   ExitCode code = kDone;
   for (const ReportRequest& request : settings.reports) {
     const std::string& file = request.file.empty() ? place : request.file;
@@ -193,7 +183,7 @@ bool may_be_overwritten(const std::string& path, const LintOptions& options) {
   if (old.status == ReadStatus::not_found) return true;
   if (old.status == ReadStatus::ok && is_baseline(old.text)) return true;
   const std::string reason =
-      old.status == ReadStatus::ok ? "it is no baseline that smurf-lint has written" : old.reason;
+      old.status == ReadStatus::ok ? "smurf-lint did not write it as a baseline" : old.reason;
   complain(kTool, "cannot write '" + path + "': " + reason);
   return false;
 }
@@ -208,9 +198,10 @@ ExitCode write_baseline(const LintOptions& options, const Session& session, cons
       is_usual ? write_files(kTool, {{".", *path, text}}, true) : write_output(kTool, *path, text);
   if (!is_written) return kFailed;
   if (options.quiet) return kDone;
-  const std::size_t count = report.diagnostics.size();
-  std::string done = "let " + std::to_string(count) + (count == 1 ? " finding" : " findings") +
-                     " pass in " + render::escape(*path);
+  const auto count = static_cast<std::size_t>(
+      std::count_if(report.diagnostics.begin(), report.diagnostics.end(), may_be_in_baseline));
+  std::string done = "wrote " + std::to_string(count) + (count == 1 ? " finding" : " findings") +
+                     " to " + render::escape(*path);
   if (known.empty()) done += "; from now on, add --baseline " + *path;
   return write_text(options, done + "\n");
 }

@@ -6,6 +6,7 @@
 
 #include "base/numbers.hpp"
 #include "common/shared_options.hpp"
+#include "smurf/format.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -56,6 +57,12 @@ std::vector<std::string_view> rule_words() {
   return words;
 }
 
+std::vector<std::string_view> rule_ids() {
+  std::vector<std::string_view> ids;
+  for (const Rule* rule : all_rules()) ids.push_back(rule->id);
+  return ids;
+}
+
 /// Without duplicates: the report has one row a reader.
 Setter append_targets(std::vector<const Reader*>& targets) {
   return [&targets](std::string_view value) -> std::optional<std::string> {
@@ -76,7 +83,7 @@ std::string_view target_help() {
     for (const std::string_view name : target_names()) {
       names.append(names.empty() ? "" : ", ").append(name);
     }
-    return "Judge for these readers, and say what becomes of the files in each: " + names + ".";
+    return "Judge the files for these readers, and report whether each loads them: " + names + ".";
   }();
   return help;
 }
@@ -118,24 +125,27 @@ std::vector<Option> rule_options(LintOptions& options) {
       {.group = "Rules",
        .name = "select",
        .metavar = "IDS",
-       .help = "Only these rules: ids, names or prefixes such as SML3, separated by commas.",
+       .help = "Check only these rules: ids, names or prefixes such as SML3, separated by commas.",
        .suggestions = rule_words,
        .set = append_rules(options.selection.select)},
       {.group = "Rules",
        .name = "ignore",
        .metavar = "IDS",
-       .help = "All but these rules.",
+       .help = "Check all but these rules.",
        .suggestions = rule_words,
        .set = append_rules(options.selection.ignore)},
       {.group = "Rules",
        .name = "target",
        .metavar = "LIST",
        .help = target_help(),
+       .suggestions = target_names,
        .set = append_targets(options.selection.targets)},
       {.group = "Rules",
        .name = "severity",
        .metavar = "ID=LEVEL",
-       .help = "Make a rule an error, a warning or an info.",
+       .help = "Report a rule as error, warning or info.",
+       .suggestions = rule_ids,
+       .levels = {"error", "warning", "info"},
        .set = set_severity(options.selection.severities)},
       {.group = "Rules",
        .name = "config",
@@ -150,15 +160,17 @@ std::vector<Option> rule_options(LintOptions& options) {
       {.group = "Rules",
        .name = "show-config",
        .metavar = "PATH",
-       .help = "Show the configuration that holds for a file or folder, with the origin of each "
+       .help = "Show the configuration that applies to a file or folder, with the origin of each "
                "value, and check nothing.",
        .set = set_text(options.show_config)},
       {.group = "Rules",
        .name = "explain",
-       .metavar = "ID",
-       .help = "Show why a rule matters and what to do, or what a key (motors.maxEffort) or an "
-               "attribute (limit.effort) means, and check nothing.",
-       .suggestions = rule_words,
+       .metavar = "WHAT",
+       .help =
+           "Explain a rule (SML3101, unknown-joint), list the rules of a family (SML31), list the "
+           "keys of a section (motors, entity), or explain a key (motors.maxEffort) or an "
+           "attribute (limit.effort), and check nothing.",
+       .suggestions = explained_words,
        .set = set_text(options.explain)},
       {.group = "Rules",
        .name = "list-rules",
@@ -176,21 +188,22 @@ std::vector<Option> rule_options(LintOptions& options) {
 
 std::vector<Option> ignore_options(LintOptions& options) {
   return {
-      {.group = "What may pass",
+      {.group = "Suppressing findings",
        .name = "baseline",
        .metavar = "FILE",
-       .help = "Let the findings in this file pass, and report new ones only.",
+       .help = "Report only findings that are not recorded in this file.",
        .set = set_text(options.baseline)},
-      {.group = "What may pass",
+      {.group = "Suppressing findings",
        .name = "generate-baseline",
-       .help = "Write all of today's findings to the baseline; those that are mended go. It is the "
-               "FILE of --baseline, else that of a configuration named by --config, else "
-               ".smurf-lint-baseline.yaml in the current folder.",
+       .help =
+           "Record all current findings in the baseline; fixed ones are removed. The baseline is "
+           "the FILE of --baseline, else that of a configuration named by --config, else "
+           ".smurf-lint-baseline.yaml in the current folder.",
        .set = set_flag(options.generate_baseline)},
-      {.group = "What may pass",
+      {.group = "Suppressing findings",
        .name = "no-ignores",
-       .help = "Report everything, whatever comments (`# smurf-lint: ignore[SML3101] reason`) and "
-               "the baseline let pass.",
+       .help = "Also report findings that comments (`# smurf-lint: ignore[SML3101] reason`) or "
+               "the baseline suppress.",
        .set = set_flag(options.no_ignores)},
   };
 }
@@ -199,44 +212,44 @@ std::vector<Option> fix_options(LintOptions& options) {
   return {
       {.group = "Fixes",
        .name = "fix",
-       .help = "Apply the safe fixes, and report what is left. From standard input, the fixed text "
-               "goes to standard output and the report to standard error.",
+       .help =
+           "Apply the safe fixes, and report the remaining findings. From standard input, the fixed text "
+           "goes to standard output and the report to standard error.",
        .set = set_flag(options.fix)},
       {.group = "Fixes",
        .name = "unsafe-fixes",
-       .help = "With --fix or --diff: also fixes that may change what the model means.",
+       .help = "With --fix or --diff: include fixes that may change the meaning of the model.",
        .set = set_flag(options.unsafe_fixes)},
       {.group = "Fixes",
        .name = "fix-only",
-       .help = "Apply fixes, and do not report what is left.",
+       .help = "Apply fixes without reporting the remaining findings.",
        .set = set_flag(options.fix_only)},
       {.group = "Fixes",
        .name = "diff",
-       .help = "Show what --fix or --rename would change, and change nothing; exit with 1 if that "
-               "is anything.",
+       .help =
+           "Show what --fix or --rename would change, without changing it; exit with 1 if there "
+           "would be changes.",
        .set = set_flag(options.diff)},
       {.group = "Fixes",
        .name = "rename",
        .metavar = "KIND:NAME=NEW",
-       .help = "Give a link, joint, motor, material, ... a new name wherever the models and scenes "
-               "name it, and report what they come to; may be repeated. KIND: may be left out when "
-               "only one thing has the name.",
+       .help =
+           "Rename a link, joint, motor, material, ... in all files of the models and scenes, and "
+           "check the result; may be repeated. KIND: may be left out when the name is unique.",
        .set = append_renames(options.renames)},
   };
 }
 
 std::vector<Option> output_options(LintOptions& options) {
-  // Every tool has --report; here the report is the result, which ruff and others call --format.
-  Option report = report_option("report", options.reports);
-  report.help = "The same as --format.";
   return {
+      // Converters call it --report, because their --format is that of the result.
       report_option("format", options.reports),
-      report,
       output_option(options.output, "Write the report to FILE instead of standard output."),
       {.group = "Output",
        .name = "merge-reports",
-       .help = "Each PATH is a JSON report, of a part of the files: write them as one JSON report, "
-               "and check nothing.",
+       .help =
+           "Each PATH is a JSON report of a part of the files: merge them into one JSON report, "
+           "and check nothing.",
        .set = set_flag(options.merge_reports)},
       {.group = "Output",
        .name = "all",
@@ -257,23 +270,23 @@ std::vector<Option> verdict_options(LintOptions& options) {
   };
   using Level = std::optional<Severity>;
   return {
-      {.group = "Verdict",
+      {.group = "Output",
        .name = "min-severity",
        .metavar = "LEVEL",
-       .help = "Leave out what is less severe than this: error, warning or info.",
+       .help = "Report only findings of this severity or above: error, warning or info.",
        .values = {"error", "warning", "info"},
        .set = choose<Level>(
            options.min_severity,
            {{"error", Severity::error}, {"warning", Severity::warning}, {"info", Severity::info}})},
       fail_on,
-      {.group = "Verdict",
+      {.group = "Exit code",
        .name = "max-warnings",
        .metavar = "N",
-       .help = "Exit with 1 when there are more than N warnings.",
+       .help = "Exit with 1 on more than N warnings.",
        .set = set_number(options.threshold.max_warnings, 0)},
-      {.group = "Verdict",
+      {.group = "Exit code",
        .name = "exit-zero",
-       .help = "Exit with 0 whatever is found; 2 remains 2.",
+       .help = "Exit with 0 even when there are findings; failures still exit with 2.",
        .set = set_flag(options.threshold.exit_zero)},
   };
 }
@@ -282,23 +295,22 @@ std::vector<Option> input_options(LintOptions& options) {
   return {
       {.group = "Input",
        .name = "force-exclude",
-       .help =
-           "Leave out what `exclude` in the configuration and ignore files name, even when it is "
-           "a PATH; for hooks.",
+       .help = "Apply `exclude` of the configuration and ignore files to every PATH as well; for "
+               "hooks.",
        .set = set_flag(options.force_exclude)},
       {.group = "Input",
        .name = "no-ignore-files",
-       .help = "Search folders without regard to .gitignore and .smurf-lintignore.",
+       .help = "Ignore .gitignore and .smurf-lintignore when searching folders.",
        .set = set_flag(options.no_ignore_files)},
       {.group = "Input",
        .name = "only-listed",
-       .help = "Leave out YAML files and meshes that no model uses; for hooks, which name every "
-               "changed file.",
+       .help = "Skip YAML files and meshes that no model uses; for hooks, which name every changed "
+               "file.",
        .set = set_flag(options.only_listed)},
       {.group = "Input",
        .name = "shard",
        .metavar = "K/N",
-       .help = "Check the K-th of N parts of the files; the same parts on every machine.",
+       .help = "Check part K of N of the files; the division is the same on every machine.",
        .set = set_shard(options.shard)},
       {.group = "Input",
        .name = "list-files",
@@ -307,26 +319,32 @@ std::vector<Option> input_options(LintOptions& options) {
       {.group = "Input",
        .name = "dump-model",
        .metavar = "PATH",
-       .help =
-           "Write what is read of a model or scene as JSON, each entry with its place, and check "
-           "nothing; what keeps it from being read goes to standard error.",
+       .help = "Write a model or scene as JSON, each entry with its place in the files, and check "
+               "nothing; errors that prevent reading it go to standard error.",
        .set = set_text(options.dump_model)},
   };
 }
 
 }  // namespace
 
+std::vector<std::string_view> explained_words() {
+  std::vector<std::string_view> words = rule_words();
+  for (const FormatPart& part : describe_format()) words.push_back(part.name);
+  return words;
+}
+
 Command lint_command(LintOptions& options) {
   Command command;
   command.name = "smurf-lint";
-  command.summary = "Checks SMURF models and scenes: what some reader of these files refuses, "
-                    "misreads or silently ignores.";
+  command.summary =
+      "Finds what programs refuse, misread or silently ignore in SMURF models, scenes and "
+      "URDF files.";
   command.operands = "[PATH]...";
   command.details =
       "A PATH is a .smurf, .smurfs, .smurfa or .urdf file, a scene drawn as .svg, an annotation "
       "file (.yml), a folder to search, or '-' for standard input; without one, the current folder "
       "is searched. A .urdf or .yml file is checked as part of every model nearby that lists it, "
-      "and alone when none does; a mesh or texture stands for the models nearby that use it.";
+      "and alone when none does; naming a mesh or texture checks the nearby models that use it.";
   for (std::vector<Option>& group : std::vector<std::vector<Option>>{
            rule_options(options), ignore_options(options), fix_options(options),
            output_options(options), verdict_options(options), input_options(options)}) {
@@ -341,26 +359,28 @@ Command lint_command(LintOptions& options) {
   command.options.push_back(jobs_option(options.jobs));
   command.set_operand = append_to(options.paths);
   command.examples = {
-      {"smurf-lint robots/", "Everything in a folder:"},
+      {"smurf-lint robots/", "Check everything in a folder:"},
+      {"smurf-lint --target ros,gazebo,mujoco arm.urdf",
+       "Check a file for the programs that will load it:"},
       {"smurf-lint --format full --format json=report.json arm.smurf",
-       "A model, with a report for programs beside the one for people:"},
+       "Write a report for programs beside the one for people:"},
       {"smurf-lint --ignore SML19 --severity unknown-joint=warning arm.smurf",
-       "Without the rules about portability, and one rule less strict:"},
-      {"smurf-lint --target ros,gazebo,mujoco arm.urdf", "For the programs it is meant for:"},
+       "Skip the rules about portability, and lower the severity of one rule:"},
       {"xacro arm.urdf.xacro | smurf-lint --stdin-filename urdf/arm.urdf -",
-       "What another program writes:"},
-      {"smurf-lint --diff robots/", "What could be fixed without a thought; then with --fix:"},
+       "Check the output of another program:"},
+      {"smurf-lint --diff robots/", "Preview the safe fixes (--fix applies them):"},
       {"smurf-lint --rename joint:elbow=elbow_left robots/arm/",
-       "Another name, in all files; with --diff to see it first:"},
+       "Rename a joint in all files (--diff previews it):"},
       {"smurf-lint --baseline old.yaml --generate-baseline robots/",
-       "Only new findings from now on; then without --generate-baseline:"},
+       "Record the current findings, to report only new ones later:"},
       {"smurf-lint --shard 2/8 --format json=part-2.json datasets/",
-       "One machine of eight; then --merge-reports part-*.json:"},
-      {"smurf-lint --explain unknown-joint", "The page of a rule:"},
-      {"smurf-lint --explain motors.maxEffort", "What a key means, its unit and its default:"},
-      {"smurf-lint --show-config robots/", "What holds there, and where it is said:"},
+       "Check on one machine of eight, for --merge-reports part-*.json:"},
+      {"smurf-lint --explain unknown-joint", "Explain a rule:"},
+      {"smurf-lint --explain motors", "List the keys of a section:"},
+      {"smurf-lint --explain motors.maxEffort", "Explain a key:"},
+      {"smurf-lint --show-config robots/", "Show which settings apply, and where they are set:"},
       {"smurf-lint --dump-model arm.smurf | jq '.model.joints[].limit'",
-       "What is read of a model, for programs:"},
+       "Read a model from another program:"},
   };
   return command;
 }
@@ -388,8 +408,8 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
     return "--rename and --fix are two steps";
   }
   if (!options.renames.empty() && (options.generate_baseline || options.shard.count > 1)) {
-    return "--rename needs all files and writes only them, so it goes neither with --shard nor "
-           "with --generate-baseline";
+    return "--rename needs all files and writes only them, so it cannot be combined with --shard or "
+           "--generate-baseline";
   }
   if (options.unsafe_fixes && !options.fix && !options.fix_only && !options.diff) {
     return "--unsafe-fixes goes with --fix, --fix-only or --diff";

@@ -76,4 +76,7 @@ std::optional<std::string> find_conflict(const LintOptions& options);
 /// Is there such a rule, and if not, which is meant: "there is no rule 'x'; did you mean 'y'?"
 std::string no_such_rule(std::string_view id_or_name);
 
+/// What --explain takes: rules by id and name, and sections of the format.
+std::vector<std::string_view> explained_words();
+
 }  // namespace smurf::tools

@@ -169,7 +169,7 @@ class Planner {
     return ignore_files_.leaves_out(absolute(path), folder);
   }
 
-  /// Is a file that is named left out all the same?
+  /// True when a file is skipped although it is named.
   bool is_left_out_by_force(const std::string& path) {
     const Exclusions& exclusions = exclusions_[config_of_entry(path)];
     if (!exclusions.is_forced) return false;
@@ -236,9 +236,12 @@ class Planner {
     case InputKind::other: break;
     }
     const bool is_xacro = path::to_lower(path::extension(path)) == ".xacro";
-    fail("cannot check '" + path + "': " +
-         (is_xacro ? "expand it first: xacro FILE | smurf-lint -"
-                   : "it is no .smurf, .smurfs, .smurfa, .svg, .urdf or .yml file"));
+    fail(
+        "cannot check '" + path + "': " +
+        (is_xacro
+             ? "expand it first: xacro FILE | smurf-lint -"
+             : "it is not a .smurf, .smurfs, .smurfa, .svg, .urdf or .yml file; to check a URDF of "
+               "another name: smurf-lint --stdin-filename NAME.urdf - < FILE"));
   }
 
   void add_part(const std::string& path) {

@@ -76,7 +76,8 @@ struct Batch {
   const rlimit nothing{0, 0};
   ::setrlimit(RLIMIT_FSIZE, &nothing);  // the pipe to the parent is no file
   limit(RLIMIT_CPU, static_cast<std::uint64_t>(limits.seconds));
-  // A child that waits for ever takes no processor time; loaded machines deserve patience.
+  // A waiting child uses no processor time, so the wall-clock limit is generous for loaded
+  // machines.
   constexpr std::int64_t kPatience = 20;
   constexpr std::int64_t kLongest = std::numeric_limits<int>::max();
   ::alarm(static_cast<unsigned>(std::min(kPatience * limits.seconds, kLongest)));

@@ -97,7 +97,7 @@ class Loader {
     } else if (is_archive(path)) {
       files.push_back(*main);
     } else if (input_kind(path) == InputKind::annotation || input_kind(path) == InputKind::other) {
-      fail("cannot check '" + path + "': it is no .smurf, .smurfs, .smurfa, .svg or .urdf file");
+      fail("cannot check '" + path + "': it is not a .smurf, .smurfs, .smurfa, .svg or .urdf file");
     } else {
       files.push_back(path);
     }

@@ -68,7 +68,7 @@ Setter set_memory_limit(std::uint64_t& bytes) {
 
 std::string_view bounds_help() {
   static const std::string help = [] {
-    std::string text = "Other bounds than the usual ones, separated by commas:";
+    std::string text = "Replace bounds, separated by commas. The defaults:";
     for (const BoundInfo& info : kBounds) {
       text.append(" ").append(info.name).append("=").append(format_number(info.limit));
       if (!info.unit.empty()) text.append(" ").append(info.unit);
@@ -91,20 +91,23 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "pose",
        .metavar = "NAME",
-       .help = "Start models in this pose of theirs. Other joints start at zero, or where that is "
-               "outside their limits at the nearest position within.",
+       .help =
+           "Start models in their joint pose NAME. Joints that it does not name start at zero, or "
+           "at the nearest position within their limits.",
        .set = tools::set_text(options.check.pose)},
       {.group = "Check",
        .name = "time",
        .metavar = "S",
-       .help = "Seconds that each stage simulates: 0.5 usually, 0.25 for HANG. After more, the "
-               "stops of undamped limbs may pump energy into sound robots.",
+       .help =
+           "Seconds that each stage simulates; the default is 0.5, and 0.25 for HANG. In longer "
+           "runs, joint stops may add energy to undamped robots without a defect.",
        .set = set_seconds(options.check.time, kLongest)},
       {.group = "Check",
        .name = "step",
        .metavar = "S",
-       .help = "Seconds of one step: 0.001 usually, which the bounds are for; for ANCHOR the "
-               "scene's, else 0.01.",
+       .help =
+           "Seconds of one step; the default is 0.001, for which the bounds are chosen; for ANCHOR "
+           "it is the step of the scene, else 0.01.",
        .set = set_seconds(options.check.step, kLongestStep)},
       {.group = "Check",
        .name = "bounds",
@@ -114,13 +117,13 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "time-limit",
        .metavar = "S",
-       .help = "Seconds of processor time for a model, or for a scene and all of its models; 10 "
-               "usually.",
+       .help = "Seconds of processor time for a model, or for a scene and all of its models; the "
+               "default is 10.",
        .set = set_time_limit(options.limits.seconds)},
       {.group = "Check",
        .name = "memory-limit",
        .metavar = "MB",
-       .help = "Megabytes that one check may take beside the files; 160 usually.",
+       .help = "Megabytes that one check may take beside the files; the default is 160.",
        .set = set_memory_limit(options.limits.memory_bytes)},
   };
 }
@@ -156,17 +159,17 @@ tools::Command command_of(Options& options) {
   tools::Command command;
   command.name = "smurf-load-check";
   command.summary =
-      "Builds SMURF models, URDFs and scenes in the physics engine ODE and looks whether they "
-      "stand, hang and drop.";
+      "Builds SMURF models, URDFs and scenes in the physics engine ODE and tests whether they "
+      "stand, hang and drop without breaking.";
   command.operands = "[PATH]...";
   command.details =
       "PATH is a .smurf, .urdf, .smurfs, .smurfa or .svg file, an archive (.zsmurf, .zsmurfs, .zsmurfa), or a folder that is searched for "
       "models and scenes; '.' unless given. Every model is checked on its own: BUILD makes bodies, joints and shapes; "
-      "POSE0 looks for shapes inside each other; STILL, without gravity, sees whether anything "
-      "moves; HANG holds the root link; DROP lets the model fall by a millimetre. In a scene, "
-      "ANCHOR sees whether anchors hold. What BUILD refuses has a stand-in, so that the rest is "
-      "checked; another stage that fails is the last one. Where ODE's solver gives up, there is no "
-      "verdict, which is no pass. Meshes that stand still "
+      "POSE0 reports overlapping shapes; STILL reports motion without gravity; "
+      "HANG fixes the root link and lets the rest hang; DROP drops the model from a millimetre. In a scene, "
+      "ANCHOR reports anchors that give way. Parts that ODE refuses to build are replaced, so that the rest is "
+      "checked; after any other failed stage the check ends. When ODE's solver gives up, the stage has no "
+      "verdict and does not pass. Meshes that stand still "
       "are triangles; those that move are boxes around them, which touch the ground and the "
       "surroundings only, as ODE may crash where two meshes of triangles cross.";
   for (auto& group : {check_options(options), output_options(options)}) {
@@ -182,11 +185,11 @@ tools::Command command_of(Options& options) {
   command.options.push_back(
       tools::quiet_option(options.quiet, "No tables of what passes, and no summary."));
   command.set_operand = tools::append_to(options.input.paths);
-  command.examples = {{"smurf-load-check robot.smurf", "check one robot"},
+  command.examples = {{"smurf-load-check robot.smurf", "Check one robot:"},
                       {"smurf-load-check -j 4 --format json -o report.json models/",
-                       "check all robots of a folder"},
+                       "Check all robots of a folder:"},
                       {"smurf-load-check robot.urdf --stages hang --time 1 --plot hang.svg",
-                       "see how energy and joints behave"}};
+                       "Plot energy and joint gaps while the robot hangs:"}};
   return command;
 }
 

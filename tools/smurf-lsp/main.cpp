@@ -27,11 +27,12 @@ struct Options {
 Command lsp_command(Options& options) {
   Command command;
   command.name = kTool;
-  command.summary = "A language server for SMURF and URDF: what smurf-lint finds, and what names "
-                    "and keys mean, in an editor.";
+  command.summary =
+      "A language server for SMURF and URDF: shows the findings of smurf-lint and the "
+      "meaning of names and keys in an editor.";
   command.details =
       "An editor starts it and talks to it on standard input and output, in the Language Server "
-      "Protocol. It heeds the same configurations and comments as smurf-lint.";
+      "Protocol. It reads the same configurations and comments as smurf-lint.";
   command.options = {
       {.group = "Server",
        .name = "log",
@@ -40,10 +41,11 @@ Command lsp_command(Options& options) {
        .set = set_text(options.log)},
       {.group = "Server",
        .name = "stdio",
-       .help = "Talk on standard input and output, as it always does; for editors that say so.",
+       .help = "Use standard input and output. This is the default; some editors pass the option.",
        .set = set_flag(options.stdio)},
   };
-  command.examples = {{"smurf-lsp --log /tmp/smurf-lsp.log", "What an editor runs, with a log:"}};
+  command.examples = {{"smurf-lsp", "Start the server, as editors do:"},
+                      {"smurf-lsp --log /tmp/smurf-lsp.log", "Write a log of all messages:"}};
   return command;
 }
 

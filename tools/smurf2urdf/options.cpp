@@ -89,107 +89,110 @@ Setter set_preset(UrdfExport& wanted) {
 }
 
 std::vector<Option> content_options(UrdfExport& wanted) {
-  return {{.name = "apply",
-           .metavar = "LIST",
-           .help = "Values of annotations that replace the URDF's, comma-separated: materials "
-                   "(colours, textures), limits (of motors: effort, speed, range), dynamics "
-                   "(damping, friction), mimic (of motors), all.",
-           .set = set_apply(wanted.apply)},
-          {.name = "actuation",
-           .metavar = "FORM",
-           .help = "Write motors as ros2_control or transmission (of ros_control), for joints that "
-                   "no extension of the URDF drives yet.",
-           .values = {"none", "ros2_control", "transmission"},
-           .set = choose<Actuation>(wanted.actuation, {{"none", Actuation::none},
-                                                       {"ros2_control", Actuation::ros2_control},
-                                                       {"transmission", Actuation::transmission}})},
-          {.name = "sensors",
-           .metavar = "FORM",
-           .help = "Write sensors as those of gazebo, where it has the like; none is the default.",
-           .values = {"none", "gazebo"},
-           .set = choose<bool>(wanted.adds_gazebo_sensors, {{"none", false}, {"gazebo", true}})},
-          {.name = "settings",
-           .metavar = "READER",
-           .help = "Add settings of a reader's own: those of mujoco let it find meshes in other "
-                   "folders than that of the URDF; none is the default.",
-           .values = {"none", "mujoco"},
-           .set = choose<bool>(wanted.adds_mujoco_settings, {{"none", false}, {"mujoco", true}})},
-          {.name = "collapse-fixed",
-           .help = "Make links on fixed joints part of the link that carries them, with their "
-                   "shapes, masses and sensors. A link stays when an extension means the link "
-                   "itself (its frame, a plugin, other friction than the carrying link's).",
-           .set = set_flag(wanted.collapses_fixed)},
-          {.name = "keep",
-           .metavar = "NAMES",
-           .help = "Links or joints that --collapse-fixed leaves alone, comma-separated.",
-           .set = append_items(wanted.keep)},
-          {.name = "prefix",
-           .metavar = "TEXT",
-           .help = "Put TEXT before the names of links, joints, materials and transmissions, and "
-                   "into all that refers to them; a link `world` keeps its name.",
-           .set = set_text(wanted.prefix)},
-          {.name = "base",
-           .metavar = "HOW",
-           .help = "as-is (the default); fixed or floating: add a link `world` and a joint of that "
-                   "type to the root.",
-           .values = {"as-is", "fixed", "floating"},
-           .set = choose<BaseJoint>(wanted.base, {{"as-is", BaseJoint::as_is},
-                                                  {"fixed", BaseJoint::fixed},
-                                                  {"floating", BaseJoint::floating}})}};
+  return {
+      {.name = "apply",
+       .metavar = "LIST",
+       .help = "Values of annotations that replace the URDF's, comma-separated: materials "
+               "(colours, textures), limits (of motors: effort, speed, range), dynamics "
+               "(damping, friction), mimic (of motors), all.",
+       .set = set_apply(wanted.apply)},
+      {.name = "actuation",
+       .metavar = "FORM",
+       .help = "Write motors as ros2_control or transmission (of ros_control), for joints that "
+               "no extension of the URDF drives yet.",
+       .values = {"none", "ros2_control", "transmission"},
+       .set = choose<Actuation>(wanted.actuation, {{"none", Actuation::none},
+                                                   {"ros2_control", Actuation::ros2_control},
+                                                   {"transmission", Actuation::transmission}})},
+      {.name = "sensors",
+       .metavar = "FORM",
+       .help = "Write sensors as Gazebo sensors, where Gazebo has the type; the default is none.",
+       .values = {"none", "gazebo"},
+       .set = choose<bool>(wanted.adds_gazebo_sensors, {{"none", false}, {"gazebo", true}})},
+      {.name = "settings",
+       .metavar = "READER",
+       .help = "Add settings for one reader: those of mujoco let it find meshes outside of the "
+               "folder of the URDF; the default is none.",
+       .values = {"none", "mujoco"},
+       .set = choose<bool>(wanted.adds_mujoco_settings, {{"none", false}, {"mujoco", true}})},
+      {.name = "collapse-fixed",
+       .help = "Make links on fixed joints part of the link that carries them, with their "
+               "shapes, masses and sensors. A link is kept when an extension refers to the "
+               "link itself (its frame, a plugin, its own friction).",
+       .set = set_flag(wanted.collapses_fixed)},
+      {.name = "keep",
+       .metavar = "NAMES",
+       .help = "Links or joints that --collapse-fixed keeps, comma-separated.",
+       .set = append_items(wanted.keep)},
+      {.name = "prefix",
+       .metavar = "TEXT",
+       .help = "Put TEXT before the names of links, joints, materials and transmissions, and "
+               "before all references to them; a link `world` keeps its name.",
+       .set = set_text(wanted.prefix)},
+      {.name = "base",
+       .metavar = "HOW",
+       .help = "as-is (the default); fixed or floating: add a link `world` and a joint of that "
+               "type to the root.",
+       .values = {"as-is", "fixed", "floating"},
+       .set = choose<BaseJoint>(wanted.base, {{"as-is", BaseJoint::as_is},
+                                              {"fixed", BaseJoint::fixed},
+                                              {"floating", BaseJoint::floating}})}};
 }
 
 std::vector<Option> form_options(UrdfExport& wanted) {
-  return {{.name = "mesh-uri",
-           .metavar = "FORM",
-           .help = "How meshes and textures are named: relative, package (with --package-name), "
-                   "absolute, file, keep. Without it, relative paths are made to resolve from the "
-                   "output and others are left.",
-           .values = {"relative", "package", "absolute", "file", "keep"},
-           .set = choose<MeshUri>(wanted.mesh_uri, {{"relative", MeshUri::relative},
-                                                    {"package", MeshUri::package},
-                                                    {"absolute", MeshUri::absolute},
-                                                    {"file", MeshUri::file},
-                                                    {"keep", MeshUri::keep}})},
-          {.name = "package-name",
-           .metavar = "NAME",
-           .help = "Package of --mesh-uri package. Its folder is that of --package NAME=DIR, else "
-                   "the nearest one above the URDF with a package.xml, else the one above urdf/.",
-           .set = set_text(wanted.package_name)},
-          {.name = "vendor",
-           .metavar = "HOW",
-           .help = "keep (the default) or strip what URDF does not define: gazebo, transmission, "
-                   "ros2_control and the like.",
-           .values = {"keep", "strip"},
-           .set = choose<bool>(wanted.strips_extensions, {{"keep", false}, {"strip", true}})},
-          {.name = "comments",
-           .metavar = "HOW",
-           .help = "keep (the default) or strip.",
-           .values = {"keep", "strip"},
-           .set = choose<bool>(wanted.strips_comments, {{"keep", false}, {"strip", true}})},
-          {.name = "canonical",
-           .help = "Write the URDF anew: links and joints in the order of the tree, attributes in "
-                   "a fixed order, the shortest numbers, no comments.",
-           .set = set_flag(wanted.is_canonical)},
-          {.name = "urdf-version",
-           .metavar = "VERSION",
-           .help = "Set the version that the URDF claims: 1.0, 1.1 or 1.2. In 1.0, capsules become "
-                   "cylinders with spheres, and quaternions become rpy; limits of acceleration and "
-                   "jerk need 1.2.",
-           .values = {"1.0", "1.1", "1.2"},
-           .set = set_text(wanted.version)}};
+  return {
+      {.name = "mesh-uri",
+       .metavar = "FORM",
+       .help = "How meshes and textures are named: relative, package (with --package-name), "
+               "absolute, file, keep. By default, relative paths are adapted to the place of "
+               "the output, and others are kept.",
+       .values = {"relative", "package", "absolute", "file", "keep"},
+       .set = choose<MeshUri>(wanted.mesh_uri, {{"relative", MeshUri::relative},
+                                                {"package", MeshUri::package},
+                                                {"absolute", MeshUri::absolute},
+                                                {"file", MeshUri::file},
+                                                {"keep", MeshUri::keep}})},
+      {.name = "package-name",
+       .metavar = "NAME",
+       .help = "Package of --mesh-uri package. Its folder is that of --package NAME=DIR, else "
+               "the nearest one above the URDF with a package.xml, else the one above urdf/.",
+       .set = set_text(wanted.package_name)},
+      {.name = "vendor",
+       .metavar = "HOW",
+       .help = "keep (the default) or strip elements that URDF does not define: gazebo, "
+               "transmission, ros2_control and others.",
+       .values = {"keep", "strip"},
+       .set = choose<bool>(wanted.strips_extensions, {{"keep", false}, {"strip", true}})},
+      {.name = "comments",
+       .metavar = "HOW",
+       .help = "keep (the default) or strip.",
+       .values = {"keep", "strip"},
+       .set = choose<bool>(wanted.strips_comments, {{"keep", false}, {"strip", true}})},
+      {.name = "canonical",
+       .help =
+           "Rewrite the URDF in a canonical form: links and joints in the order of the tree, attributes in "
+           "a fixed order, the shortest numbers, no comments.",
+       .set = set_flag(wanted.is_canonical)},
+      {.name = "urdf-version",
+       .metavar = "VERSION",
+       .help = "Set the version of the URDF: 1.0, 1.1 or 1.2. In 1.0, capsules become "
+               "cylinders with spheres, and quaternions become rpy; limits of acceleration and "
+               "jerk need 1.2.",
+       .values = {"1.0", "1.1", "1.2"},
+       .set = set_text(wanted.version)}};
 }
 
 std::vector<Option> run_options(Options& options) {
   return {{.name = "preset",
            .metavar = "READER",
            .help =
-               "The options that a reader needs: ros2, gazebo, mujoco, pybullet, drake. Options "
-               "after it win.",
+               "Set the options that a reader needs: ros2, gazebo, mujoco, pybullet, drake. Later "
+               "options override them.",
            .values = preset_names(),
            .set = set_preset(options.conversion)},
           {.name = "show-preset",
            .metavar = "READER",
-           .help = "Print the options that a preset stands for, and end.",
+           .help = "Print the options of a preset, and exit.",
            .values = preset_names(),
            .set = set_text(options.shown_preset)},
           {.name = "srdf",
@@ -199,19 +202,19 @@ std::vector<Option> run_options(Options& options) {
            .set = set_text(options.srdf)},
           {.name = "loss-report",
            .metavar = "FILE",
-           .help = "Write what the URDF cannot say to FILE, as JSON.",
+           .help = "List everything that the URDF cannot express in FILE, as JSON.",
            .set = set_text(options.loss_report)},
           {.name = "fail-on-loss",
-           .help = "Refuse to write when there is such a loss.",
+           .help = "Refuse to write when something would be lost.",
            .set = set_flag(options.fails_on_loss)},
           {.name = "force",
-           .help = "Export as well what is refused for its errors, if it can be read.",
+           .help = "Export despite errors, as long as the model can be read.",
            .set = set_flag(options.force)},
           {.name = "prove",
-           .help = "Print what was compared, on standard error.",
+           .help = "Print the comparison with the source on standard error.",
            .set = set_flag(options.prove)},
           {.name = "dry-run",
-           .help = "Do everything but write the URDF.",
+           .help = "Run all checks, write nothing.",
            .set = set_flag(options.dry_run)}};
 }
 
@@ -251,11 +254,12 @@ Command make_command(Options& options) {
   add(command, "Form", form_options(options.conversion));
   command.set_operand = take_one_operand(options.model);
   command.examples = {
-      {"smurf2urdf robot.smurf -o robot.urdf", "export a model"},
-      {"smurf2urdf robot.smurf | check_urdf /dev/stdin", "pass it on"},
+      {"smurf2urdf robot.smurf -o robot.urdf", "Export a model:"},
+      {"smurf2urdf robot.smurf | check_urdf /dev/stdin", "Pass the URDF to another program:"},
       {"smurf2urdf robot.smurf --apply all --loss-report lost.json -o robot.urdf",
-       "take over what the annotations say, and list what is lost"},
-      {"smurf2urdf robot.smurf --collapse-fixed --keep camera -o robot.urdf", "fewer links"}};
+       "Apply the values of the annotations, and list what is lost:"},
+      {"smurf2urdf robot.smurf --collapse-fixed --keep camera -o robot.urdf",
+       "Merge links on fixed joints, except one:"}};
   return command;
 }
 

@@ -94,8 +94,8 @@ void add_options(Command& command, Options& options) {
        .values = dialect_names(),
        .set = set_text(options.dialect)});
   add({.name = "compare-dialects",
-       .help = "Write nothing but a table of the entities that stand elsewhere, depending on the "
-               "dialect; with --format json, as JSON.",
+       .help = "Print a table of the entities whose pose differs between dialects; with --format "
+               "json, as JSON.",
        .set = set_flag(options.compare_dialects)});
   add({.name = "copy-assets",
        .metavar = "DIR",
@@ -105,17 +105,19 @@ void add_options(Command& command, Options& options) {
   add({.name = "overwrite",
        .help = "With --copy-assets: replace files that exist.",
        .set = set_flag(options.overwrite)});
-  add({.name = "explain",
+  add({.name = "explain-pose",
        .metavar = "NAME",
        .help =
-           "Write nothing but the chain of transforms that leads to an instance, as the dialect "
-           "has it.",
+           "Print the chain of transforms from the world to an instance, in the chosen dialect.",
        .set = set_text(options.explained)});
+  // The old name; --explain of smurf-lint explains rules.
+  command.options.push_back(
+      {.name = "explain", .metavar = "NAME", .set = set_text(options.explained)});
   add({.name = "force",
-       .help = "Write as well what is refused for errors that leave every pose known.",
+       .help = "Write the scene despite errors, as long as every pose is known.",
        .set = set_flag(options.force)});
   add({.name = "strict",
-       .help = "Refuse to write what the format cannot say completely.",
+       .help = "Refuse to write when the format cannot express something.",
        .set = set_flag(options.strict)});
 }
 
@@ -137,10 +139,12 @@ Command make_command(Options& options) {
   add_options(command, options);
   command.set_operand = take_one_operand(options.scene);
   command.examples = {
-      {"smurfs-flatten scene.smurfs -o scene.json", "expand a scene"},
-      {"smurfs-flatten scene.smurfs --links | jq '.instances[0].links'", "poses of all links"},
-      {"smurfs-flatten scene.smurfs --explain cell/Table", "see where a pose comes from"},
-      {"smurfs-flatten scene.smurfs --compare-dialects", "see what other readers make of it"}};
+      {"smurfs-flatten scene.smurfs -o scene.json", "Expand a scene:"},
+      {"smurfs-flatten scene.smurfs --links | jq '.instances[0].links'",
+       "Print the poses of all links:"},
+      {"smurfs-flatten scene.smurfs --explain-pose cell/Table", "Show where a pose comes from:"},
+      {"smurfs-flatten scene.smurfs --compare-dialects",
+       "Show where programs disagree about poses:"}};
   return command;
 }
 

@@ -47,7 +47,7 @@ std::vector<Option> own_options(Options& options) {
        .set = set_flag(options.flat)},
       {.name = "name",
        .metavar = "NAME",
-       .help = "Name of the files; that of the URDF file unless given.",
+       .help = "Name of the files; the default is the name of the URDF file.",
        .set = set_text(options.name)},
       {.name = "motors",
        .metavar = "WHICH",
@@ -59,14 +59,15 @@ std::vector<Option> own_options(Options& options) {
                                                    {"none", MotorChoice::none}})},
       {.name = "style",
        .metavar = "WHICH",
-       .help = "Where MARS and Phobos 2 want different sections: as mars reads them (the default), "
-               "or as phobos writes them.",
+       .help =
+           "Sections that MARS and Phobos 2 name differently: mars (the default) writes those that "
+           "MARS reads, phobos those that Phobos 2 writes.",
        .values = {"mars", "phobos"},
        .set = choose<SmurfStyle>(options.style,
                                  {{"mars", SmurfStyle::mars}, {"phobos", SmurfStyle::phobos}})},
       {.name = "srdf",
        .metavar = "FILE",
-       .help = "Take named joint positions from an SRDF, and keep its text.",
+       .help = "Read named joint positions from an SRDF, and keep its text.",
        .set = set_text(options.srdf)},
       {.name = "copy-meshes",
        .help =
@@ -74,13 +75,13 @@ std::vector<Option> own_options(Options& options) {
            "copies. What lies outside of the project is copied with --allow-outside only.",
        .set = set_flag(options.copies_meshes)},
       {.name = "force",
-       .help = "Convert as well what is refused for its errors, if it can be read.",
+       .help = "Convert despite errors, as long as the URDF can be read.",
        .set = set_flag(options.force)},
       {.name = "overwrite",
        .help = "Replace files that exist.",
        .set = set_flag(options.overwrite)},
       {.name = "dry-run",
-       .help = "Do everything but write; name the files on standard output.",
+       .help = "Run all checks, write nothing; list the files on standard output.",
        .set = set_flag(options.dry_run)}};
   for (Option& option : own) option.group = "Conversion";
   return own;

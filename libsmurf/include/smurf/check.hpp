@@ -34,14 +34,14 @@ namespace smurf {
 /// Where ROS keeps packages on this machine: ROS_PACKAGE_PATH, then share/ of AMENT_PREFIX_PATH.
 std::vector<std::string> ros_package_folders();
 
-/// What a file is. A resource is a mesh or an image that models refer to. A drawing (.svg) is a
-/// scene when a user names it; most are none.
+/// The kind of a file. A resource is a mesh or an image that models refer to. A drawing (.svg) is a
+/// scene only when a user names it.
 enum class InputKind : std::uint8_t { model, scene, drawing, urdf, annotation, resource, other };
 
-/// By the extension.
+/// Decided by the extension.
 InputKind input_kind(std::string_view path);
 
-/// How to check. What is given here comes before what a configuration says.
+/// How to check. These settings override those of a configuration.
 struct CheckSettings {
   std::string config;        ///< a file; "": the nearest one above what is checked
   bool is_isolated = false;  ///< no configuration is read
@@ -56,17 +56,17 @@ struct CheckSettings {
   /// only what confine() (smurf/confine.hpp) allows is read.
   bool allows_outside = false;
 
-  bool heeds_comments = true;  ///< comments let findings pass
-  bool heeds_baseline = true;  ///< so does the baseline
+  bool heeds_comments = true;  ///< comments suppress findings
+  bool heeds_baseline = true;  ///< the baseline suppresses findings
   std::string baseline;        ///< a file; "": the one that the configuration names
   unsigned jobs = 0;           ///< threads; 0: as many as the machine has
-  /// Keep what the next check can use again. Takes memory, and changes no result.
+  /// Keep data for the next check. Uses memory, and changes no result.
   bool remembers = true;
-  /// Called with none done first, and then, perhaps by several threads, as files are done.
+  /// Called with 0 first, then after each file, possibly from several threads.
   std::function<void(std::size_t done, std::size_t of)> on_progress;
 };
 
-/// A file that is checked with all that it loads, and its configuration.
+/// A file to check with everything that it loads, and its configuration.
 struct PlannedFile {
   std::string path;
   std::size_t config = 0;  ///< index into Plan::configs
@@ -81,7 +81,7 @@ struct Plan {
   std::vector<std::string> problems;  ///< "cannot read 'arm.smurf': No such file or directory"
 };
 
-/// What the configuration of the first path asks of those who show a report.
+/// Settings of the configuration of the first path that concern the report.
 struct ReportWishes {
   std::vector<std::string> formats;                ///< "FORMAT[=FILE]"
   std::optional<std::optional<Severity>> fail_on;  ///< none inside: never
@@ -89,11 +89,11 @@ struct ReportWishes {
   std::string baseline;  ///< a file; that of the settings first
 };
 
-/// What was found.
+/// The result of a check.
 struct Report {
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
-  /// On the targets of the settings and all configurations; what is let pass is judged as well.
+  /// For the targets of the settings and all configurations; suppressed findings are included.
   std::vector<TargetVerdict> targets;
   std::vector<std::string> problems;  ///< of the plan
   ReportWishes wishes;
@@ -101,8 +101,8 @@ struct Report {
 
 struct LoadedWith;
 
-/// What was loaded, and what reading it has found so far. Must not outlive its session, whose
-/// sources of everything that was loaded it points into.
+/// A loaded model or scene, and the findings of reading it. Points into the sources of its session,
+/// which must outlive it.
 struct Loaded {
   const SourceMap* sources = nullptr;
   DiagnosticSink found;
@@ -119,20 +119,20 @@ struct LoadedScene : Loaded {
 /// Whether a text is a baseline that Session::baseline_of() made.
 bool is_baseline(std::string_view text);
 
-/// What tells whether a file has changed without reading it.
+/// Tells whether a file has changed without reading it.
 struct FileStamp {
-  std::string text;         ///< empty: nothing does
-  bool is_settled = false;  ///< false: it may change once more and keep this stamp
+  std::string text;         ///< empty: unknown
+  bool is_settled = false;  ///< false: the file may change again without a new stamp
 };
 using StampOf = std::function<FileStamp(const std::string& path)>;
-/// By its times and its size.
+/// From the times and the size of the file.
 FileStamp stamp_on_disk(const std::string& path);
 
-/// Files on the disk, unsaved texts in front of them, and what is known of both from one check to
-/// the next. For one thread; a check uses several.
+/// Files on the disk, unsaved texts that replace them, and results that are kept from one check to
+/// the next. For one thread; a check itself uses several.
 class Session {
  public:
-  /// Reads from the disk, within the projects of what it is asked for.
+  /// Reads from the disk, within the projects of the files that it is asked for.
   explicit Session(const Limits& limits = {});
   /// Reads from `files`, which must outlive it. Without stamps, a second check reads all files
   /// again and compares them.
@@ -141,18 +141,18 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Puts a text in the place of a file, or where there is none.
+  /// Replaces the text of a file, which need not exist.
   void set_text(const std::string& path, std::string text);
   void clear_text(const std::string& path);
 
   /// Checks one file with all that it loads: a .smurf, .smurfs, .smurfa, .svg, .urdf or annotation
   /// file.
   Report check(const std::string& path, const CheckSettings& settings = {});
-  /// Checks what is planned: scenes, models that no scene has loaded, and strays that no model has.
+  /// Checks a plan: scenes, models that no scene loads, and strays that no model loads.
   Report check(const Plan& plan, const CheckSettings& settings = {});
   /// The texts of the last check, which its findings point into.
   const SourceMap& sources() const;
-  /// The text of a baseline file at `path` that lets the findings of the last check pass.
+  /// The text of a baseline file at `path` with the findings of the last check.
   std::string baseline_of(const Report& report, const std::string& path) const;
 
   /// Loads a .smurf, a .urdf or an annotation file.
@@ -163,20 +163,20 @@ class Session {
   void forget_loaded();
   /// The texts of all that was loaded.
   const SourceMap& loaded_sources() const;
-  /// For what is read besides, into the same sources and findings: an SRDF.
+  /// For reading other files, such as an SRDF, into the same sources and findings.
   LoadContext context_of(Loaded& loaded);
   /// Checks what was loaded. Findings that are in `loaded.found` are reported with the rest.
   Report check(LoadedModel& loaded);
   Report check(LoadedScene& loaded);
-  /// What somebody else has found in it, as a report has it: with the names of the places, under
-  /// the same settings, sorted.
+  /// Findings of other code in the form of a report: located, with the same settings applied,
+  /// sorted.
   std::vector<Diagnostic> finish(const LoadedModel& loaded, std::vector<Diagnostic> found) const;
   std::vector<Diagnostic> finish(const LoadedScene& loaded, std::vector<Diagnostic> found) const;
   /// Only what is in one model of the scene: takes time for that model, not for the scene.
   std::vector<Diagnostic> finish(const LoadedScene& loaded, const LinkedModel& model,
                                  std::vector<Diagnostic> found) const;
 
-  /// The disk or the reader it was made with, archives as folders, and the unsaved texts.
+  /// Reads the disk or the given reader, archives as folders, and the unsaved texts.
   const FileReader& files() const;
   const Limits& limits() const;
 

@@ -58,7 +58,7 @@ struct UrdfExport {
   bool is_canonical = false;
 };
 
-/// The model's own URDF, byte for byte but for relative mesh and texture paths that would not
+/// The model's own URDF, byte for byte except for relative mesh and texture paths that would not
 /// resolve from the output folder, and what the options ask for. Reports what is ambiguous
 /// (SML8003). Preconditions: model.robot is set; with a base, the tree has one root and no link is
 /// called `world`.

@@ -23,23 +23,23 @@ class Findings;
 enum class Severity : std::uint8_t { info, warning, error };
 std::string_view to_string(Severity severity);
 
-/// What a reader does with a construct, mildest first.
+/// The effect of a construct on a reader, mildest first.
 enum class Effect : std::uint8_t {
-  takes,    ///< as it is meant
-  ignores,  ///< has no use for it, and nothing else changes
-  changes,  ///< silently makes something else of it
+  takes,    ///< reads it as intended
+  ignores,  ///< does not use it, and nothing else changes
+  changes,  ///< silently builds something else
   loses,    ///< silently leaves a part of the robot out
-  breaks,   ///< reports an error and goes on with the rest
+  breaks,   ///< reports an error and continues with the rest
   refuses,  ///< does not load the file
   crashes   ///< ends or hangs, with the program it is part of
 };
 
 struct Reader;
 
-/// The evidence of what was seen when the reader was executed, in the version of its row.
+/// Evidence for facts that were seen by running the reader, in the version of its row.
 inline constexpr std::string_view kRun = "run";
 
-/// What one reader makes of what a rule finds.
+/// The effect of a finding on one reader.
 struct Fact {
   const Reader* reader = nullptr;
   Effect effect = Effect::takes;
@@ -52,21 +52,22 @@ struct Fact {
 /// Which tool reports the findings of a rule.
 enum class Tool : std::uint8_t { lint, load_check, converters };
 
-/// The number by which a rule decides, which a configuration may set to another one.
+/// The threshold of a rule, which a configuration may change.
 struct Tolerance {
   double value = 0;
   std::string_view unit{};     ///< "rad"; empty for a ratio
   std::string_view meaning{};  ///< "how far the length may be from 1"; empty: there is none
 };
 
-/// What a rule says about itself. `--explain`, docs/rules.md, docs/readers.md, SARIF metadata,
-/// `--list-rules` and what `--target` makes of findings come from here and from nothing else.
+/// A rule and its texts: the only source of `--explain`, docs/rules, docs/readers.md, SARIF
+/// metadata,
+/// `--list-rules` and the severities under `--target`.
 struct Rule {
   std::string_view id;    ///< "SML3101"; never reused
   std::string_view name;  ///< kebab-case name of the fault: "unknown-joint"
   Severity severity = Severity::error;
   std::string_view summary;    ///< one sentence: what it finds
-  std::string_view why{};      ///< why it matters, beyond what readers make of it
+  std::string_view why{};      ///< why it matters, beyond the facts
   std::string_view remedy;     ///< what to do
   std::string_view sources{};  ///< where that comes from, beyond the evidence of the facts
 
@@ -74,19 +75,17 @@ struct Rule {
   void (*check_model)(const LinkedModel&, Findings&) = nullptr;
   void (*check_scene)(const LinkedScene&, Findings&) = nullptr;
 
-  /// What it finds is fine in general: it runs only for targets of which smurf/readers.hpp knows
-  /// something about it.
+  /// Its findings are fine in general: it runs only for targets with a fact about it.
   bool needs_target = false;
 
-  Tolerance tolerance{};  ///< Findings::tolerance() is what counts
+  Tolerance tolerance{};  ///< use Findings::tolerance(), which knows the configuration
 
-  /// What readers make of it: the only place that says so. Those of one reader stand together; the
-  /// first that fits a finding counts.
+  /// The effects on readers. Facts about one reader are adjacent; the first matching one applies.
   std::span<const Fact> facts{};
 
   Tool reported_by = Tool::lint;
-  bool is_impossible = false;    ///< no robot can be like that, whatever a reader makes of it
-  bool blocks_building = false;  ///< leaves no robot that could be built
+  bool is_impossible = false;    ///< physically impossible, whatever the readers do
+  bool blocks_building = false;  ///< no robot can be built from the file
 };
 
 /// A second place that explains a diagnostic, possibly in another file.
@@ -128,9 +127,9 @@ struct Diagnostic {
   std::string pointer;  ///< YAML pointer or XPath; filled by locate() when empty
   /// The pointer by names, "/motors/name=elbow/joint": the same after other entries were added.
   std::string named_pointer;
-  /// Which case of its rule it is, when readers tell cases apart: "dae", "hex"; may be empty.
+  /// The case of the rule, when readers distinguish cases: "dae", "hex"; may be empty.
   std::string construct;
-  /// Rules whose fault it is as well: to readers, a misspelt `effort` is a missing one.
+  /// Other rules that apply, too: to readers, a misspelt `effort` is a missing one.
   std::vector<const Rule*> consequences;
   /// As reported; set where targets change the severity.
   std::optional<Severity> untargeted;
@@ -138,7 +137,7 @@ struct Diagnostic {
   std::vector<std::string> notes;  ///< facts without a place
   std::string help;                ///< what to do; may be empty
   std::vector<Fix> fixes;          ///< at most one today
-  /// More findings of this rule are left out from here on; of every rule when it is its own.
+  /// Later findings of this rule are left out; for SML0002 itself, those of all rules.
   const Rule* left_out = nullptr;
 };
 
@@ -154,20 +153,20 @@ class DiagnosticSink {
         most_suggestions_(suggestions),
         suggestions_left_(suggestions),
         most_of_all_(all) {}
-  /// With the bounds that a user may have raised.
+  /// With limits that a user may have raised.
   explicit DiagnosticSink(const Limits& limits)
       : DiagnosticSink(limits.findings, limits.suggestions, limits.all_findings) {}
 
-  /// The reference is valid until the next report; what is done to a finding that is left out has
-  /// no effect.
+  /// The reference is valid until the next report. Changes to a finding that is left out have no
+  /// effect.
   Diagnostic& report(const Rule& rule, Span span, std::string message);
-  /// The known name that the finding reported last may mean. None when that finding is left out, or
-  /// when all suggestions together took too much work; an SML0002 then says so. To be used wherever
-  /// the known names come from a file.
+  /// The known name nearest to `name`, for the finding reported last. None when that finding is
+  /// left out, or when all suggestions together exceed their limit, which an SML0002 reports. Use
+  /// it wherever the known names come from a file.
   std::optional<std::string_view> suggest(std::string_view name,
                                           std::span<const std::string_view> known);
 
-  /// What is reported at `place` is a fault of `rule` as well. take() joins the two.
+  /// Marks the finding at `place` as a fault of `rule`, too. take() joins the two.
   void add_consequence(Span place, const Rule& rule) { consequences_.push_back({place, &rule}); }
 
   std::span<const Diagnostic> diagnostics() const { return diagnostics_; }
@@ -177,13 +176,13 @@ class DiagnosticSink {
   std::uint64_t count_of(const Rule& rule) const;
 
  private:
-  /// Says that findings are left out from `span` on.
+  /// Reports that findings are left out from `span` on.
   void report_left_out(const Rule& rule, Span span, std::string message, std::string_view limit);
 
   std::uint64_t most_;
   std::uint64_t most_suggestions_;
   std::uint64_t suggestions_left_;
-  std::optional<Span> suggestions_end_;  ///< the finding that gets none any more
+  std::optional<Span> suggestions_end_;  ///< the first finding without a suggestion
   bool is_last_left_out_ = false;
   std::map<const Rule*, std::uint64_t> counts_;
   std::vector<Diagnostic> diagnostics_;

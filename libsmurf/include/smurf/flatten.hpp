@@ -24,7 +24,8 @@ struct Dialect;
 
 struct ValueMember;
 
-/// Data that is carried along: what YAML and JSON have in common. Numbers keep their text's value.
+/// Other data of an entity, as far as both YAML and JSON can express it. Numbers keep the value of
+/// their text.
 struct Value {
   using List = std::vector<Value>;
   using Object = std::vector<ValueMember>;
@@ -64,7 +65,7 @@ struct FlatInstance {
   FlatAttachment parent;  ///< kind none: the world
   /// Of the joints that the named joint pose set gives, in the model's order; rad or m.
   std::vector<std::pair<std::string, double>> joint_positions;
-  Value::Object properties;       ///< every key that has no meaning of its own here
+  Value::Object properties;       ///< all other keys
   std::vector<FlatShape> shapes;  ///< of an entity without model
   /// X_WL of every link, in the model's order, when asked for.
   std::vector<std::pair<std::string, Pose>> links;
@@ -76,7 +77,7 @@ struct FlatPhysics {
   std::optional<double> cfm, erp;
 };
 
-/// What an old scene holds besides shapes.
+/// The contents of an old scene other than shapes.
 struct FlatOldScene {
   std::size_t instance = 0;            ///< that names it
   Value::List lights;                  ///< in the world frame, wherever the scene is placed

@@ -48,7 +48,7 @@ struct KinematicTree {
 /// Names of one kind, the first of equal names wins. Views point into the model.
 class NameTable {
  public:
-  /// The index that the name already has, if it has one; it then keeps that.
+  /// The index that the name already has; none when it is new.
   std::optional<std::uint32_t> add(std::string_view name, std::uint32_t index);
   /// Makes room for as many names.
   void reserve(std::size_t count);
@@ -61,8 +61,8 @@ class NameTable {
   std::size_t slot_of(std::string_view name) const;
   void rehash(std::size_t slots);
 
-  // Open addressing: robots have tens of thousands of names, and a node for each would take more
-  // than all else here.
+  // Open addressing: robots have tens of thousands of names, and one node each would use more
+  // memory than everything else here.
   std::vector<std::string_view> names_;
   std::vector<std::uint32_t> indices_;  ///< of names_
   std::vector<std::uint32_t> slots_;    ///< places in names_, from 1; 0 is empty
@@ -76,7 +76,7 @@ struct MeshReference {
   bool is_texture = false;
 
   std::string path;     ///< resolved; empty when it cannot be (unknown package, other scheme)
-  bool exists = false;  ///< or it may: what lies outside of the project is not looked for
+  bool exists = false;  ///< also true outside of the project, where nothing is looked up
   /// When nothing is at `path`: a file whose path differs only in case or in `/` for `\`.
   std::string similar;
   const MeshFile* file = nullptr;  ///< what is at `path`; null when it was not opened
@@ -94,7 +94,7 @@ struct TextureReference {
   std::string filename;  ///< as written
   std::string path;      ///< resolved
   bool exists = false;
-  bool is_denied = false;  ///< whether it exists is not told: it lies outside of the project
+  bool is_denied = false;  ///< it lies outside of the project, so whether it exists is unknown
 };
 
 /// A file of a model and what is known of it.
@@ -162,13 +162,13 @@ struct Attachment {
   friend bool operator==(const Attachment&, const Attachment&) = default;
 };
 
-/// Where an entity stands once the includes around it are accounted for.
+/// The placement of an entity, including the scenes that contain it.
 struct Placement {
   Attachment parent;  ///< the frame of X_PE; none: the world
   Attachment anchor;
   /// Own pose, after those of the includes up to the one that brings the parent.
   Pose X_PE;
-  bool is_known = true;  ///< false when a parent or a pose could not be understood
+  bool is_known = true;  ///< false when a parent or a pose is unreadable
 };
 
 /// A scene file, read once however often it is included.
@@ -180,7 +180,7 @@ struct SceneFile {
   Scene scene;
 };
 
-/// A YAML file of an entity whose type is the user's own: what it holds are sections.
+/// A YAML file of an entity with a custom type: its contents are sections.
 struct DataFile {
   SourceId source{};
   yaml::Document document;
@@ -192,7 +192,7 @@ struct SceneUse {
   std::string path;                  ///< "outer/inner"; empty for the loaded scene
   std::optional<UseIndex> outer;     ///< none for the loaded scene
   std::size_t including_entity = 0;  ///< in the scene of `outer`
-  Placement placement;               ///< what its entities without own parent inherit
+  Placement placement;               ///< inherited by its entities without a parent
 };
 
 /// An entity after nested scenes are expanded.
@@ -219,7 +219,7 @@ struct LinkedScene {
   std::vector<LinkedModel> models;   ///< each file once
   std::vector<Instance> instances;   ///< depth-first, in file order
   std::vector<DataFile> data_files;  ///< each once
-  /// Those that instances are in, each once; the first has all joints at zero.
+  /// The joint poses of the instances, each once; the first has all joints at zero.
   std::vector<JointPositions> joint_poses{1};
   const UserSchemas* schemas = nullptr;  ///< those it was loaded with; may be null
   bool is_complete = true;               ///< false when a file is missing or broken

@@ -17,7 +17,7 @@
 
 namespace smurf {
 
-/// What holds for some of the files only.
+/// Settings for some of the files only.
 struct PathRules {
   std::function<bool(const std::string& path)> covers;
   std::vector<std::string> ignore;
@@ -29,7 +29,7 @@ struct RuleSelection {
   std::vector<std::string> select;  ///< empty: all
   std::vector<std::string> ignore;
   std::map<std::string, Severity> severities;
-  std::vector<const Reader*> targets;  ///< the readers that matter; empty: all, none in particular
+  std::vector<const Reader*> targets;        ///< empty: no particular reader
   std::map<std::string, double> tolerances;  ///< by id or name
   std::vector<PathRules> paths;              ///< where several cover a file, the last one wins
 
@@ -55,7 +55,7 @@ class DoubtfulReferences {
   std::optional<std::vector<Reference>> list_;
 };
 
-/// What a check may use: where to report, as whom.
+/// Reports the findings of one rule.
 class Findings {
  public:
   Findings(const Rule& rule, double tolerance, DiagnosticSink& sink, DoubtfulReferences& references)
@@ -63,7 +63,7 @@ class Findings {
   Diagnostic& report(Span span, std::string message) {
     return sink_.report(rule_, span, std::move(message));
   }
-  /// What another rule reports at `place` is a fault of this one as well.
+  /// Marks the finding of another rule at `place` as a fault of this rule, too.
   void add_consequence(Span place) { sink_.add_consequence(place, rule_); }
   /// As DiagnosticSink::suggest().
   std::optional<std::string_view> suggest(std::string_view name,
@@ -72,7 +72,7 @@ class Findings {
   }
   /// Those of the model that is checked.
   std::span<const Reference> doubtful_references() { return references_.list(); }
-  /// What Rule::tolerance says, or the user's number in its place.
+  /// Rule::tolerance, or the value from the configuration.
   double tolerance() const { return tolerance_; }
 
  private:
@@ -97,9 +97,9 @@ void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& source
 /// because what a reader makes of a finding depends on its place.
 ///
 /// For targets a finding is an error when one of them reports an error, refuses the file or
-/// crashes, and a warning when one silently loses or changes something. What all of them take and
-/// only others stumble over is one level milder. It stays as it is when nothing is known of any
-/// reader, or when no body can be like that.
+/// crashes, and a warning when one silently loses or changes something. When all of them
+/// load it as intended, a finding is one level milder. It keeps its severity when there is no fact
+/// about any reader, or when the body is impossible.
 std::vector<Diagnostic> finish(std::vector<Diagnostic> diagnostics, const SourceMap& sources,
                                const RuleSelection& selection);
 

@@ -19,14 +19,14 @@
 
 namespace smurf {
 
-/// Which files were read, so that what is read again can be counted: thousands of models may share
-/// one large URDF, and each keeps what it reads.
+/// The files read so far, to count repeated reading: thousands of models may share one large URDF,
+/// and each keeps its own copy.
 struct ReadFiles {
   std::unordered_set<std::string> known;  ///< by identity
   std::uint64_t repeated = 0;             ///< bytes
 };
 
-/// What loading needs. Owns nothing else; all of it must outlive what is loaded.
+/// Everything that loading needs. All of it must outlive the result.
 struct LoadContext {
   SourceMap& sources;
   const FileReader& files;
@@ -37,14 +37,14 @@ struct LoadContext {
   std::vector<std::string> package_folders = {};
   MeshLibrary* meshes = nullptr;         ///< null: meshes are looked up, but not opened
   const UserSchemas* schemas = nullptr;  ///< of the user's own sections and entity types
-  /// Shared by all that is kept at the same time.
+  /// Shared by all models in memory at the same time.
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();
   /// Names in the folders of models, sorted: thousands of models may lie in one.
   std::map<std::string, std::vector<std::string>> lists = {};
 };
 
-/// Loads a .smurf, a .urdf, or an annotation file alone. Everything wrong is reported; what could
-/// be read is returned, with `is_complete` telling whether that is all.
+/// Loads a .smurf, a .urdf, or an annotation file alone. Reports all mistakes and returns
+/// everything readable; `is_complete` is false when something is missing.
 LinkedModel load_model(const std::string& path, LoadContext& context);
 
 /// Loads a .smurfs, a .smurfa or a drawing (.svg) with all scenes and models it names.

@@ -15,7 +15,7 @@
 
 namespace smurf {
 
-/// What the bytes are, whatever the file is called.
+/// Decided by the bytes, not the name.
 enum class MeshFormat : std::uint8_t {
   unknown,
   stl_binary,
@@ -40,7 +40,7 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// The first place where a mesh file is not what its format asks for.
+/// The first place where a mesh file breaks the rules of its format.
 struct MeshDefect {
   std::string what;          ///< "the file ends inside a facet"
   std::uint64_t offset = 0;  ///< byte
@@ -52,7 +52,7 @@ struct MeshDependency {
   std::string filename;  ///< as written
   bool is_texture = false;
   std::uint32_t line = 0;  ///< 1-based
-  bool is_denied = false;  ///< whether it is there is not told: it lies outside of the project
+  bool is_denied = false;  ///< it lies outside of the project, so whether it exists is unknown
 };
 
 /// All lengths are in the file's own unit and axes, before any scale of the URDF.

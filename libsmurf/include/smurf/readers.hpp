@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The programs that read URDF, SMURF and SMURFS, and what each makes of what the rules find.
+// The programs that read URDF, SMURF and SMURFS, and the effects of findings on them.
 #pragma once
 
 #include <cstddef>
@@ -21,22 +21,22 @@ struct FamilyFact {
   Fact fact;
 };
 
-/// A program that reads robots. What it makes of a finding is a fact in the row of the rule.
+/// A program that reads robots. Facts about it are in the rows of the rules.
 struct Reader {
-  std::string_view name;   ///< what `--target` takes: "mujoco"
+  std::string_view name;   ///< the value of `--target`: "mujoco"
   std::string_view title;  ///< "MuJoCo"
   std::string_view basis;  ///< which version, and whether it was executed or read
   const Reader* like = nullptr;
   /// What it is executed as: a fact whose evidence is kRun was seen with this version.
   std::string_view version{};
   std::span<const FamilyFact> families{};
-  bool is_target = true;           ///< false for what other readers are built on
-  bool reads_annotations = false;  ///< what is wrong in YAML files beside the URDF concerns it
-  /// Parts of a URDF that it does not look at: whatever is wrong there, it takes the file.
+  bool is_target = true;           ///< false for libraries that other readers are built on
+  bool reads_annotations = false;  ///< findings in annotations affect it
+  /// Parts of a URDF that it does not look at: findings there do not affect it.
   std::span<const Fact> unread{};
 };
 
-/// In the order of the table; those that are no target included.
+/// In the order of the table, including readers that are not targets.
 std::span<const Reader* const> all_readers();
 /// Null when there is no such target.
 const Reader* find_target(std::string_view name);
@@ -69,7 +69,7 @@ std::string_view to_string(Answer answer);
 struct TargetVerdict {
   const Reader* reader = nullptr;
   std::size_t refusals = 0;     ///< findings it refuses or crashes on
-  std::size_t unknown = 0;      ///< errors of which it is not known what it makes
+  std::size_t unknown = 0;      ///< errors without a fact about it
   std::size_t losses = 0;       ///< findings that leave something out or make something else of it
   std::size_t ignored = 0;      ///< of those that decide, let pass by comments
   std::size_t in_baseline = 0;  ///< of those that decide, let pass by a baseline
@@ -80,7 +80,7 @@ struct TargetVerdict {
 
   Answer answer() const;
   std::size_t count(Answer answer) const;
-  /// Of so many more faults of a rule, it is not known what the reader makes.
+  /// Counts `count` more findings of a rule as unknown.
   void add_unknown(const Rule& of, std::size_t faults);
   /// What becomes of more files.
   void add(const TargetVerdict& other);

@@ -24,7 +24,7 @@ struct Summary {
   std::size_t files = 0;
   std::size_t models = 0;
   std::size_t scenes = 0;
-  std::size_t xacro = 0;  ///< .xacro files beside them, which nobody checked
+  std::size_t xacro = 0;  ///< .xacro files, which were not checked
 };
 /// The counts by severity; the others are the caller's.
 Summary summarize(std::span<const Diagnostic> diagnostics);
@@ -34,7 +34,7 @@ struct TextStyle {
   int width = 0;  ///< columns of the terminal; 0: only lines above 2000 columns are cut
 };
 
-/// Who made a report.
+/// The tool that made a report.
 struct ToolName {
   std::string_view name;
   std::string_view version;
@@ -51,7 +51,7 @@ std::string xacro_remark(std::size_t files);
 /// "found 1 error and 2 warnings in 3 files (1 model)" and a line end; further lines say what was
 /// suppressed and what was not checked.
 std::string render_summary(const Summary& summary, const TextStyle& style);
-/// Two columns: what becomes of the files in each reader, and the first reason with its place.
+/// Two columns: whether each reader loads the files, and the first reason with its place.
 std::string render_targets(std::span<const TargetVerdict> targets, const SourceMap& sources,
                            const TextStyle& style);
 /// One line a rule, the most frequent first: "  12  error    SML3101 unknown-joint". At most `most`
@@ -62,7 +62,7 @@ std::string render_statistics(std::span<const Diagnostic> diagnostics, const Tex
 /// What an overview shows.
 struct OverviewOptions {
   Severity least = Severity::warning;
-  bool shows_all = false;  ///< every finding, whatever the number
+  bool shows_all = false;  ///< all findings, however many
 };
 /// Findings for a person: errors first, then by file. Of one rule, three in a file; of one message,
 /// that of the first file; when some 150 lines are full, the names of the other files. Lines say
@@ -75,8 +75,8 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
                         std::span<const TargetVerdict> targets = {});
 
 /// JSON reports of parts of a check as the report of the whole; findings that two of them have are
-/// kept once. Files, models and scenes are added up: what two parts read counts twice. Of the
-/// summary here, the counts by severity are set.
+/// kept once. Files, models and scenes are added up: files in two parts are counted twice. Only the
+/// counts by severity are set in the summary here.
 struct NamedText {
   std::string name;
   std::string text;
@@ -84,15 +84,15 @@ struct NamedText {
 struct MergedReport {
   std::string json;
   Summary summary;
-  std::string problem;  ///< why there is none, in words; otherwise empty
+  std::string problem;  ///< the error message when there is no report; otherwise empty
 };
 MergedReport merge_json_reports(std::span<const NamedText> reports, const ToolName& tool);
 
-/// How the formats of code hosts name a file: by its path from the top of the repository, with '/'.
-/// Absolute where it lies outside.
+/// The name of a file in formats of code hosts: its path from the top of the repository, with '/'.
+/// Absolute for files outside.
 using RepositoryPath = std::function<std::string(const std::string& path)>;
 
-/// A SARIF 2.1.0 log with one run, as GitHub code scanning takes it; `homepage` is where `rules`
+/// A SARIF 2.1.0 log with one run, as GitHub code scanning reads it; `homepage` is where `rules`
 /// are explained.
 std::string render_sarif(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          std::span<const Rule* const> rules, const ToolName& tool,
@@ -103,22 +103,23 @@ std::string render_github(std::span<const Diagnostic> diagnostics, const SourceM
 /// A GitLab code quality report.
 std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                           const RepositoryPath& in_repository);
-/// A JUnit report: one test case a file, also for files without findings.
+/// A JUnit report: one test case a file, also for files without findings. Findings from
+/// `least_failure` on are failures, the others output; without it, nothing fails.
 std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
-                         const ToolName& tool);
+                         const ToolName& tool, std::optional<Severity> least_failure);
 
-/// Where the page of a rule is.
+/// The address of the page of a rule.
 std::string rule_address(const Rule& rule, std::string_view homepage);
 /// The page of one rule, for `--explain`.
 std::string render_rule(const Rule& rule, const TextStyle& style);
 /// One line a rule, for `--list-rules`.
 std::string render_rule_list(std::span<const Rule* const> rules, const TextStyle& style);
-/// What a conversion loses, as schemas/loss-report.schema.json describes it. The class of a loss is
-/// the name of its rule.
+/// The losses of a conversion, as schemas/loss-report.schema.json describes them. The class of a
+/// loss is the name of its rule.
 std::string render_losses_json(std::span<const Diagnostic> losses, const SourceMap& sources,
                                const ToolName& tool);
 
-/// A JSON array of all that the rules say about themselves.
+/// A JSON array with the texts of all rules.
 std::string render_rule_list_json(std::span<const Rule* const> rules);
 
 }  // namespace smurf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Findings that people have decided to live with: by a comment at the place, or in a baseline file.
+// Suppressed findings: by a comment at the place, or in a baseline file.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ namespace smurf {
 
 /// Comments that silence rules, in YAML and XML files:
 ///
-///     # smurf-lint: ignore[SML3101, unknown-link] reason       the line, when something stands
-///     before
-///                                                              it; otherwise the next entry, whole
-///     <!-- smurf-lint: ignore-file[SML19] reason -->           the file
+///     # smurf-lint: ignore[SML3101, unknown-link] reason
+///     <!-- smurf-lint: ignore-file[SML19] reason -->
 ///
-/// Rules are named as everywhere: by id, name or prefix of ids. There is none for all rules.
+/// The first form applies to its line or, on a line of its own, to the whole next entry.
+///
+/// Rules are named by id, name or prefix of ids. No form applies to all rules.
 class Suppressions {
  public:
   void add(const LinkedModel& model, const SourceMap& sources);
   void add(const LinkedScene& scene, const SourceMap& sources);
-  /// Adds those of another part of the run, whose sources were taken over.
+  /// Adds the comments of another part of the run, after its sources were merged.
   void take(Suppressions&& other, const SourceShift& shift);
 
   /// Takes away what is suppressed and returns how much that is. Adds what is wrong with the
@@ -41,21 +41,22 @@ class Suppressions {
  private:
   struct Item {
     Span span;         ///< of the id as written
-    Span removal;      ///< what to delete to be rid of it alone
+    Span removal;      ///< delete this to remove the item alone
     std::string name;  ///< id, name or prefix
     bool is_used = false;
   };
   struct Comment {
     Span span;
-    Span removal;         ///< what to delete to be rid of the comment
-    std::uint32_t begin;  ///< of the bytes it speaks of
+    Span removal;         ///< delete this to remove the comment
+    std::uint32_t begin;  ///< of the bytes it applies to
     std::uint32_t end;
-    std::string problem;  ///< why it is no suppression; then the rest is empty
+    std::string problem;  ///< why the comment is malformed; then the rest is empty
     std::vector<Item> items;
+    std::string rule_named;  ///< the first rule in its text, for the advice about a problem
   };
   struct File {
     std::vector<Comment> comments;
-    bool is_complete = true;  ///< all that could be found in it was sought
+    bool is_complete = true;  ///< all rules have run on it
   };
   class Reader;
 
@@ -70,6 +71,10 @@ class Suppressions {
   std::map<std::string, File> files_;  ///< by path
 };
 
+/// False for mistakes in configurations, comments and baselines (SML9). They have no place of their
+/// own, so that one entry would suppress all of them.
+bool may_be_in_baseline(const Diagnostic& diagnostic);
+
 /// The comment that lets a finding in a file pass: at the end of its line, or where none can stand
 /// there, above its entry. None when neither can.
 std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const yaml::Document& document,
@@ -80,7 +85,7 @@ std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const xml::Docum
 /// How a baseline names the file of a path: relative to its own folder.
 using BaselinePath = std::function<std::string(const std::string& path)>;
 
-/// Findings that were there when the baseline was made:
+/// Findings at the time when the baseline was written:
 ///
 ///     smurf/arm_motors.yml:
 ///       SML3101:

@@ -33,7 +33,7 @@ class UserSchemas {
 
   /// Registers the schema in the text `schema` (JSON or YAML) for the annotation section `name`, in
   /// models and in the data files of entities. False when it is broken, which is reported there;
-  /// the name is then known all the same.
+  /// the name is then still known.
   bool add_section(std::string name, SourceId schema, const SourceMap& sources,
                    DiagnosticSink& sink);
   /// The same for the entities of a type; the schema describes all keys of the entity.

@@ -150,7 +150,7 @@ class Reader {
 
 }  // namespace
 
-/// A text may be packed as well as it likes in archives that are small all the same.
+/// The growth is not limited in small archives.
 std::uint64_t ArchiveBudget::most_by_growth() const {
   constexpr std::uint64_t kFree = 8'000'000;
   return kFree + limits_.archive_growth * packed_;

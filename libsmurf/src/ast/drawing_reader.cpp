@@ -121,9 +121,8 @@ class DrawingReader {
     }
     const std::optional<double> value = parse_number(trimmed(width->value()));
     if (value) return value;
-    Diagnostic& diagnostic =
-        sink_.report(rules::sml5042_drawing_width, width->value_span(),
-                     "the `width` is no plain number, so that MARS takes it for 0");
+    Diagnostic& diagnostic = sink_.report(rules::sml5042_drawing_width, width->value_span(),
+                                          "the `width` is no plain number, so MARS reads 0");
     const std::size_t end = width->value().find_first_not_of("0123456789.");
     if (end != std::string_view::npos && parse_number(width->value().substr(0, end))) {
       diagnostic.help = "write it without a unit: " + std::string(width->value().substr(0, end));
@@ -209,7 +208,7 @@ class DrawingReader {
     const bool moves = group.element.attribute("transform") != nullptr;
     Diagnostic& diagnostic = sink_.report(
         rules::sml5043_nested_drawing_group, group.element.name_span(),
-        what + (group.title ? "" : ", but MARS takes it for the first one inside it once more") +
+        what + (group.title ? "" : ", but MARS loads it as a copy of the first group in it") +
             (moves ? (group.title ? ", which MARS" : ", and") +
                          std::string(" does not move what is inside it")
                    : std::string()));

@@ -13,7 +13,7 @@
 namespace smurf {
 
 /// Renames keys of one mapping, never to a key that it has already or gets by another fix of these.
-/// Its keys are searched once, because a mapping may have as many slips as keys.
+/// Its keys are searched once, because every key of a mapping may be misspelt.
 class KeyRenames {
  public:
   explicit KeyRenames(yaml::View mapping) : mapping_(mapping) {}

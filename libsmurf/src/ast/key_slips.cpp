@@ -48,8 +48,8 @@ std::optional<std::string_view> meant_key(std::string_view key,
   return near;
 }
 
-/// A key that says nothing or is a slip of the pen is the place; otherwise the entry's first key.
-/// Returns the slip.
+/// The place is an empty or misspelt key; otherwise the entry's first key. Returns the misspelt
+/// key.
 yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unknown,
                           yaml::View mapping, std::string_view what, KeyRenames& renames,
                           DiagnosticSink& sink) {

@@ -57,7 +57,7 @@ Span within_quotes(yaml::View value) {
   return is_quoted && !own.is_alias() ? Span{span.source, span.begin + 1, span.end - 1} : span;
 }
 
-/// Plain keys stand there as they are.
+/// Unquoted keys have no quotes to strip.
 Span without_quotes(Span key, std::string_view text) {
   const bool is_quoted = key.end - key.begin >= text.size() + 2;
   return is_quoted ? Span{key.source, key.begin + 1, key.end - 1} : key;

@@ -140,11 +140,11 @@ struct KeyDifference {
 enum class Slips : std::uint8_t { ignored, reported };
 
 /// Reports SML4004 for each required key that `mapping`, a `what` ("motor"), does not hold, and
-/// SML4005 for each unknown key that is a slip of the pen for another one.
+/// SML4005 for each unknown key that is a misspelling of another one.
 void report_difference(const KeyDifference& difference, yaml::View mapping, std::string_view what,
                        DiagnosticSink& sink);
 
-/// The type of a quoted scalar when the quotes are taken away; text for everything else.
+/// The type of a quoted scalar without its quotes; text for everything else.
 yaml::ScalarType type_without_quotes(yaml::View value);
 
 /// The key of an entry after which a missing one would be looked for: where other entries of the

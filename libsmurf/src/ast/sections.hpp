@@ -54,8 +54,8 @@ namespace sections {
 #include "ast/sections.def"
 #undef SMURF_SECTION
 
-/// Room for what follows in the list: what grows step by step needs up to three times its size for
-/// a while. A hostile list, which may be full of nulls, does not get more than it has filled.
+/// Reserves memory for the rest of the list, because growing step by step needs up to three times
+/// the size for a while. A hostile list full of nulls gets no more than it has filled.
 template <class T>
 void make_room(yaml::View entry, std::vector<T>& entries) {
   constexpr std::size_t kFirst = 1U << 14U;
@@ -63,7 +63,7 @@ void make_room(yaml::View entry, std::vector<T>& entries) {
   entries.reserve(entries.size() + std::min(items_from(entry), std::max(entries.size(), kFirst)));
 }
 
-/// The usual `read` of a section: one table row per key, one vector of entries.
+/// The `read` of most sections: one table row per key, one vector of entries.
 template <class T>
 void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view entry_name,
                yaml::View entry, Span section, std::vector<T>& entries, DiagnosticSink& sink) {
@@ -76,7 +76,7 @@ void read_into(std::span<const Key<T>> keys, MoreKeys more, std::string_view ent
 /// What the names in `id` of a sensor of this type are; none when MARS takes no `id`.
 NameKinds measured_by(std::string_view type);
 
-/// The usual `entries` of a section.
+/// The `entries` of most sections.
 template <auto Member>
 std::vector<const Annotation*> entries_of(const Annotations& annotations) {
   std::vector<const Annotation*> entries;

@@ -311,7 +311,7 @@ struct XacroTrace {
     Diagnostic& diagnostic =
         sink.report(rules::sml1009_xacro_residue, first, what + " that was never expanded");
     if (count > 1) {
-      diagnostic.notes.push_back("the file holds " + std::to_string(count - 1) + " more");
+      diagnostic.notes.push_back(std::to_string(count - 1) + " more in this file");
     }
     diagnostic.help = "run xacro and lint its output";
   }

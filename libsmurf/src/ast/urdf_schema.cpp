@@ -207,7 +207,7 @@ constexpr ElementSpec kElements[] = {
     {"calibration", kCalibrationAttributes, {}, {}, "Where the joint is calibrated."},
 };
 
-/// What others call it, and its name in URDF.
+/// Synonyms from SDF, MJCF and English -> URDF names.
 constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
     {"cube", "box"},      {"dimensions", "size"},  {"extents", "size"},    {"factor", "multiplier"},
     {"file", "filename"}, {"force", "effort"},     {"height", "length"},   {"id", "name"},

@@ -127,7 +127,8 @@ class ShapeChecker {
     if (element.name() == "geometry" && element.begin() == element.end()) return;
     for (const xml::Attribute* attribute : foreign) {
       add_foreign(rules::sml1107_unknown_attribute, attribute->name_span(),
-                  quoted(attribute->name()) + " is no attribute of " + quoted(element.name()));
+                  "unknown attribute " + quoted(attribute->name()) + " of " +
+                      quoted(element.name()));
     }
   }
 
@@ -138,10 +139,10 @@ class ShapeChecker {
 
   void misspelt_attribute(View element, const xml::Attribute& attribute, std::string_view meant,
                           bool is_required) {
-    Diagnostic& diagnostic =
-        sink_.report(rules::sml1107_unknown_attribute, attribute.name_span(),
-                     quoted(attribute.name()) + " is no attribute of " + quoted(element.name()));
-    diagnostic.notes.push_back("URDF readers ignore it without a word");
+    Diagnostic& diagnostic = sink_.report(rules::sml1107_unknown_attribute, attribute.name_span(),
+                                          "unknown attribute " + quoted(attribute.name()) + " of " +
+                                              quoted(element.name()));
+    diagnostic.notes.push_back("URDF readers silently ignore it");
     diagnostic.severity = Severity::error;
     if (is_required) {
       diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
@@ -213,7 +214,7 @@ class ShapeChecker {
                     [&](const AttributeSpec& a) { return a.name == name; })) {
       return attribute_as_element(parent, child, is_required(spec, name));
     }
-    // Robots carry the elements of many vendors; only what looks like a slip is reported there.
+    // Robots contain elements of many vendors; only probable misspellings are reported there.
     std::vector<std::string_view> names;
     for (const ChildSpec& allowed : spec.children) names.push_back(allowed.name);
     const auto near = urdf::meant_name(name, names);
@@ -233,19 +234,20 @@ class ShapeChecker {
       diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
       diagnostic.construct = owner_of_name(parent);
     }
-    diagnostic.notes.push_back("URDF readers ignore it without a word");
+    diagnostic.notes.push_back("URDF readers silently ignore it");
     diagnostic.help = "write `<" + std::string(parent.name()) + " " + name + "=\"...\"/>`";
   }
 
   void unknown_child(View parent, View child, std::optional<std::string_view> near) {
-    std::string message = quoted(child.name()) + " is no element of " + quoted(parent.name());
+    std::string message =
+        "unknown element " + quoted(child.name()) + " in " + quoted(parent.name());
     if (!near) {
       add_foreign(rules::sml1106_unknown_element, child.name_span(), std::move(message));
       return;
     }
     Diagnostic& diagnostic =
         sink_.report(rules::sml1106_unknown_element, child.name_span(), std::move(message));
-    diagnostic.notes.push_back("URDF readers ignore it and all it holds without a word");
+    diagnostic.notes.push_back("URDF readers silently ignore it, with all its contents");
     diagnostic.severity = Severity::error;
     diagnostic.help = "did you mean " + quoted(*near) + "?";
   }
@@ -261,10 +263,10 @@ class ShapeChecker {
     for (Foreign& foreign : foreign_) {
       Diagnostic& diagnostic =
           sink_.report(*foreign.rule, foreign.place, std::move(foreign.message));
-      diagnostic.notes.push_back("readers that do not know it ignore it without a word");
+      diagnostic.notes.push_back("readers that do not know it silently ignore it");
       if (foreign.count > 1) {
-        diagnostic.notes.push_back("it stands in this file " + std::to_string(foreign.count) +
-                                   " times");
+        diagnostic.notes.push_back("it occurs " + std::to_string(foreign.count) +
+                                   " times in this file");
       }
     }
   }
@@ -273,16 +275,16 @@ class ShapeChecker {
     sink_
         .report(rules::sml1108_misplaced_element, child.name_span(),
                 quoted(child.name()) + " does not belong in " + quoted(parent.name()))
-        .notes.push_back("URDF readers ignore it without a word");
+        .notes.push_back("URDF readers silently ignore it");
   }
 
   void wrong_case(View parent, View child, std::string_view name) {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1114_tag_case, child.name_span(),
                      "the element " + quoted(child.name()) + " must be written " + quoted(name));
-    diagnostic.notes.push_back("URDF readers ignore it and all it holds without a word");
+    diagnostic.notes.push_back("URDF readers silently ignore it, with all its contents");
     diagnostic.construct = name;
-    // Our own reader takes it as it is meant, so that no rule misses it.
+    // Our own reader accepts the wrong case, so that other rules still find the element.
     const auto missing =
         std::find_if(std::begin(kMissing), std::end(kMissing), [&](const Missing& one) {
           return one.parent == parent.name() && one.child == name;

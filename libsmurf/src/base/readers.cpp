@@ -167,11 +167,14 @@ bool has_facts(const Rule& rule) {
 std::vector<const Fact*> facts_about(const Rule& rule) {
   std::vector<const Fact*> known;
   for (const Reader* reader : kReaders) {
+    bool is_complete = false;  // a fact about all places leaves nothing to those of the family
     for (const Fact& fact : rule.facts) {
-      if (fact.reader == reader) known.push_back(&fact);
+      if (fact.reader != reader) continue;
+      known.push_back(&fact);
+      is_complete = is_complete || fact.where.empty();
     }
     for (const auto& [family, fact] : reader->families) {
-      if (rule.id.starts_with(family)) known.push_back(&fact);
+      if (!is_complete && rule.id.starts_with(family)) known.push_back(&fact);
     }
   }
   return known;

@@ -13,17 +13,17 @@ namespace smurf {
 /// differ only in case are one edit apart. Gives up above `limit` and returns limit + 1.
 int edit_distance(std::string_view a, std::string_view b, int limit);
 
-/// The known name close enough to be a slip of the pen: at most a third of the length in edits, or
-/// equal but for case. Ties go to the first. None when `name` itself is known.
+/// The known name that a misspelling may mean: at most a third of the length in edits, or equal
+/// except for case. Ties go to the first. None when `name` itself is known.
 std::optional<std::string_view> nearest(std::string_view name,
                                         std::span<const std::string_view> known);
 
-/// The same as long as there are steps left, of which each comparison of two characters takes one.
-/// None, and none left, when they do not suffice.
+/// The same with a bound: each comparison of two characters takes one step. None, and no steps
+/// left, when they do not suffice.
 std::optional<std::string_view>
 nearest(std::string_view name, std::span<const std::string_view> known, std::uint64_t& steps_left);
 
-/// Names in a row, such as `finger_1` and `finger_3`: nobody means the one by the other.
+/// Numbered names, such as `finger_1` and `finger_3`, are not misspellings of each other.
 bool differ_only_in_digits(std::string_view a, std::string_view b);
 
 }  // namespace smurf

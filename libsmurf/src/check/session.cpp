@@ -90,7 +90,7 @@ struct Session::State {
     open();
   }
 
-  /// Archives are unpacked and links followed anew.
+  /// Unpacks archives and follows links again.
   void open() {
     if (given == nullptr) {
       disk.emplace();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Links on fixed joints become part of the link that carries them: shapes move with their poses,
-// masses are added up about the common centre of mass, joints hang on the carrying link.
+// masses are combined about the common centre of mass, joints move to the carrying link.
 #include <algorithm>
 #include <set>
 

@@ -38,7 +38,7 @@ class LinkReferences {
   const LinkedModel& model_;
   std::set<std::string_view> needed_;
   std::map<std::string_view, std::vector<xml::View>> gazebo_, sensors_;  ///< by link
-  /// By link: what Gazebo is told of it but for sensors and plugins, as sorted signatures.
+  /// By link: the settings for Gazebo except sensors and plugins, as sorted signatures.
   std::map<std::string_view, std::vector<std::string>> properties_;
 };
 

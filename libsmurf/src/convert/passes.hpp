@@ -67,7 +67,7 @@ std::vector<xml::View> extension_elements(const urdf::Robot& robot);
 
 namespace smurf {
 
-/// The whole document written anew: links and joints in the order of the tree, attributes in a
+/// The whole document in canonical form: links and joints in the order of the tree, attributes in a
 /// fixed order, the shortest numbers.
 std::string canonical_urdf(const LinkedModel& model, std::string_view text);
 

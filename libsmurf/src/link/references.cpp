@@ -139,7 +139,7 @@ class SceneFinder {
       if (!is_own) finder.read_key(row, value, value);
     }
     std::vector<Reference> found = finder.take();
-    // Its name is nobody else's.
+    // Nothing else has its name.
     std::erase_if(found, [](const Reference& one) {
       return one.is_definition && one.kind == NameKind::pose;
     });

@@ -82,7 +82,7 @@ class SceneExpander {
       }
       std::optional<Scene> scene;
       if (file.document) {
-        // One more, of which expand() tells.
+        // One above the limit, so that expand() can report it.
         scene = read_scene(*file.document, context_.sink, context_.limits.instances + 1);
       }
       if (scene) file.scene = std::move(*scene);
@@ -252,7 +252,7 @@ class SceneExpander {
     }
     if (!file) {
       lose_scene();
-      // The name is known all the same: what refers to it is another matter.
+      // The name stays known, so that references to it are not reported, too.
       file = empty_scene();
     }
     const UseIndex use = add_use({*file, use_path, outer, index, {}});
@@ -353,7 +353,7 @@ class SceneExpander {
     return false;
   }
 
-  /// A slip of the pen (`fiel`) is then the place.
+  /// The place is then a misspelt key (`fiel`).
   void suggest_file(UseIndex use, const Entity& entity, Diagnostic& diagnostic) const {
     constexpr std::string_view kFile[] = {"file"};
     for (const CustomSection& key : entity.extra) {

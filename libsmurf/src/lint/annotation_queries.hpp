@@ -21,7 +21,7 @@ std::optional<Spanned<std::string>> text_at(yaml::View mapping, std::string_view
 /// The scalars of the list under a key.
 NameList texts_at(yaml::View mapping, std::string_view key);
 
-/// True when an unknown key of the mapping is a slip for `key`, which is then reported.
+/// True when an unknown key of the mapping is a misspelling of `key`, which is then reported.
 bool has_misspelt(yaml::View mapping, std::string_view key);
 
 /// A top-level key of the main file or of an annotation file.

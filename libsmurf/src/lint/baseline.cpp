@@ -16,10 +16,14 @@ constexpr std::string_view kFirstLine =
 
 void malformed(Span span, std::string message, DiagnosticSink& sink) {
   sink.report(rules::sml9104_malformed_baseline, span, std::move(message)).help =
-      "write it anew with `--generate-baseline`";
+      "write it again with `--generate-baseline`";
 }
 
 }  // namespace
+
+bool may_be_in_baseline(const Diagnostic& diagnostic) {
+  return !diagnostic.rule->id.starts_with("SML9");
+}
 
 void Baseline::read(const yaml::Document& document, DiagnosticSink& sink) {
   const yaml::View root = document.view();
@@ -32,11 +36,11 @@ void Baseline::read(const yaml::Document& document, DiagnosticSink& sink) {
 
 void Baseline::read_file(yaml::View file, DiagnosticSink& sink) {
   if (!file.is_mapping()) {
-    return malformed(file.place(), "below a file stand rules, each with a list of places", sink);
+    return malformed(file.place(), "a file maps rules to lists of places", sink);
   }
   for (const yaml::View rule : file) {
     if (!rule.is_sequence()) {
-      malformed(rule.place(), "below a rule stands a list of places", sink);
+      malformed(rule.place(), "a rule needs a list of places", sink);
       continue;
     }
     auto& entries = entries_[std::string(file.key())][std::string(rule.key())];
@@ -52,6 +56,7 @@ void Baseline::read_file(yaml::View file, DiagnosticSink& sink) {
 
 std::size_t Baseline::apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources) {
   return std::erase_if(diagnostics, [&](const Diagnostic& diagnostic) {
+    if (!may_be_in_baseline(diagnostic)) return false;
     const auto file = entries_.find(name_of_(sources.path(diagnostic.span.source)));
     if (file == entries_.end()) return false;
     const auto rule = file->second.find(diagnostic.rule->id);
@@ -100,11 +105,13 @@ std::string Baseline::write(std::span<const Diagnostic> diagnostics,
                             const SourceMap& sources) const {
   std::map<std::string, std::map<std::string_view, std::vector<std::string>>> files;
   for (const Diagnostic& diagnostic : diagnostics) {
+    if (!may_be_in_baseline(diagnostic)) continue;
     files[name_of_(sources.path(diagnostic.span.source))][diagnostic.rule->id].push_back(
         diagnostic.named_pointer);
   }
-  std::string text = std::string(kFirstLine) +
-                     "# `smurf-lint --generate-baseline`, which also drops what is mended.\n";
+  std::string text =
+      std::string(kFirstLine) +
+      "# `smurf-lint --generate-baseline`, which also removes entries of repaired faults.\n";
   if (files.empty()) text += "{}\n";
   for (auto& [file, by_rule] : files) {
     text += yaml_like("", file) + ":\n";

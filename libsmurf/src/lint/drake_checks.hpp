@@ -7,7 +7,7 @@
 
 namespace smurf::drake {
 
-/// The construct of what Drake does not read, and takes the file all the same.
+/// The construct of elements that Drake ignores while it loads the file.
 inline constexpr std::string_view kUnread = "unread";
 
 /// Does nothing for elements about which there is nothing to say.

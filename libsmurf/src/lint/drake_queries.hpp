@@ -17,7 +17,7 @@ namespace smurf::drake {
 inline constexpr const char* kJointNote =
     "it is a `drake:joint`, which only Drake reads: check the file with `--target drake`";
 
-/// The `drake:joint` elements of the robot: joints to Drake, and to nobody else.
+/// The `drake:joint` elements of the robot: joints that only Drake reads.
 std::vector<xml::View> own_joints(const LinkedModel& model);
 /// The values of an attribute of theirs ("name"), or of an element in them ("child", "link").
 std::set<std::string_view> names_in(const std::vector<xml::View>& elements,

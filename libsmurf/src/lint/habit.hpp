@@ -9,13 +9,13 @@
 
 namespace smurf {
 
-/// Collects the places of one habit; they become one finding, at the first.
+/// Collects places with the same defect; they become one finding, at the first place.
 class Habit {
  public:
   /// The message of the first place is the one that is shown.
   void add(Span place, std::string message);
   bool is_first() const { return count_ == 0; }
-  /// Reports it, and how many more there are: "the file holds 3 more `others`". Null when there is
+  /// Reports it, and how many more there are: "3 more `others` in this file". Null when there is
   /// none, else valid until the next report.
   Diagnostic* report(std::string_view others, Findings& findings) const;
 

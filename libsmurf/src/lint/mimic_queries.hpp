@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// Position of the joint that this one mimics; none when it mimics nothing or nobody knows whom.
+/// Position of the joint that this one mimics; none when it mimics no joint or an unknown one.
 std::optional<std::uint32_t> mimic_leader(const LinkedModel& model, std::uint32_t joint);
 
 /// By joint: true when its leaders follow one another in a circle.

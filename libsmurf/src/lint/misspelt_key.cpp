@@ -9,7 +9,7 @@
 namespace smurf {
 namespace {
 
-/// `my_physics` is a name of one's own, no slip of the pen.
+/// `my_physics` is a custom name, not a misspelling.
 constexpr int kMostEdits = 2;
 
 /// Words of other formats, and singulars, for keys of scenes and entities.

@@ -51,7 +51,7 @@ Subject subject(const urdf::Joint& joint);
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, const Subject& subject, Findings& findings);
 
-/// Same, for a whole list.
+/// check_reference() for every name of a list.
 void check_references(const LinkedModel& model, NameKind kind, const Field<NameList>& list,
                       const Subject& subject, Findings& findings);
 
@@ -85,8 +85,8 @@ Span name_place(const LinkedModel& model, const urdf::Joint& joint);
 Span inertia_place(const LinkedModel& model, const urdf::Inertial& inertial);
 /// True when the element has an attribute or a child whose name is nearly `name`.
 bool has_slip(const LinkedModel& model, xml::ElementId element, std::string_view name);
-/// Same, for a rule that reports no `name` then, because the slip is reported where it stands: to
-/// readers the thing is missing all the same, so the slip is a fault of this rule as well.
+/// Same, for a rule that reports nothing then, because the misspelling is reported at its place. To
+/// readers the element is missing, so the misspelling is marked as a fault of this rule, too.
 bool is_slip(const LinkedModel& model, xml::ElementId element, std::string_view name,
              Findings& findings);
 /// Place of an element's name in its start tag.

@@ -12,7 +12,7 @@ namespace smurf {
 /// compute one from?
 std::vector<bool> massless_bodies(const LinkedModel& model);
 
-/// Does the link, or what hangs on it by fixed joints, have an inertial?
+/// True when the link, or a link fixed to it, has an inertial.
 bool has_fixed_mass(const LinkedModel& model, LinkIndex link);
 
 /// By link: does it hang by a fixed joint on others that weigh at least as much? Readers can take

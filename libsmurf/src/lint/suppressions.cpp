@@ -178,7 +178,7 @@ class Suppressions::Reader {
   void add(Span span, std::size_t at, bool is_above_entry, const FindNext& find_next) {
     const Line first = lines_.around(span.begin);
     const Line last = lines_.around(span.end);
-    Comment comment{span, span, 0, 0, {}, {}};
+    Comment comment{span, span, 0, 0, {}, {}, {}};
     if (first.text_begin == span.begin && last.text_end <= span.end) {  // there is nothing else
       const std::size_t after = std::min(last.end + 1, text_.size());
       comment.removal = {source_, offset(first.begin), offset(after)};
@@ -194,6 +194,21 @@ class Suppressions::Reader {
     const std::size_t skipped = std::min(words.find_first_not_of(kBlank), words.size());
     read_words(words.substr(skipped), at + kMarker.size() + skipped, comment);
     comments_.push_back(std::move(comment));
+  }
+
+  /// The first rule that a malformed comment speaks of; "ID" when it names none.
+  static std::string rule_in(std::string_view words) {
+    constexpr std::string_view kNameCharacters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-";
+    std::size_t begin = words.find_first_of(kNameCharacters);
+    while (begin != std::string_view::npos) {
+      const std::size_t end =
+          std::min(words.find_first_not_of(kNameCharacters, begin), words.size());
+      const std::string_view word = words.substr(begin, end - begin);
+      if (find_rule(word) != nullptr) return std::string(word);
+      begin = words.find_first_of(kNameCharacters, end);
+    }
+    return "ID";
   }
 
   /// Not where a reader of YAML 1.1 ends the line earlier and reads on behind, and not where the
@@ -212,6 +227,7 @@ class Suppressions::Reader {
   }
 
   void read_words(std::string_view words, std::size_t at, Comment& comment) const {
+    comment.rule_named = rule_in(words);
     const std::size_t open = std::min(words.find_first_of("[ \t\r\n"), words.size());
     const std::string_view verb = words.substr(0, open);
     if (verb != "ignore" && verb != "ignore-file") {
@@ -220,7 +236,8 @@ class Suppressions::Reader {
     }
     const std::size_t close = words.find(']');
     if (open == words.size() || words[open] != '[' || close == std::string_view::npos) {
-      comment.problem = "the rules are missing: `" + std::string(verb) + "[SML3101]`";
+      comment.problem =
+          "the rules are missing: `" + std::string(verb) + "[" + comment.rule_named + "]`";
       return;
     }
     if (verb == "ignore-file") {
@@ -382,7 +399,7 @@ void Suppressions::judge(const Comment& comment, const std::function<bool(const 
   if (!comment.problem.empty()) {
     sink.report(rules::sml9101_malformed_suppression, comment.span,
                 "this comment silences nothing: " + comment.problem)
-        .help = "write `smurf-lint: ignore[SML3101] reason`";
+        .help = "write `smurf-lint: ignore[" + comment.rule_named + "] reason`";
     return;
   }
   const bool is_all_unused = std::all_of(comment.items.begin(), comment.items.end(), is_unused);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clean files are test cases too, so that a green run shows what it has looked at.
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace {
 std::string xml_text(std::string_view text) { return escape_xml(render::escape(text)); }
 
 struct TestCase {
-  std::vector<const Diagnostic*> failures;  ///< errors and warnings
-  std::vector<const Diagnostic*> infos;
+  std::vector<const Diagnostic*> failures;
+  std::vector<const Diagnostic*> others;
 };
 
 std::string lines(const std::vector<const Diagnostic*>& diagnostics, const SourceMap& sources) {
@@ -35,18 +36,18 @@ std::string to_xml(const std::string& path, const TestCase& test, const SourceMa
                    const ToolName& tool) {
   std::string out =
       "    <testcase classname=\"" + std::string(tool.name) + "\" name=\"" + xml_text(path) + "\"";
-  if (test.failures.empty() && test.infos.empty()) return out + "/>\n";
+  if (test.failures.empty() && test.others.empty()) return out + "/>\n";
   out += ">\n";
   if (!test.failures.empty()) {
-    const bool has_error =
-        std::any_of(test.failures.begin(), test.failures.end(),
-                    [](const Diagnostic* one) { return one->severity == Severity::error; });
+    const auto* worst = *std::max_element(
+        test.failures.begin(), test.failures.end(),
+        [](const Diagnostic* a, const Diagnostic* b) { return a->severity < b->severity; });
     out += "      <failure message=\"" + counted(test.failures.size(), "finding") + "\" type=\"" +
-           (has_error ? "error" : "warning") + "\">" + lines(test.failures, sources) +
+           std::string(to_string(worst->severity)) + "\">" + lines(test.failures, sources) +
            "</failure>\n";
   }
-  if (!test.infos.empty()) {
-    out += "      <system-out>" + lines(test.infos, sources) + "</system-out>\n";
+  if (!test.others.empty()) {
+    out += "      <system-out>" + lines(test.others, sources) + "</system-out>\n";
   }
   return out + "    </testcase>\n";
 }
@@ -54,7 +55,7 @@ std::string to_xml(const std::string& path, const TestCase& test, const SourceMa
 }  // namespace
 
 std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
-                         const ToolName& tool) {
+                         const ToolName& tool, std::optional<Severity> least_failure) {
   std::map<std::string, TestCase> tests;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const SourceId source{static_cast<std::uint32_t>(i)};
@@ -62,7 +63,8 @@ std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMa
   }
   for (const Diagnostic& diagnostic : diagnostics) {
     TestCase& test = tests[render::path_of(diagnostic.span, sources)];
-    (diagnostic.severity == Severity::info ? test.infos : test.failures).push_back(&diagnostic);
+    const bool is_failure = least_failure && diagnostic.severity >= *least_failure;
+    (is_failure ? test.failures : test.others).push_back(&diagnostic);
   }
   std::string cases;
   std::size_t failures = 0;

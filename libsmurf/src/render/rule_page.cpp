@@ -34,11 +34,12 @@ std::string tolerance_of(const Rule& rule) {
 }  // namespace
 
 std::string rule_address(const Rule& rule, std::string_view homepage) {
-  std::string address = std::string(homepage) + "/blob/main/docs/rules.md#";
-  for (const char c : std::string(rule.id) + "-" + std::string(rule.name)) {
-    address += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return address;
+  // One page a digit; the rules about URDF are so many that they have one for two digits.
+  const std::string_view page = rule.id.substr(0, rule.id.starts_with("SML1") ? 5 : 4);
+  std::string path = "docs/rules/" + std::string(page) + ".md#" + std::string(rule.id) + "-" +
+                     std::string(rule.name);
+  for (char& c : path) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return std::string(homepage) + "/blob/main/" + path;
 }
 
 std::string render_rule(const Rule& rule, const TextStyle& style) {

@@ -31,9 +31,9 @@ std::string count_of(const TargetVerdict& target) {
 
 std::string verdict_of(const TargetVerdict& target, const Painter& paint) {
   switch (target.answer()) {
-  case Answer::takes: return "takes it";
-  case Answer::loses: return paint(Ink::warning, "takes it with losses" + count_of(target));
-  case Answer::refuses: return paint(Ink::error, "refuses it" + count_of(target));
+  case Answer::takes: return "loads";
+  case Answer::loses: return paint(Ink::warning, "loads, with losses" + count_of(target));
+  case Answer::refuses: return paint(Ink::error, "fails to load" + count_of(target));
   case Answer::unknown: break;
   }
   std::string rules;

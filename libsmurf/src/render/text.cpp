@@ -56,7 +56,7 @@ std::string describe(const Fix& fix, const SourceMap& sources) {
       return (old.empty() ? "insert `" : "write `") + edit.text + "`";
     }
   }
-  return "a fix is known";
+  return "see the fix with `--diff`";
 }
 
 std::string header(const Diagnostic& diagnostic, const Painter& paint) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paragraphs.
+// Word wrap.
 #pragma once
 
 #include <cstddef>

@@ -299,7 +299,7 @@ class Explainer {
     if (is_about_key) suggest_key(at, name_in(fault.description), violation);
   }
 
-  /// A slip of the pen is then the place.
+  /// The place is then a misspelt key that may mean the missing one.
   void suggest_key(const Located& at, const std::string& missing, Violation& violation) {
     if (!spend(kNodesForStep / 4 * at.value.size())) return;
     const std::vector<std::string_view> names = property_names(at);

@@ -226,7 +226,7 @@ void YamlBuilder::report_duplicates(const Node& mapping) {
                      "duplicate key `" + std::string(entries_[i].key) + "` in one mapping");
     diagnostic.caret = "repeated here";
     diagnostic.labels.push_back({at(entries_[first].id).key_span(), "first set here"});
-    diagnostic.notes.push_back("MARS takes the first value, Phobos (PyYAML) the last");
+    diagnostic.notes.push_back("MARS uses the first value, Phobos (PyYAML) the last");
     diagnostic.help = "delete one of the two";
   }
 }

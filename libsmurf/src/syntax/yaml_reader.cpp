@@ -93,7 +93,7 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
           "MARS reads the first document and drops the rest, PyYAML (Phobos) refuses the file");
 }
 
-/// yaml-cpp takes the marks of a merge for texts, or ends the document there without a word.
+/// yaml-cpp reads merge conflict markers as text, or silently ends the document there.
 std::optional<Span> find_merge_mark(std::string_view text, SourceId id) {
   std::size_t first = std::string_view::npos;
   for (const std::string_view mark : {"<<<<<<< ", ">>>>>>> "}) {
@@ -212,7 +212,7 @@ bool has_too_many_nodes(const DiagnosticSink& found) {
   return !all.empty() && all.back().rule == &rules::sml0002_file_too_large;
 }
 
-/// None when the text is judged: it is plain, or so large that nobody reads it a second time.
+/// None when the result is final: the text is plain, or too large to be read twice.
 /// Otherwise where it ceases to be plain.
 std::optional<std::uint32_t> parse_plain(const SourceMap& sources, SourceId id,
                                          const Limits& limits, DiagnosticSink& sink,

@@ -9,7 +9,7 @@ using enum Effect;
 
 constexpr FamilyFact kFamilies[] = {
     {"SML31",
-     {&mars, loses, "finds nothing of that name and says nothing",
+     {&mars, loses, "finds nothing of that name, and prints no message",
       "MARS smurf.cpp:155-181, 333-449"}},
 };
 

@@ -19,7 +19,7 @@ extern constinit const Rule sml0004_control_character{
     .name = "control-character",
     .severity = Severity::error,
     .summary = "A file holds a control character that its format, YAML or XML, does not allow.",
-    .why = "Where the byte is kept inside a name or value, nobody sees it.",
+    .why = "Editors do not show the byte, so names that look alike differ.",
     .remedy = "Delete the character.",
     .sources = "YAML 1.2 section 5.1; XML 1.0 section 2.2.",
     .facts = kFacts};

@@ -20,7 +20,7 @@ extern constinit const Rule sml0010_yaml_syntax{
     .name = "yaml-syntax",
     .severity = Severity::error,
     .summary = "A file is not well-formed YAML.",
-    .why = "No reader gets anything out of the file.",
+    .why = "No reader can use the file.",
     .remedy = "Correct the line; indentation (spaces only), an unclosed bracket or quote and an "
               "unquoted `: ` inside a value are the usual causes.",
     .sources = "yaml-cpp 0.7 and PyYAML 6.0, executed.",

@@ -6,21 +6,21 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "takes the first value", "configmaps ConfigMap.cpp:53, run"},
-    {&readers::mars2, Effect::changes, "takes the first value", "configmaps ConfigMap.cpp:53, run"},
-    {&readers::envire, Effect::changes, "takes the first value",
-     "configmaps ConfigMap.cpp:53, run"},
-    {&readers::phobos, Effect::changes, "takes the last value", "PyYAML"},
+    {&readers::mars, Effect::changes, "uses the first value", "configmaps ConfigMap.cpp:53, run"},
+    {&readers::mars2, Effect::changes, "uses the first value", "configmaps ConfigMap.cpp:53, run"},
+    {&readers::envire, Effect::changes, "uses the first value", "configmaps ConfigMap.cpp:53, run"},
+    {&readers::phobos, Effect::changes, "uses the last value", "PyYAML"},
 };
 
 }  // namespace
 
-extern constinit const Rule sml0011_duplicate_key{.id = "SML0011",
-                                                  .name = "duplicate-key",
-                                                  .severity = Severity::error,
-                                                  .summary = "A mapping holds the same key twice.",
-                                                  .why = "The same file is two different robots.",
-                                                  .remedy = "Delete one of the two, or rename it.",
-                                                  .facts = kFacts};
+extern constinit const Rule sml0011_duplicate_key{
+    .id = "SML0011",
+    .name = "duplicate-key",
+    .severity = Severity::error,
+    .summary = "A mapping holds the same key twice.",
+    .why = "Readers make two different robots of the same file.",
+    .remedy = "Delete one of the two, or rename it.",
+    .facts = kFacts};
 
 }  // namespace smurf::rules

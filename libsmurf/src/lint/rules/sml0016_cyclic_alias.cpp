@@ -16,7 +16,7 @@ extern constinit const Rule sml0016_cyclic_alias{
     .id = "SML0016",
     .name = "cyclic-alias",
     .severity = Severity::error,
-    .summary = "An alias stands inside the value it repeats.",
+    .summary = "An alias is inside the value that it repeats.",
     .why = "The value would contain itself: readers that follow aliases recurse until the stack "
            "overflows.",
     .remedy = "Remove the alias.",

@@ -38,14 +38,15 @@ constexpr Fact kFacts[] = {
 
 }  // namespace
 
-extern constinit const Rule sml0017_merge_key{.id = "SML0017",
-                                              .name = "merge-key",
-                                              .severity = Severity::warning,
-                                              .summary = "A mapping uses the YAML merge key `<<`.",
-                                              .why = "The same file is two different models.",
-                                              .remedy = "Write the keys in each mapping.",
-                                              .check_model = check_model_files,
-                                              .check_scene = check_scene_files,
-                                              .facts = kFacts};
+extern constinit const Rule sml0017_merge_key{
+    .id = "SML0017",
+    .name = "merge-key",
+    .severity = Severity::warning,
+    .summary = "A mapping uses the YAML merge key `<<`.",
+    .why = "Readers make two different models of the same file.",
+    .remedy = "Write the keys in each mapping.",
+    .check_model = check_model_files,
+    .check_scene = check_scene_files,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -16,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
       const yaml::Node& node = file.document->nodes[i];
       if (node.parent == yaml::kNoNode) continue;
       const auto parent = static_cast<std::size_t>(node.parent);
-      // What stands in the sections of the format is checked where it is read.
+      // Sections of the format are checked by their readers.
       is_known[i] =
           is_known[parent] || (node.parent == file.document->root && is_section_name(node.key()));
       const bool is_item = file.document->nodes[parent].kind() == yaml::Kind::sequence;
@@ -43,7 +43,7 @@ extern constinit const Rule sml0018_null_in_list{
     .id = "SML0018",
     .name = "null-in-list",
     .severity = Severity::error,
-    .summary = "A list of a section of its own holds an empty item.",
+    .summary = "A list of a custom section has an empty item.",
     .remedy = "Fill the item, or delete it.",
     .check_model = check,
     .facts = kFacts};

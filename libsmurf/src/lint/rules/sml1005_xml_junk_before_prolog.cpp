@@ -17,10 +17,10 @@ extern constinit const Rule sml1005_xml_junk_before_prolog{
     .id = "SML1005",
     .name = "xml-junk-before-prolog",
     .severity = Severity::error,
-    .summary = "Something stands before the XML declaration.",
+    .summary = "There is text before the XML declaration.",
     .why = "The declaration must be the first bytes of the file: browsers (urdf-loader), expat and "
            "yourdfpy refuse it otherwise.",
-    .remedy = "Delete what stands before `<?xml`.",
+    .remedy = "Delete everything before `<?xml`.",
     .sources = "urdf-loader 0.13, executed; XML 1.0 section 2.8.",
     .facts = kFacts,
     .blocks_building = true};

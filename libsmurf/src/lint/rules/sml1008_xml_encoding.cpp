@@ -6,8 +6,8 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::takes, "reads UTF-8 all the same", kRun, "#wide"},
-    {&readers::mujoco, Effect::takes, "reads UTF-8 all the same", kRun, "#wide"},
+    {&readers::urdfdom, Effect::takes, "reads UTF-8 anyway", kRun, "#wide"},
+    {&readers::mujoco, Effect::takes, "reads UTF-8 anyway", kRun, "#wide"},
 };
 
 }  // namespace

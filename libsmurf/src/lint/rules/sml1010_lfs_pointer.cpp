@@ -16,7 +16,7 @@ extern constinit const Rule sml1010_lfs_pointer{
     .name = "lfs-pointer",
     .severity = Severity::error,
     .summary = "A file is empty, or a Git LFS pointer instead of its content.",
-    .why = "Readers say \"document empty\" and nothing of the cause.",
+    .why = "Readers report \"document empty\", not the cause.",
     .remedy = "Run `git lfs pull`, or restore the file.",
     .sources = "urdfdom, executed: 31 of 941 public files were such.",
     .facts = kFacts,

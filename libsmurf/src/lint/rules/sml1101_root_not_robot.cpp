@@ -21,7 +21,7 @@ extern constinit const Rule sml1101_root_not_robot{
     .name = "root-not-robot",
     .severity = Severity::error,
     .summary = "The root element of a URDF is not `robot`.",
-    .why = "The name is case-sensitive.",
+    .why = "Names of elements are case-sensitive.",
     .remedy = "Name the root element `robot`, or name the right file.",
     .facts = kFacts};
 

@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::takes, "takes an empty name", kRun, "#empty"},
+    {&readers::urdfdom, Effect::takes, "accepts an empty name", kRun, "#empty"},
     {&readers::urdfdom, Effect::refuses, "refuses a robot without name",
      "urdfdom model.cpp:115, run"},
     {&readers::pybullet, Effect::refuses, "refuses a robot without name",

@@ -31,8 +31,8 @@ extern constinit const Rule sml1105_feature_needs_newer_version{
     .name = "feature-needs-newer-version",
     .severity = Severity::error,
     .summary = "An attribute belongs to a later URDF version than readers know.",
-    .remedy = "Write the rotation as rpy; leave the limits out or say them where your controller "
-              "reads them.",
+    .remedy =
+        "Write the rotation as rpy; leave the limits out, or set them where your controller reads them.",
     .sources = "urdfdom pull requests 212 and 235.",
     .check_model = check,
     .facts = kFacts};

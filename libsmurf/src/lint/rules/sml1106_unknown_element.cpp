@@ -6,7 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::loses, "ignores the element and all it holds",
+    {&readers::urdf, Effect::loses, "ignores the element, with all its contents",
      "urdfdom, sdformat, DART, MuJoCo, Bullet, run"},
 };
 
@@ -16,8 +16,9 @@ extern constinit const Rule sml1106_unknown_element{
     .id = "SML1106",
     .name = "unknown-element",
     .severity = Severity::warning,
-    .summary = "An element that URDF does not define stands where readers look for others.",
-    .why = "A misspelt `collision` is a link without collision.",
+    .summary =
+        "A place where readers look for URDF elements has an element that URDF does not define.",
+    .why = "Readers ignore the element: a misspelt `collision` leaves the link without collision.",
     .remedy = "Correct the name; foreign data belongs under `robot` or needs a prefix.",
     .facts = kFacts};
 

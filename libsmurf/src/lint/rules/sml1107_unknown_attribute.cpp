@@ -16,7 +16,7 @@ extern constinit const Rule sml1107_unknown_attribute{
     .name = "unknown-attribute",
     .severity = Severity::warning,
     .summary = "An element has an attribute that URDF does not define.",
-    .why = "What a misspelt attribute was meant to say is missing.",
+    .why = "Readers ignore the attribute, so its value is missing.",
     .remedy = "Correct the name; foreign attributes need a prefix.",
     .sources = "186 of 797 public files.",
     .facts = kFacts};

@@ -6,7 +6,8 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::loses, "ignores the element and all it holds", "urdfdom, MuJoCo, run"},
+    {&readers::urdf, Effect::loses, "ignores the element, with all its contents",
+     "urdfdom, MuJoCo, run"},
 };
 
 }  // namespace
@@ -15,7 +16,7 @@ extern constinit const Rule sml1108_misplaced_element{
     .id = "SML1108",
     .name = "misplaced-element",
     .severity = Severity::warning,
-    .summary = "A URDF element stands inside an element that does not take it.",
+    .summary = "A URDF element is inside an element where it does not belong.",
     .why = "Readers ignore it silently: an `inertial` beside the links gives no link a mass.",
     .remedy = "Move it into the element it belongs to.",
     .sources = "urdfdom, executed.",

@@ -6,7 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::changes, "takes the first one", "urdfdom, Bullet, run"},
+    {&readers::urdf, Effect::changes, "uses the first one", "urdfdom, Bullet, run"},
     {&readers::phobos, Effect::refuses, "stops with an AssertionError", "Phobos a613e31, run"},
     {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun},
 };
@@ -17,8 +17,8 @@ extern constinit const Rule sml1109_duplicate_singleton{
     .id = "SML1109",
     .name = "duplicate-singleton",
     .severity = Severity::error,
-    .summary = "An element that may stand once stands twice.",
-    .why = "urdf-loader takes the last origin.",
+    .summary = "An element that may occur once occurs twice.",
+    .why = "urdf-loader uses the last origin.",
     .remedy = "Keep one of them.",
     .sources = "urdf-loader 0.13, executed.",
     .facts = kFacts};

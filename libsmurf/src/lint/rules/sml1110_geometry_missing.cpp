@@ -9,7 +9,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Any that some reader knows. A slip for one is reported as that, and is none to readers.
+/// Any shape that some reader knows. A misspelt one is reported as such; to readers it is missing.
 bool has_shape(const LinkedModel& model, const urdf::Geometry& geometry, Findings& findings) {
   const urdf::ElementSpec& spec = *urdf::find_element_spec("geometry");
   std::vector<std::string_view> shapes;

@@ -11,7 +11,8 @@ constexpr Fact kFacts[] = {
      "#link"},
     {&readers::urdf, Effect::refuses, "ignores the joint, and then finds several roots",
      "urdfdom, run", "#joint"},
-    {&readers::urdf, Effect::loses, "ignores the element and all it holds", "urdfdom, MuJoCo, run"},
+    {&readers::urdf, Effect::loses, "ignores the element, with all its contents",
+     "urdfdom, MuJoCo, run"},
     {&readers::mujoco, Effect::changes, "ignores the joint, and welds its child to the world", kRun,
      "#joint"},
 };

@@ -25,9 +25,8 @@ extern constinit const Rule sml1116_robot_origin{
     .name = "robot-origin",
     .severity = Severity::warning,
     .summary = "The robot element has an origin.",
-    .why = "URDF has no origin there: the robot stands elsewhere in one reader than in another.",
-    .remedy = "Place the robot where it is used: in the scene, or by a fixed joint below a new "
-              "root link.",
+    .why = "URDF defines no origin there: readers place the robot differently.",
+    .remedy = "Set the pose in the scene, or with a fixed joint below a new root link.",
     .check_model = check,
     .facts = kFacts};
 

@@ -7,9 +7,9 @@ extern constinit const Rule sml1119_stray_text{
     .id = "SML1119",
     .name = "stray-text",
     .severity = Severity::warning,
-    .summary = "Text stands between the elements of a URDF.",
-    .why = "All of URDF is in attributes, so readers skip the text without a word: a value written "
-           "there is lost, and a marker of a merge conflict goes unnoticed.",
+    .summary = "There is text between the elements of a URDF.",
+    .why =
+        "URDF stores everything in attributes, so readers silently skip the text: a value written there is lost, and a marker of a merge conflict goes unnoticed.",
     .remedy = "Delete the text, make it a comment, or move it into an attribute.",
     .sources = "urdfdom, sdformat, MuJoCo and Bullet, which ask for elements only."};
 

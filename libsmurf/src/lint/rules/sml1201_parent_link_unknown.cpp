@@ -25,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the file",
      "urdfdom model.h:128; MuJoCo, Bullet, run"},
-    {&readers::drake, Effect::takes, "knows a link `world` that nobody declares",
+    {&readers::drake, Effect::takes, "knows an implicit link `world`",
      "Drake detail_urdf_parser.cc:518", "#drake-world"},
 };
 
@@ -35,7 +35,7 @@ extern constinit const Rule sml1201_parent_link_unknown{
     .id = "SML1201",
     .name = "parent-link-unknown",
     .severity = Severity::error,
-    .summary = "A joint hangs below a link that the robot does not have.",
+    .summary = "The parent of a joint is a link that the robot does not have.",
     .remedy = "Correct the name, or declare the link.",
     .check_model = check,
     .facts = kFacts,

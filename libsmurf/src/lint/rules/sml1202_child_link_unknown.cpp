@@ -26,7 +26,7 @@ extern constinit const Rule sml1202_child_link_unknown{
     .id = "SML1202",
     .name = "child-link-unknown",
     .severity = Severity::error,
-    .summary = "A joint leads to a link that the robot does not have.",
+    .summary = "The child of a joint is a link that the robot does not have.",
     .why = "urdf-loader draws half a robot.",
     .remedy = "Correct the name, or declare the link.",
     .check_model = check,

@@ -6,8 +6,8 @@
 namespace smurf::rules {
 namespace {
 
-/// Roots that stand there because a joint names an unknown link, or one link twice, are the fault
-/// of that joint.
+/// Joints that name an unknown link, or one link twice, are reported instead of the roots that they
+/// cause.
 bool has_broken_joints(const LinkedModel& model) {
   for (std::size_t i = 0; i < model.tree.joint_parent.size(); ++i) {
     const auto parent = model.tree.joint_parent[i];
@@ -23,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
   const urdf::Link& first = model.link(model.tree.roots.front());
   for (std::size_t i = 1; i < model.tree.roots.size(); ++i) {
     const urdf::Link& root = model.link(model.tree.roots[i]);
-    // A second link of the same name is no root of its own; the duplicate is reported.
+    // A second link of the same name is reported as a duplicate, not as a root.
     if (root.name && model.link_names.find(*root.name) != to_size(model.tree.roots[i])) continue;
     if (!root.name || root.name->empty()) continue;
     Diagnostic& diagnostic =
@@ -46,7 +46,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, "welds every root to the world", kRun},
     {&readers::drake, Effect::takes, "knows the joint that leads there",
      "Drake detail_urdf_parser.cc:1484-1491", "#drake-joint"},
-    {&readers::drake, Effect::takes, "takes several trees", "Drake detail_urdf_parser.cc"},
+    {&readers::drake, Effect::takes, "accepts several trees", "Drake detail_urdf_parser.cc"},
 };
 
 }  // namespace
@@ -55,8 +55,8 @@ extern constinit const Rule sml1204_several_roots{
     .id = "SML1204",
     .name = "several-roots",
     .severity = Severity::error,
-    .summary = "A robot has more than one link that no joint leads to.",
-    .remedy = "Connect the links by joints; a link that nothing needs can go.",
+    .summary = "A robot has more than one root link.",
+    .remedy = "Connect the links by joints, or delete unused links.",
     .check_model = check,
     .facts = kFacts,
     .blocks_building = true};

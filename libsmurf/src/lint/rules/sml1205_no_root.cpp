@@ -33,7 +33,7 @@ extern constinit const Rule sml1205_no_root{.id = "SML1205",
                                             .severity = Severity::error,
                                             .summary =
                                                 "Every link of a robot is the child of a joint.",
-                                            .why = "There is no link to begin with.",
+                                            .why = "The robot has no root link.",
                                             .remedy = "Remove the joint that closes the loop.",
                                             .check_model = check,
                                             .facts = kFacts,

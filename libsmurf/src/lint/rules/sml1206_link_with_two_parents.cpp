@@ -5,7 +5,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Is the link the other one, or does it hang on it?
+/// True when the link is the other one or a descendant of it.
 bool is_below(const LinkedModel& model, LinkIndex link, LinkIndex other) {
   for (std::size_t step = 0; step <= model.robot->joints.size() && link != other; ++step) {
     const auto above = model.tree.parent_joint[to_size(link)];
@@ -54,8 +54,8 @@ extern constinit const Rule sml1206_link_with_two_parents{
     .name = "link-with-two-parents",
     .severity = Severity::error,
     .summary = "A link is the child of more than one joint.",
-    .remedy = "URDF cannot say closed chains: keep one joint, and write the other as a loop "
-              "constraint where the target supports it.",
+    .remedy =
+        "URDF cannot describe closed chains: keep one joint, and write the other as a loop constraint where the target supports it.",
     .check_model = check,
     .facts = kFacts,
     .blocks_building = true};

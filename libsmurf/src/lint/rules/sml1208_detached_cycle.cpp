@@ -7,7 +7,7 @@
 namespace smurf::rules {
 namespace {
 
-/// The link that a link without root hangs on.
+/// The parent of a link that no root reaches.
 std::size_t parent_of(const LinkedModel& model, std::size_t link) {
   return to_size(*model.tree.joint_parent[to_size(*model.tree.parent_joint[link])]);
 }

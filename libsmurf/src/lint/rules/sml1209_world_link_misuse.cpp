@@ -31,17 +31,17 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr std::string_view kDrops =
-    "takes it for the world itself, and drops its inertial and collisions";
+    "treats it as the world itself, and drops its inertial and collisions";
 
 constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::refuses, "refuses a joint that moves the world", kRun, "#moving"},
-    {&readers::gazebo, Effect::refuses, "takes it for the world: a model without links", kRun,
+    {&readers::gazebo, Effect::refuses, "treats it as the world: a model without links", kRun,
      "#alone"},
     {&readers::gazebo, Effect::loses, kDrops, "sdformat parser_urdf.cc:3397, run"},
     {&readers::mujoco, Effect::refuses, "refuses a joint that moves the world", kRun, "#moving"},
     {&readers::mujoco, Effect::loses, kDrops, kRun},
     {&readers::drake, Effect::loses,
-     "takes it for the world itself: drops its inertial and collisions, or refuses a joint that leads to it",
+     "treats it as the world itself: drops its inertial and collisions, or refuses a joint that leads to it",
      "Drake detail_urdf_parser.cc:203-216"},
 };
 
@@ -51,7 +51,7 @@ extern constinit const Rule sml1209_world_link_misuse{
     .id = "SML1209",
     .name = "world-link-misuse",
     .severity = Severity::warning,
-    .summary = "A link named `world` has a mass or collisions, or hangs on a joint.",
+    .summary = "A link named `world` has a mass or collisions, or is the child of a joint.",
     .why = "Other readers see an ordinary link.",
     .remedy = "Leave `world` an empty root, or give the link another name.",
     .check_model = check,

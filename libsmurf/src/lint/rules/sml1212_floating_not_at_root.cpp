@@ -26,7 +26,7 @@ constexpr Fact kFacts[] = {
      "Bullet URDF2Bullet.cpp:491-497"},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file: bodies float in the world only", kRun},
-    {&readers::urdfdom, Effect::takes, "takes a floating joint anywhere", kRun},
+    {&readers::urdfdom, Effect::takes, "accepts a floating joint anywhere", kRun},
 };
 
 }  // namespace
@@ -35,8 +35,8 @@ extern constinit const Rule sml1212_floating_not_at_root{
     .id = "SML1212",
     .name = "floating-not-at-root",
     .severity = Severity::error,
-    .summary = "A floating joint hangs on a link that is not the root.",
-    .remedy = "Let the joint begin at the root link, or use joints with one axis.",
+    .summary = "The parent of a floating joint is not the root link.",
+    .remedy = "Make the root link the parent, or use joints with one axis.",
     .check_model = check,
     .facts = kFacts,
     .blocks_building = true};

@@ -29,7 +29,7 @@ extern constinit const Rule sml1301_duplicate_link{
     .name = "duplicate-link",
     .severity = Severity::error,
     .summary = "Two links have the same name.",
-    .why = "urdf-loader takes the last one.",
+    .why = "urdf-loader uses the last one.",
     .remedy = "Rename one of them, with everything that refers to it.",
     .sources = "urdf-loader 0.13, executed.",
     .check_model = check,

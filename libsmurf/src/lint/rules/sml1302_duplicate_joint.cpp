@@ -20,7 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, sdformat, Bullet, run"},
-    {&readers::mujoco, Effect::takes, "takes joints of equal names", kRun},
+    {&readers::mujoco, Effect::takes, "accepts joints of equal names", kRun},
 };
 
 }  // namespace
@@ -30,7 +30,7 @@ extern constinit const Rule sml1302_duplicate_joint{
     .name = "duplicate-joint",
     .severity = Severity::error,
     .summary = "Two joints have the same name.",
-    .why = "urdf-loader takes the last one.",
+    .why = "urdf-loader uses the last one.",
     .remedy = "Rename one of them, with everything that refers to it.",
     .sources = "urdf-loader 0.13, executed.",
     .check_model = check,

@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// A scheme of names is one decision, so one finding a file.
+/// Authors name all parts by one scheme: one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   Span link_name;
@@ -17,7 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!link) return;
     if (habit.is_first()) link_name = model.robot->links[*link].name.span;
     has_movable = has_movable || joint.type != urdf::JointType::fixed;
-    habit.add(joint.name.span, "the name " + quoted(*joint.name) + " is that of a link as well");
+    habit.add(joint.name.span, "a link and a joint are both called " + quoted(*joint.name));
   });
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;

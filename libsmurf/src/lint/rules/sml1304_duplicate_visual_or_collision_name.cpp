@@ -36,8 +36,8 @@ extern constinit const Rule sml1304_duplicate_visual_or_collision_name{
     .id = "SML1304",
     .name = "duplicate-visual-or-collision-name",
     .severity = Severity::warning,
-    .summary = "Two visuals, or two collisions, have one name.",
-    .remedy = "Give each a name of its own.",
+    .summary = "Two visuals, or two collisions, have the same name.",
+    .remedy = "Give each a different name.",
     .check_model = check,
     .facts = kFacts};
 

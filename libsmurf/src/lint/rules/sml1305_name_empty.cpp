@@ -21,13 +21,13 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::takes, "takes a joint without a name", kRun, "/joint/"},
+    {&readers::urdfdom, Effect::takes, "accepts a joint without a name", kRun, "/joint/"},
     {&readers::urdfdom, Effect::refuses, "reports two roots and refuses the file", kRun},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::takes, "makes one link of two, and no joint", kRun, "/joint/#fixed"},
     {&readers::gazebo, Effect::refuses, "refuses a joint without a name", kRun, "/joint/"},
-    {&readers::mujoco, Effect::takes, "takes a joint without a name", kRun, "/joint/"},
+    {&readers::mujoco, Effect::takes, "accepts a joint without a name", kRun, "/joint/"},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
 };
 

@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// A scheme of names is one decision, so one finding a file.
+/// Authors name all parts by one scheme: one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
@@ -19,9 +19,9 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::changes, "tf2 takes `/` for the separator of frames",
+    {&readers::ros, Effect::changes, "tf2 treats `/` as the separator of frames",
      "tf2 frame names"},
-    {&readers::mujoco, Effect::changes, "takes `/` for the separator of attached models",
+    {&readers::mujoco, Effect::changes, "treats `/` as the separator of attached models",
      "MuJoCo xml_urdf.cc:81"},
 };
 
@@ -31,7 +31,7 @@ extern constinit const Rule sml1309_slash{.id = "SML1309",
                                           .name = "slash",
                                           .severity = Severity::warning,
                                           .summary = "A name holds a slash.",
-                                          .why = "USD takes `/` for the separator of paths.",
+                                          .why = "USD treats `/` as the separator of paths.",
                                           .remedy = "Use `_` instead.",
                                           .sources = "32 of 322 files of the Tola/Corke dataset.",
                                           .check_model = check,

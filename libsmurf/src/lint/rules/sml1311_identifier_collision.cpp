@@ -19,9 +19,9 @@ extern constinit const Rule sml1311_identifier_collision{
     .id = "SML1311",
     .name = "identifier-collision",
     .severity = Severity::warning,
-    .summary = "Two names become one where only identifiers are allowed.",
-    .why = "Isaac and USD replace every character that is no letter, digit or underscore by `_`: "
-           "one of the two overwrites the other.",
+    .summary = "Two names become the same where only identifiers are allowed.",
+    .why =
+        "Isaac and USD replace every character except letters, digits and underscores by `_`: one of the two overwrites the other.",
     .remedy = "Rename one of them.",
     .sources = "Isaac importer PathUtils.cpp:356-369.",
     .check_model = check};

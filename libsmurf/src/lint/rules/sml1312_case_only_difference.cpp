@@ -21,8 +21,8 @@ extern constinit const Rule sml1312_case_only_difference{
     .name = "case-only-difference",
     .severity = Severity::warning,
     .summary = "Two names differ in upper and lower case only.",
-    .why = "Files and prims made from them overwrite one another on systems that ignore case "
-           "(Windows, macOS), and people take one for the other.",
+    .why =
+        "Files and prims made from them overwrite one another on systems that ignore case (Windows, macOS), and people confuse them.",
     .remedy = "Rename one of them.",
     .sources = "URDF names are compared byte by byte in every reader that was executed.",
     .check_model = check};

@@ -19,7 +19,7 @@ void check_role(const LinkedModel& model, GeometryRole role, Findings& findings)
       first, "this " + what + " has no name, and the annotations name " + what + "s");
   diagnostic.notes.push_back("MARS calls every one of them `" + what + "_`");
   if (count > 1) {
-    diagnostic.notes.push_back("the file holds " + std::to_string(count - 1) + " more");
+    diagnostic.notes.push_back(std::to_string(count - 1) + " more in this file");
   }
 }
 

@@ -10,7 +10,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const bool needs_bounds =
         joint.type == urdf::JointType::revolute || joint.type == urdf::JointType::prismatic;
     if (!needs_bounds || !joint.limit || is_empty_limit(model, joint)) return;
-    // A slip of the pen is reported where it stands.
+    // A misspelt bound is reported at its place (SML1107).
     const auto is_there = [&](const Field<double>& bound, std::string_view name) {
       return bound.written || is_slip(model, joint.limit->element, name, findings);
     };

@@ -16,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
-    {&readers::mujoco, Effect::changes, "takes the absolute value", kRun},
+    {&readers::mujoco, Effect::changes, "uses the absolute value", kRun},
     {&readers::drake, Effect::refuses, "refuses the file when a transmission drives the joint",
      "Drake detail_urdf_parser.cc:930-1001"},
 };

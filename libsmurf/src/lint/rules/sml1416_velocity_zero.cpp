@@ -18,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "keeps the joint from moving", "Bullet, read"},
-    {&readers::ros, Effect::changes, "MoveIt takes 0 for no limit", "MoveIt robot_model.cpp:874"},
+    {&readers::ros, Effect::changes, "treats 0 as no limit (MoveIt)", "MoveIt robot_model.cpp:874"},
     {&readers::drake, Effect::changes, "keeps the joint from moving",
      "Drake detail_urdf_parser.cc"},
 };
@@ -30,7 +30,7 @@ extern constinit const Rule sml1416_velocity_zero{
     .name = "velocity-zero",
     .severity = Severity::warning,
     .summary = "The velocity limit of a movable joint is 0.",
-    .why = "Isaac takes 0 for no limit.",
+    .why = "Isaac treats 0 as no limit.",
     .remedy = "Write the speed that the drive reaches.",
     .sources = "Isaac UrdfImporter.cpp:964.",
     .check_model = check,

@@ -16,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
-    {&readers::ros, Effect::changes, "MoveIt takes the absolute value",
+    {&readers::ros, Effect::changes, "MoveIt uses the absolute value",
      "MoveIt robot_model.cpp:874"},
     {&readers::mujoco, Effect::takes, "knows no limits of velocity", kRun},
     {&readers::drake, Effect::refuses, "throws an exception", "Drake joint.h:435"},

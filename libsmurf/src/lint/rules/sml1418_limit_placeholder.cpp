@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// One habit of an author or exporter, so one finding a file.
+/// Exporters write the same limits into all joints: one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kEffort = 1e4;    // N m or N
   constexpr double kVelocity = 1e3;  // rad/s or m/s
@@ -29,8 +29,8 @@ extern constinit const Rule sml1418_limit_placeholder{
     .name = "limit-placeholder",
     .severity = Severity::info,
     .summary = "An effort or velocity limit is a placeholder rather than what the drive can do.",
-    .why = "Planners, controllers and simulators take it for the truth: trajectories are too fast "
-           "for the robot, simulated joints pull with hundreds of kilonewtons.",
+    .why =
+        "Planners, controllers and simulators use the number: trajectories are too fast for the robot, simulated joints pull with hundreds of kilonewtons.",
     .remedy = "Write what the drive can give.",
     .sources = "Distribution of the limits of 322 files of the Tola/Corke dataset: 27 have such "
                "efforts, 31 such velocities.",

@@ -19,14 +19,14 @@ void check(const LinkedModel& model, Findings& findings) {
     for (const double component : axis) {
       const double rounded = std::round(component);
       is_exact = is_exact && component == rounded;
-      // 0.9999995 is a rounded 1; what is tilted shows in the other components.
+      // 0.9999995 is a rounded 1; a tilt shows in the other components.
       is_near = is_near && std::fabs(component - rounded) < noise;
       aligned += (aligned.empty() ? "" : " ") + format_number(rounded);
     }
     if (is_exact || !is_near) return;
     Diagnostic& diagnostic =
         findings.report(joint.axis.span, "the axis of " + title(joint) + " is " + quoted(aligned) +
-                                             " but for noise");
+                                             " up to rounding errors");
     diagnostic.help = "write " + quoted(aligned);
     diagnostic.fixes.push_back({Applicability::unsafe, {{joint.axis.span, aligned}}});
   });
@@ -38,9 +38,9 @@ extern constinit const Rule sml1423_axis_almost_aligned{
     .id = "SML1423",
     .name = "axis-almost-aligned",
     .severity = Severity::info,
-    .summary = "The axis of a joint is a coordinate axis but for noise.",
-    .why = "CAD exporters leave such noise. Pinocchio then picks its slower joint for any axis, "
-           "and the joint is tilted by that noise in every reader.",
+    .summary = "The axis of a joint is a coordinate axis up to rounding errors.",
+    .why =
+        "CAD exporters leave such rounding errors. Every reader tilts the joint by them, and Pinocchio uses a slower joint model.",
     .remedy = "Write the coordinate axis, e.g. `0 0 1`.",
     .sources = "Pinocchio model.hxx:564-573.",
     .check_model = check,

@@ -7,7 +7,7 @@
 namespace smurf::rules {
 namespace {
 
-/// What is wrong with the soft limits; empty when nothing is.
+/// The message about wrong soft limits; empty when they are right.
 std::string fault_of(const urdf::Joint& joint, double soft_lower, double soft_upper) {
   const double lower = *joint.limit->lower;
   const double upper = *joint.limit->upper;
@@ -32,7 +32,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const Field<double>& upper = joint.limit->upper;
     const Field<double>& soft_lower = joint.safety_controller->soft_lower_limit;
     const Field<double>& soft_upper = joint.safety_controller->soft_upper_limit;
-    // Without both, MoveIt reads 0; that, and what is wrong with the hard limits, is reported.
+    // Missing soft limits (SML1429) and wrong hard limits (SML1407) are reported by their rules.
     if (!soft_lower || !soft_upper || !lower || !upper || *lower >= *upper) return;
     std::string fault = fault_of(joint, *soft_lower, *soft_upper);
     if (fault.empty()) return;
@@ -41,9 +41,11 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(is_lower ? soft_lower.span : soft_upper.span, std::move(fault));
     diagnostic.labels.push_back({is_lower ? lower.span : upper.span, "the hard limit"});
     if (*soft_lower > *soft_upper) return;
-    diagnostic.fixes.push_back({Applicability::unsafe,
-                                {{soft_lower.span, format_number(std::max(*soft_lower, *lower))},
-                                 {soft_upper.span, format_number(std::min(*soft_upper, *upper))}}});
+    const std::string new_lower = format_number(std::max(*soft_lower, *lower));
+    const std::string new_upper = format_number(std::min(*soft_upper, *upper));
+    diagnostic.help = "write soft limits from " + new_lower + " to " + new_upper;
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe, {{soft_lower.span, new_lower}, {soft_upper.span, new_upper}}});
   });
 }
 
@@ -54,7 +56,8 @@ extern constinit const Rule sml1430_soft_limits_outside_hard{
     .name = "soft-limits-outside-hard",
     .severity = Severity::warning,
     .summary = "Soft limits lie beyond the hard limits of their joint, or are swapped.",
-    .why = "A safety controller brakes before the hard limit is reached: beyond it, it never does.",
+    .why =
+        "A safety controller brakes before the hard limit is reached. With soft limits beyond the hard ones, it never brakes.",
     .remedy = "Put the soft limits within the hard ones.",
     .sources = "PR2 safety limits on the ROS wiki; MoveIt robot_model.cpp:849-860.",
     .check_model = check};

@@ -30,7 +30,7 @@ constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses, "MoveIt drops every mimic of the robot",
      "MoveIt robot_model.cpp:426"},
     {&readers::mujoco, Effect::refuses,
-     "refuses a joint that mimics itself; makes contradictions of a circle", kRun},
+     "refuses a joint that mimics itself; builds contradicting constraints from a cycle", kRun},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_parser.cc:791-880"},
     {&readers::gazebo, Effect::takes, "leaves mimic out before sdformat 14", kRun},
     {&readers::dart, Effect::changes, "keeps a joint that follows itself", kRun},
@@ -38,15 +38,15 @@ constexpr Fact kFacts[] = {
 
 }  // namespace
 
-extern constinit const Rule sml1433_mimic_self_or_cycle{
-    .id = "SML1433",
-    .name = "mimic-self-or-cycle",
-    .severity = Severity::error,
-    .summary = "Mimic joints follow one another in a circle.",
-    .why = "urdf-loader refuses it.",
-    .remedy = "Let one joint of the circle lead.",
-    .sources = "urdf-loader 0.13, executed.",
-    .check_model = check,
-    .facts = kFacts};
+extern constinit const Rule sml1433_mimic_self_or_cycle{.id = "SML1433",
+                                                        .name = "mimic-self-or-cycle",
+                                                        .severity = Severity::error,
+                                                        .summary = "Mimic joints form a cycle.",
+                                                        .why = "urdf-loader refuses the file.",
+                                                        .remedy =
+                                                            "Let one joint of the cycle lead.",
+                                                        .sources = "urdf-loader 0.13, executed.",
+                                                        .check_model = check,
+                                                        .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -34,10 +34,10 @@ extern constinit const Rule sml1434_mimic_chain{
     .name = "mimic-chain",
     .severity = Severity::warning,
     .summary = "A joint mimics a joint that itself mimics another.",
-    .why = "Not every reader follows the chain to its end: some take the position of the middle "
-           "joint as it is commanded, which is none.",
-    .remedy = "Let it mimic the joint at the end of the chain: multipliers multiply, and the "
-              "offset of the middle joint is multiplied too.",
+    .why =
+        "Not every reader follows the chain to its end: some use the commanded position of the middle joint, which does not exist.",
+    .remedy =
+        "Let it mimic the joint at the end of the chain. Its multiplier is the product of both; the offset of the middle joint is multiplied, too.",
     .sources = "urdf-loader 0.13 and MuJoCo, executed; Pinocchio model.cpp:213.",
     .check_model = check};
 

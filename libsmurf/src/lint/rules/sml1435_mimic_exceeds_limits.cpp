@@ -50,7 +50,7 @@ extern constinit const Rule sml1435_mimic_exceeds_limits{
     .id = "SML1435",
     .name = "mimic-exceeds-limits",
     .severity = Severity::warning,
-    .summary = "A mimic joint would have to leave its own limits.",
+    .summary = "A mimic joint would have to exceed its limits.",
     .why = "The constraint fights the limit: simulators jitter or stop the joint that leads, "
            "planners find no way there.",
     .remedy = "Widen the limits of the mimic joint, or narrow those of the joint it follows.",

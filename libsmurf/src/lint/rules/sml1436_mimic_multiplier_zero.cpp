@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::phobos, Effect::changes, "takes 0 for absent and multiplies by 1",
+    {&readers::phobos, Effect::changes, "treats 0 as absent and multiplies by 1",
      "Phobos io/representation.py:1975"},
 };
 
@@ -25,7 +25,7 @@ extern constinit const Rule sml1436_mimic_multiplier_zero{
     .name = "mimic-multiplier-zero",
     .severity = Severity::warning,
     .summary = "The multiplier of a mimic joint is 0.",
-    .why = "The joint stands still, which a fixed joint says better.",
+    .why = "The joint never moves.",
     .remedy = "Make the joint fixed, or write the multiplier that is meant.",
     .check_model = check,
     .facts = kFacts};

@@ -23,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(joint.mimic->joint.span,
                 title(joint) + " mimics " + title(leader) + ", which is " + *leader.type_name)
-        .labels.push_back({leader.type_name.span, "has not one position to follow"});
+        .labels.push_back({leader.type_name.span, "has no single position to follow"});
   }
 }
 
@@ -38,7 +38,7 @@ extern constinit const Rule sml1437_mimic_type{
     .id = "SML1437",
     .name = "mimic-type",
     .severity = Severity::warning,
-    .summary = "A joint without one axis mimics, or is mimicked.",
+    .summary = "A joint that does not have exactly one axis mimics, or is mimicked.",
     .why = "A fixed joint has no position to follow with.",
     .remedy = "Let only revolute, continuous and prismatic joints mimic one another.",
     .sources = "Pinocchio model.cpp:140, 213.",

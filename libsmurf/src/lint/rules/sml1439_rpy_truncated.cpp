@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// A habit of the author, so one finding a file with one fix for all.
+/// Authors round all angles alike: one finding a file, with one fix for all.
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   std::vector<Edit> edits;
@@ -22,8 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       edits.front().span, "a right angle with few digits; " + edits.front().text + " is exact");
   if (edits.size() > 1) {
-    diagnostic.notes.push_back("the file holds " + std::to_string(edits.size() - 1) +
-                               " more such angles");
+    diagnostic.notes.push_back(std::to_string(edits.size() - 1) + " more such angles in this file");
   }
   diagnostic.help = "write all digits";
   diagnostic.fixes.push_back({Applicability::unsafe, std::move(edits)});
@@ -35,7 +34,7 @@ extern constinit const Rule sml1439_rpy_truncated{
     .id = "SML1439",
     .name = "rpy-truncated",
     .severity = Severity::info,
-    .summary = "Angles are right angles with few digits.",
+    .summary = "Right angles are written with few digits.",
     .why = "`1.57` is 0.0008 rad short of a right angle: 0.8 mm at the end of a metre, and frames "
            "that should be parallel are not.",
     .remedy = "Write the angle with all digits: 1.5707963267948966 for pi/2, 3.141592653589793 for "

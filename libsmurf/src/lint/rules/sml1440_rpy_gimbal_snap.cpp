@@ -21,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::vector<WrittenNumber> angles = written_numbers(*rpy);
     if (angles.size() != 3 || !is_rpy_snapped(angles)) return;
     const WrittenNumber& pitch = angles[1];
-    // Rounded, a right angle was meant, and is what becomes of it (SML1439).
+    // A rounded right angle becomes a right angle, as intended (SML1439).
     if (intended_right_angle(pitch)) return;
     const double exact = std::copysign(std::numbers::pi / 2, pitch.value);
     Diagnostic& diagnostic =
@@ -35,10 +35,10 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes,
-     "takes the pitch for pi/2 when it turns the rotation back into angles, and turns the part by up to 0.0045 rad",
+     "treats the pitch as pi/2 when it turns the rotation back into angles, and turns the part by up to 0.0045 rad",
      "urdfdom pose.h:118-126"},
     {&readers::gazebo, Effect::changes,
-     "takes the pitch for pi/2 when it turns the rotation back into angles, and turns the part by up to 0.0045 rad",
+     "treats the pitch as pi/2 when it turns the rotation back into angles, and turns the part by up to 0.0045 rad",
      "sdformat parser_urdf.cc:3223, 3269, run"},
 };
 
@@ -49,7 +49,7 @@ extern constinit const Rule sml1440_rpy_gimbal_snap{
     .name = "rpy-gimbal-snap",
     .severity = Severity::warning,
     .summary = "The pitch of a visual or collision is almost, but not quite, a right angle.",
-    .why = "The parts of a link no longer fit.",
+    .why = "Parts of the link no longer fit together.",
     .remedy = "Write the pitch with all digits: 1.5707963267948966.",
     .check_model = check,
     .facts = kFacts};

@@ -8,7 +8,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Of ros_control; others come with plugins of their own, so only a slip can be told.
+/// The types of ros_control. Plugins add others, so only misspellings of these are reported.
 constexpr std::string_view kTypes[] = {"transmission_interface/SimpleTransmission",
                                        "transmission_interface/DifferentialTransmission",
                                        "transmission_interface/FourBarLinkageTransmission",

@@ -7,7 +7,8 @@
 namespace smurf::rules {
 namespace {
 
-/// Without a reference the element is about the model, so a slip changes what it means.
+/// Without a reference the element applies to the model, so a misspelt attribute changes its
+/// meaning.
 void check_slip(xml::View gazebo, Findings& findings) {
   constexpr std::string_view kKnown[] = {"reference"};
   for (const auto* one = gazebo.attributes_begin(); one != gazebo.attributes_end(); ++one) {

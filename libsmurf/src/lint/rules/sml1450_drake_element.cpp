@@ -23,7 +23,7 @@ class Checker {
  public:
   Checker(const drake::Names& names, Findings& findings) : names_(names), findings_(findings) {}
 
-  // As deep as the table: no element of it is in one of its own name.
+  // The recursion is as deep as the table: no element contains one of its own name.
   void children(xml::View parent) {
     const auto specs = drake::children_of(parent.name());
     std::uint64_t seen = 0;  // by their place among `specs`
@@ -60,7 +60,7 @@ class Checker {
       unread(child, "Drake does not read it in a joint of this type");
       return;
     }
-    // Drake makes an actuator of nothing else, and reads nothing in one that it does not make.
+    // Drake makes actuators of simple transmissions only, and does not read the others.
     if (child.name() == "transmission" && !is_simple(child)) return;
     missing_attributes(child, spec);
     for (const AttributeSpec& attribute : spec.attributes) this->attribute(child, attribute);
@@ -90,12 +90,12 @@ class Checker {
                           : "a texture of a URDF is written `<texture filename=\"...\"/>`";
   }
 
-  /// A transmission with its type in an element is ros_control's as well: SML1448.
+  /// A transmission whose type is an element also belongs to ros_control: SML1448.
   static bool is_reported_elsewhere(xml::View parent) {
     return parent.name() == "transmission" && parent.child("type");
   }
 
-  /// A slip for it is shown, and no finding of its own: it is taken out of `foreign`.
+  /// A misspelling of it is part of this finding, and therefore removed from `foreign`.
   void missing(xml::View parent, std::string_view name, std::vector<xml::View>& foreign) {
     if (is_reported_elsewhere(parent)) return;
     Diagnostic& diagnostic =
@@ -189,7 +189,7 @@ class Checker {
     } else if (value == Value::frame) {
       if (!names_.is_frame(name)) names_.report_unknown("frame", name, place, subject, findings_);
     } else if (value == Value::group) {
-      // Drake passes over an empty name; `::` leads to the groups of another model.
+      // Drake ignores an empty name; `::` refers to the groups of another model.
       const bool is_judged = !name.empty() && name.find("::") == std::string_view::npos;
       if (!is_judged || names_.group(name)) return;
       names_.report_unknown("collision filter group", name, place, subject, findings_);
@@ -210,7 +210,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Checker(drake::Names(model), findings).children(model.robot->document.view());
 }
 
-/// All that is no fault to Drake, but is not what its author meant.
+/// What Drake loads, although its author meant something else.
 constexpr std::string_view kUnreadSource = "Drake detail_urdf_parser.cc, detail_urdf_geometry.cc";
 
 constexpr Fact refused(std::string_view where, std::string_view evidence) {
@@ -218,7 +218,7 @@ constexpr Fact refused(std::string_view where, std::string_view evidence) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::drake, Effect::loses, "does not read it, and takes the file", kUnreadSource,
+    {&readers::drake, Effect::loses, "does not read it, and loads the file", kUnreadSource,
      "#unread"},
     refused("/drake:joint/", "Drake detail_urdf_parser.cc:341-380, 401-510, 531-789"),
     refused("/drake:collision_filter_group/",
@@ -248,7 +248,7 @@ extern constinit const Rule sml1450_drake_element{
     .name = "drake-element",
     .severity = Severity::error,
     .summary =
-        "An element of Drake's own lacks a part, has a wrong value, or names what is not there.",
+        "An element of Drake's own lacks a part, has a wrong value, or names something that does not exist.",
     .remedy = "Write the element as the page \"Parsing Models\" of Drake's documentation says.",
     .sources = "The tests of Drake's own parser.",
     .check_model = check,

@@ -19,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(first, "only Drake reads this element");
   diagnostic.construct = "drake-element";
   if (count > 1) {
-    diagnostic.notes.push_back("the file holds " + std::to_string(count - 1) + " more");
+    diagnostic.notes.push_back(std::to_string(count - 1) + " more in this file");
   }
   diagnostic.help = "check them with `--target drake`";
 }
@@ -37,7 +37,7 @@ extern constinit const Rule sml1451_drake_language{
     .name = "drake-language",
     .severity = Severity::info,
     .summary = "A robot has elements that only Drake reads.",
-    .why = "What is wrong in them is found with `--target drake` only.",
+    .why = "smurf-lint checks them with `--target drake` only.",
     .remedy = "Check the file with `--target drake`, or leave the elements out.",
     .check_model = check,
     .facts = kFacts};

@@ -14,7 +14,7 @@ bool is_shape_only(const LinkedModel& model) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  // A robot without any inertial is a drawing, and one fact; it is not reported link by link.
+  // A robot without any inertial is a drawing: SML1502 reports it once.
   if (!model.robot || is_shape_only(model)) return;
   const std::vector<bool> massless = massless_bodies(model);
   for (const LinkIndex link : model.tree.order) {
@@ -49,7 +49,7 @@ extern constinit const Rule sml1501_moving_link_without_inertial{
     .id = "SML1501",
     .name = "moving-link-without-inertial",
     .severity = Severity::error,
-    .summary = "A link that moves has no mass, nor has anything fixed to it.",
+    .summary = "A moving link has no mass, and no link fixed to it has one.",
     .why = "Pinocchio gets a singular mass matrix.",
     .remedy = "Add an inertial.",
     .sources = "106 of 322 files of the Tola/Corke dataset.",

@@ -41,7 +41,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(inertia.name_span(), "the inertia of " + title(link) +
                                                                       " has no " + missing);
     diagnostic.notes.push_back(
-        "urdfdom takes all six for 0 and drops the visuals and collisions of this link");
+        "urdfdom reads all six as 0 and drops the visuals and collisions of this link");
     if (!is_diagonal_whole) return;
     diagnostic.help = "write 0 where there is no product of inertia";
     const std::uint32_t end = (inertia.attributes_end() - 1)->span().end;
@@ -51,9 +51,9 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::breaks,
-     "takes all six for 0, reports an error and drops the visuals and collisions of the link",
+     "reads all six as 0, reports an error and drops the visuals and collisions of the link",
      "urdfdom link.cpp:415-486, run"},
-    {&readers::pybullet, Effect::changes, "takes the three others for 0 where a product is missing",
+    {&readers::pybullet, Effect::changes, "reads the three others as 0 where a product is missing",
      kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
 };

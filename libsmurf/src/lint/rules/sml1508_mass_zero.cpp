@@ -29,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_massless_body) diagnostic.construct = "massless-body";
     if (has_mass) diagnostic.construct += "#merged";
     if (!has_mass && is_root(model, link)) diagnostic.construct += "#root";
-    // Mass and inertia both zero: how frames are written on purpose for Bullet.
+    // Authors set mass and inertia of frames to zero on purpose, for Bullet.
     const auto moments = principal_moments(*link.inertial);
     const bool is_zero = moments && (*moments)[2] == 0;
     if (is_zero || is_frame) diagnostic.severity = Severity::warning;
@@ -55,7 +55,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::takes, "adds it to the body it is fixed to",
      "MuJoCo (fusestatic), run"},
     {&readers::drake, Effect::changes,
-     "takes a body without mass and inertia; puts a sphere of 1 kg in the place of one with an inertia",
+     "accepts a body without mass and inertia; replaces one with an inertia by a sphere of 1 kg",
      "Drake detail_common.cc:446-515"},
 };
 

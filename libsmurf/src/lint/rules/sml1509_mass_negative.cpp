@@ -29,7 +29,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::changes, "warns and goes on", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the mass", kRun, "#alone"},
     {&readers::mujoco, Effect::changes, "adds it to what it is fixed to", kRun},
-    {&readers::drake, Effect::changes, "puts a sphere of water of 1 kg in its place",
+    {&readers::drake, Effect::changes, "replaces the body by a sphere of water of 1 kg",
      "Drake detail_common.cc:446-515"},
 };
 
@@ -39,7 +39,7 @@ extern constinit const Rule sml1509_mass_negative{.id = "SML1509",
                                                   .name = "mass-negative",
                                                   .severity = Severity::error,
                                                   .summary = "A link has a negative mass.",
-                                                  .why = "It is impossible.",
+                                                  .why = "No body has a negative mass.",
                                                   .remedy = "Correct the sign.",
                                                   .check_model = check,
                                                   .facts = kFacts,

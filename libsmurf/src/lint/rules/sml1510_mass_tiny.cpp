@@ -66,7 +66,7 @@ extern constinit const Rule sml1510_mass_tiny{
     .severity = Severity::warning,
     .summary = "A mass is so small that it is dropped, or spoils the solver.",
     .why = "Links lighter than a gram beside heavy ones make the mass matrix ill-conditioned.",
-    .remedy = "Write the real mass, or remove the inertial of a link that is only a frame.",
+    .remedy = "Write the real mass, or delete the inertial of a link that is only a frame.",
     .sources = "34 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
     .facts = kFacts};

@@ -12,7 +12,7 @@
 namespace smurf::rules {
 namespace {
 
-/// The place of an entry that is too small for a double, which most readers take for 0.
+/// The place of an entry that is too small for a double, which most readers read as 0.
 std::optional<Span> find_underflow(const LinkedModel& model, const urdf::Inertial& inertial) {
   const xml::View element = xml::View(model.robot->document, inertial.element).child("inertia");
   if (!element) return std::nullopt;
@@ -57,12 +57,12 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::ignores,
      "computes the inertia from the collisions, unless told otherwise",
      "BulletUrdfImporter.cpp:374-411"},
-    {&readers::gazebo, Effect::takes, "takes the body that fixed joints make of it", kRun,
+    {&readers::gazebo, Effect::takes, "uses the body that fixed joints merge it into", kRun,
      "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
-    {&readers::dart, Effect::changes, "computes with it all the same", kRun},
+    {&readers::dart, Effect::changes, "computes with it anyway", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the inertia", "MuJoCo user_util.cc:862, run"},
-    {&readers::drake, Effect::changes, "puts a sphere of water with that mass in its place",
+    {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
      "Drake detail_common.cc:446-515"},
 };
 

@@ -34,18 +34,18 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the numbers", kRun},
-    {&readers::mars, Effect::changes, "computes with it all the same", "ODE dMassCheck, run"},
+    {&readers::mars, Effect::changes, "computes with it anyway", "ODE dMassCheck, run"},
     {&readers::pybullet, Effect::ignores,
      "computes the inertia from the collisions, unless told otherwise",
      "BulletUrdfImporter.cpp:374-411"},
-    {&readers::gazebo, Effect::takes, "takes the body that fixed joints make of it", kRun,
+    {&readers::gazebo, Effect::takes, "uses the body that fixed joints merge it into", kRun,
      "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia", kRun},
-    {&readers::dart, Effect::changes, "computes with it all the same", kRun},
+    {&readers::dart, Effect::changes, "computes with it anyway", kRun},
     {&readers::mujoco, Effect::changes, "balances the moments, as it is told", kRun, kBalanced},
     {&readers::mujoco, Effect::refuses, "refuses the inertia",
      "MuJoCo user_objects.cc:2762-2770, run"},
-    {&readers::drake, Effect::changes, "puts a sphere of water with that mass in its place",
+    {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
      "Drake detail_common.cc:446-515"},
 };
 
@@ -56,7 +56,7 @@ extern constinit const Rule sml1513_triangle_violated{
     .name = "triangle-violated",
     .severity = Severity::error,
     .summary = "The principal moments of an inertia break the triangle inequality.",
-    .why = "No mass distribution has such moments; Pinocchio simulates nonsense.",
+    .why = "No mass distribution has such moments; Pinocchio computes wrong motions.",
     .remedy = "Compute the inertia again, e.g. from the geometry and the mass.",
     .sources = "62 links of the Tola/Corke dataset, all above 1 %.",
     .check_model = check,

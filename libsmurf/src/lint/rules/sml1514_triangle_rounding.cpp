@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kEpsilon = 2.220446049250313e-16;
 
-/// Which readers' tolerances the excess is beyond, as a construct; empty when within all.
+/// The readers whose tolerances the excess exceeds, as a construct; empty when there are none.
 std::string beyond(double excess, double trace) {
   if (excess > 16 * kEpsilon * std::max(1.0, trace / 2)) return "mujoco#sdformat#drake";
   if (excess > 10 * kEpsilon * trace / 2) return "mujoco#sdformat";
@@ -39,8 +39,8 @@ bool is_fixed_to_others(const LinkedModel& model, std::size_t link) {
          std::ranges::any_of(model.tree.child_joints[link], is_fixed);
 }
 
-/// sdformat adds up the inertials of a body about another point than their centre. Of moments that
-/// are smaller than the rounding of what is added to them, nothing is left.
+/// sdformat adds up the inertials of a body about a point other than their centre. Moments smaller
+/// than the rounding errors of that sum are lost.
 void check_heavy(const LinkedModel& model, Findings& findings) {
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
@@ -71,7 +71,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto moments = principal_moments(*link.inertial);
     if (!moments || !is_positive_definite(*moments)) return;
     const double excess = triangle_excess(*moments);
-    // The moments of a diagonal tensor are those that are written, without noise.
+    // The moments of a diagonal tensor are its entries, without rounding errors.
     const double noise = is_diagonal(*link.inertial) ? 0 : kNoise;
     if (excess <= noise || excess > kImpossibleExcess) return;
     Diagnostic& diagnostic = findings.report(inertia_place(model, *link.inertial),
@@ -92,7 +92,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::gazebo, Effect::takes, "takes the body that fixed joints make of it", kRun,
+    {&readers::gazebo, Effect::takes, "uses the body that fixed joints merge it into", kRun,
      "#sound-together"},
     {&readers::gazebo, Effect::refuses, "reports error E18, an invalid inertia",
      "gz-math MassMatrix3.hh, run", "#sdformat"},
@@ -102,7 +102,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, "balances the moments, as it is told", kRun, kBalanced},
     {&readers::mujoco, Effect::refuses, "refuses the inertia: it tolerates nothing",
      "MuJoCo user_objects.cc:2762-2770, run"},
-    {&readers::drake, Effect::changes, "puts a sphere of water with that mass in its place",
+    {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
      "Drake rotational_inertia.cc:184-216", "#drake"},
 };
 

@@ -46,7 +46,7 @@ struct HexadecimalInertia {
   }
 };
 
-/// What MuJoCo refuses of them is a consequence of their being hexadecimal.
+/// MuJoCo refuses them because they are hexadecimal.
 void check_hexadecimal(const LinkedModel& model, const urdf::Inertial& written,
                        Findings& findings) {
   const HexadecimalInertia read(model, written);
@@ -87,7 +87,8 @@ extern constinit const Rule sml1515_inertia_below_mujoco{
     .name = "inertia-below-mujoco",
     .severity = Severity::warning,
     .summary = "A moment of inertia is smaller than MuJoCo accepts.",
-    .why = "What it makes of hexadecimal entries, which others refuse, is judged likewise.",
+    .why =
+        "Hexadecimal entries, which other readers refuse, are judged by the value that MuJoCo reads.",
     .remedy = "Write the real inertia, or remove the inertial of a link that is only a frame.",
     .sources = "176 inertials of the Tola/Corke dataset.",
     .check_model = check,

@@ -8,7 +8,7 @@
 namespace smurf::rules {
 namespace {
 
-/// A habit of an author or exporter, so one finding a file.
+/// Exporters write it into all links: one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kPlausible = 100;  // kg; a block of a metre and so heavy comes near it
   std::size_t count = 0;
@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.caret = "of a ball of " + format_rounded(2 * std::sqrt(2.5 / mass), 2) + " m and " +
                      format_rounded(mass, 3) + " kg";
   if (count > 1) {
-    diagnostic.notes.push_back("so it is with " + std::to_string(count - 1) + " more links");
+    diagnostic.notes.push_back(std::to_string(count - 1) + " more links in this file");
   }
 }
 
@@ -38,8 +38,8 @@ extern constinit const Rule sml1516_identity_inertia{
     .name = "identity-inertia",
     .severity = Severity::warning,
     .summary = "An inertia is the unit tensor.",
-    .why = "CAD tools and templates leave it where nobody computed one: a body of 1 kg with it is "
-           "some two metres large, so joints respond far too slowly.",
+    .why =
+        "CAD tools and templates write it as a placeholder. A body of 1 kg with this inertia is some two metres large, so joints respond far too slowly.",
     .remedy = "Compute the inertia from the geometry and the mass.",
     .sources = "14 of 322 files of the Tola/Corke dataset.",
     .check_model = check};

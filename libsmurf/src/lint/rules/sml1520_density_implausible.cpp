@@ -55,8 +55,7 @@ extern constinit const Rule sml1520_density_implausible{
     .severity = Severity::warning,
     .summary = "The mass of a link does not fit the space of its shapes.",
     .why =
-        "No material is heavier than 22600 kg/m3 (osmium), nothing fills a hundredth of what air "
-        "would: a mass in grams, or shapes in the wrong unit, make forces and times of a simulation wrong by a factor of a thousand.",
+        "No material is heavier than 22600 kg/m3 (osmium), and a part is rarely lighter than air. A mass in grams, or shapes in the wrong unit, make simulated forces wrong by a factor of a thousand.",
     .remedy = "Check the unit of the mass (kg) and of the shapes (m).",
     .sources = "Density of osmium; median of 322 files of the Tola/Corke dataset: 821 kg/m3.",
     .check_model = check};

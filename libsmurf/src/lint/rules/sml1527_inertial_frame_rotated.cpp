@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
     if (!link.inertial || !link.inertial->origin.rpy) return;
     const auto moments = principal_moments(*link.inertial);
-    // The inertia of a ball looks alike from everywhere.
+    // The inertia of a sphere is the same in every frame.
     if (!moments || (*moments)[2] - (*moments)[0] <= kSmall * (*moments)[2]) return;
     const Quaternion rotation = from_rpy(*link.inertial->origin.rpy);
     if (angle_between(rotation, Quaternion{}) < kSmall) return;
@@ -26,7 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(first, "the inertial of " + whose + " is rotated");
   diagnostic.notes.push_back("Isaac ignores the rotation, Phobos cannot merge such links");
   if (count > 1) {
-    diagnostic.notes.push_back("so it is with " + std::to_string(count - 1) + " more links");
+    diagnostic.notes.push_back(std::to_string(count - 1) + " more links in this file");
   }
 }
 

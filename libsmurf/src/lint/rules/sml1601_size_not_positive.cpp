@@ -41,11 +41,12 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
-    {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
+    {&readers::mars, Effect::breaks,
+     "stops loading here: what follows, the pose and the anchor are missing",
      "MARS smurf.cpp:1014-1058, NodePhysics.cpp:626-634"},
     {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a size that is not positive", kRun},
-    {&readers::drake, Effect::takes, "takes a sphere of radius 0",
+    {&readers::drake, Effect::takes, "accepts a sphere of radius 0",
      "Drake shape_specification.cc:284", "/sphere/@radius/#zero"},
     {&readers::drake, Effect::refuses, "refuses a size that is not positive",
      "Drake shape_specification.h"},

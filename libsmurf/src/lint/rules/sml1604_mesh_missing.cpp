@@ -12,8 +12,8 @@
 namespace smurf::rules {
 namespace {
 
-/// A package of which nothing is found is one finding however many files it should hold, and no
-/// error: it may lie elsewhere.
+/// A package without any file on this machine is one finding, and not an error: it may be
+/// elsewhere.
 void report_package(const std::vector<const MeshReference*>& uses, std::string_view package,
                     Findings& findings) {
   const std::string name(package);
@@ -40,14 +40,14 @@ void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& f
   }
   if (lost_beside > 0) {
     const std::string others =
-        lost_beside == 1 ? "nor is the other file"
-                         : "nor is any of the " + std::to_string(lost_beside) + " other files";
-    diagnostic.notes.push_back(others + " that the URDF names in this folder");
+        lost_beside == 1 ? "the other file" : "the " + std::to_string(lost_beside) + " other files";
+    diagnostic.notes.push_back(others + " that the URDF names in this folder" +
+                               (lost_beside == 1 ? " is" : " are") + " missing, too");
   }
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }
 
-/// One finding stands for many meshes: readers that do without visuals need the collisions.
+/// One finding represents many meshes. Collisions come first, because all readers need them.
 std::vector<const MeshReference*> collisions_first(const LinkedModel& model) {
   std::set<std::uint32_t> collisions;
   for_each_geometry(model, [&](const GeometryUse& use) {

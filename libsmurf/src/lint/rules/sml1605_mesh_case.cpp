@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// The path as it is written, with the names of the file that is there.
+/// The path as written, with upper and lower case of the existing file.
 std::string corrected(const MeshReference& reference) {
   const std::string& there = reference.similar;
   std::size_t same = 0;  // from the end, but for case
@@ -53,8 +53,8 @@ extern constinit const Rule sml1605_mesh_case{
     .name = "mesh-case",
     .severity = Severity::error,
     .summary = "The path of a mesh or texture has other upper and lower case than the file.",
-    .why = "Only Windows and macOS find it; on Linux it is missing.",
-    .remedy = "Write the path as the file is called.",
+    .why = "Only Windows and macOS find the file; on Linux it is missing.",
+    .remedy = "Write the path as the file is named.",
     .sources = "executed on Linux.",
     .check_model = check,
     .facts = kFacts};

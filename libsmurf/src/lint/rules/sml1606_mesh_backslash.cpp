@@ -40,9 +40,8 @@ extern constinit const Rule sml1606_mesh_backslash{
     .name = "mesh-backslash",
     .severity = Severity::error,
     .summary = "The path of a mesh or texture is separated by backslashes.",
-    .why =
-        "Only Windows takes a backslash for a separator; elsewhere it is part of a name that no file has.",
-    .remedy = "Write `/`, which Windows takes too.",
+    .why = "Only Windows treats a backslash as a separator; elsewhere it is part of the file name.",
+    .remedy = "Write `/`, which Windows accepts, too.",
     .sources = "Bullet, MuJoCo and DART, executed on Linux.",
     .check_model = check,
     .facts = kFacts};

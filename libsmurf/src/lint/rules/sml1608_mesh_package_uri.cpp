@@ -25,9 +25,9 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
-     "takes it for a relative path, finds no file, and ends with an uncaught exception",
+     "treats it as a relative path, finds no file, and ends with an uncaught exception",
      "MARS smurf.cpp:1066-1137, misc.cpp:108-131, NodePhysics.cpp:626-634", "/collision/"},
-    {&readers::mars, Effect::loses, "takes it for a relative path, and shows the link without it",
+    {&readers::mars, Effect::loses, "treats it as a relative path, and shows the link without it",
      "MARS smurf.cpp:1066-1137, misc.cpp:108-131"},
 };
 
@@ -39,7 +39,7 @@ extern constinit const Rule sml1608_mesh_package_uri{
     .severity = Severity::warning,
     .summary = "The URDF of a SMURF model names a mesh by package://.",
     .remedy =
-        "Write a relative path; with the folders `urdf/` and `smurf/` side by side, `../meshes/x.obj` holds from both.",
+        "Write a relative path; with the folders `urdf/` and `smurf/` side by side, `../meshes/x.obj` works from both.",
     .check_model = check,
     .facts = kFacts};
 

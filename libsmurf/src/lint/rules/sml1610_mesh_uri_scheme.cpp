@@ -10,7 +10,7 @@ bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
 }
 
-/// One habit of an exporter, so one finding a file.
+/// Exporters write all paths alike: one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   bool has_model_scheme = false;
@@ -26,15 +26,15 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
-     "takes the scheme for a part of the path, and shows the link without it",
+     "treats the scheme as a part of the path, and shows the link without it",
      "MARS smurf.cpp:1080-1113, run", "/visual/"},
-    {&readers::mars, Effect::refuses, "takes the scheme for a part of the path",
+    {&readers::mars, Effect::refuses, "treats the scheme as a part of the path",
      "MARS misc.cpp:112-131"},
     {&readers::dart, Effect::refuses, "has no retriever for the scheme, and refuses the file", kRun,
      "#model"},
     {&readers::dart, Effect::refuses,
      "finds no file, or no retriever for the scheme, and refuses the model", kRun},
-    {&readers::mujoco, Effect::refuses, "takes the scheme for a part of the path", kRun},
+    {&readers::mujoco, Effect::refuses, "treats the scheme as a part of the path", kRun},
     {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
      "urdfdom stores it unchecked"},
     {&readers::gazebo, Effect::loses, "does not look for the file; the link may have no such shape",
@@ -47,8 +47,8 @@ extern constinit const Rule sml1610_mesh_uri_scheme{
     .id = "SML1610",
     .name = "mesh-uri-scheme",
     .severity = Severity::error,
-    .summary = "A mesh path has a scheme that some readers do not take.",
-    .why = "Pinocchio takes `package://` and `file://` only.",
+    .summary = "A mesh path has a scheme that some readers do not support.",
+    .why = "Pinocchio supports `package://` and `file://` only.",
     .remedy = "Write a path relative to the URDF.",
     .check_model = check,
     .facts = kFacts};

@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// One finding for the paths that hold from one of the two folders only.
+/// One finding for all paths that work from one of the two folders only.
 void report(const LinkedModel& model, std::string_view reader,
             const std::function<bool(const MeshReference&)>& is_lost, Findings& findings) {
   const MeshReference* first = nullptr;
@@ -54,7 +54,7 @@ extern constinit const Rule sml1612_mesh_path_depth_mars{
     .id = "SML1612",
     .name = "mesh-path-depth-mars",
     .severity = Severity::warning,
-    .summary = "A relative mesh path holds from the URDF or from the .smurf, but not from both.",
+    .summary = "A relative mesh path works from the URDF or from the .smurf, but not from both.",
     .why =
         "MARS starts at the folder of the .smurf, and ends with an uncaught exception when a collision mesh is missing; URDF readers and Phobos start at the folder of the URDF.",
     .remedy =

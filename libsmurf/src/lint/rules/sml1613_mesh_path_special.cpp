@@ -32,9 +32,9 @@ extern constinit const Rule sml1613_mesh_path_special{
     .name = "mesh-path-special",
     .severity = Severity::info,
     .summary =
-        "The path of a mesh or texture holds a blank or a character with a meaning in addresses.",
+        "The path of a mesh or texture holds a blank or a character with a special meaning in URLs.",
     .why =
-        "Readers that take paths for addresses decode `%20` and cut at `#` and `?`; most take all of it literally.",
+        "Readers that treat paths as URLs decode `%20` and cut at `#` and `?`; most use the text literally.",
     .remedy = "Rename the file.",
     .sources = "`%` is literal in six readers, executed; RFC 3986 for addresses.",
     .check_model = check};

@@ -18,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const MeshReference& reference : model.meshes) {
     const std::string extension = path::to_lower(path::extension(reference.filename));
     const PathFault fault = path_fault(reference);
-    // A path that leads nowhere is one finding; a package may lie elsewhere.
+    // Missing files are reported by SML1604; a package may be elsewhere.
     const bool is_lost = fault == PathFault::empty || fault == PathFault::malformed_package ||
                          (fault == PathFault::missing && !reference.path.empty());
     if (reference.is_texture || is_lost) continue;
@@ -46,7 +46,7 @@ extern constinit const Rule sml1614_mesh_format{
     .id = "SML1614",
     .name = "mesh-format",
     .severity = Severity::warning,
-    .summary = "A mesh has a format that hardly any reader of URDFs takes.",
+    .summary = "A mesh has a format that hardly any URDF reader supports.",
     .why =
         "Readers choose the loader by the extension: STL, OBJ and COLLADA are common, `.bobj` is known to MARS alone, and formats of CAD programs to none.",
     .remedy = "Export an STL, OBJ or COLLADA file.",

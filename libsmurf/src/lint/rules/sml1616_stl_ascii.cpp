@@ -28,8 +28,7 @@ constexpr Fact kFacts[] = {
 extern constinit const Rule sml1616_stl_ascii{.id = "SML1616",
                                               .name = "stl-ascii",
                                               .severity = Severity::warning,
-                                              .summary =
-                                                  "The mesh of a collision is an ASCII STL file.",
+                                              .summary = "The collision mesh is an ASCII STL file.",
                                               .remedy = "Export binary STL.",
                                               .check_model = check,
                                               .facts = kFacts};

@@ -19,7 +19,7 @@ extern constinit const Rule sml1617_stl_binary_named_solid{
     .severity = Severity::info,
     .summary = "A binary STL file begins with the word `solid`.",
     .why =
-        "Readers that look at the first word only take it for ASCII and fail; those of MuJoCo, Bullet and assimp compare the size and read it.",
+        "Readers that look at the first word only treat the file as ASCII and fail; those of MuJoCo, Bullet and assimp compare the size and read it.",
     .remedy = "Export it again with another header.",
     .sources = "assimp STLLoader.cpp, Bullet LoadMeshFromSTL.h; 21 of 1690 public files.",
     .check_model = check};

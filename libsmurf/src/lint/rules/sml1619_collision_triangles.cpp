@@ -29,9 +29,9 @@ extern constinit const Rule sml1619_collision_triangles{
     .id = "SML1619",
     .name = "collision-triangles",
     .severity = Severity::warning,
-    .summary = "The mesh of a collision has more than 10000 triangles.",
+    .summary = "The collision mesh has more than 10000 triangles.",
     .why =
-        "Contacts and distances are computed triangle by triangle in Gazebo, MARS and MoveIt: simulation and planning slow down. 96 of 100 public collision meshes are smaller. MuJoCo refuses an STL of more than 200000.",
+        "Contacts and distances are computed triangle by triangle in Gazebo, MARS and MoveIt: simulation and planning slow down. Of 100 public collision meshes, 96 are smaller. MuJoCo refuses an STL of more than 200000.",
     .remedy = "Simplify the mesh, or use its convex hull or a primitive shape.",
     .sources =
         "957 collision meshes of 322 public URDFs: median 854, 95 % below 8540; MuJoCo stl_decoder.cc:70.",

@@ -30,7 +30,7 @@ constexpr Fact kFacts[] = {
 extern constinit const Rule sml1625_mesh_flat{.id = "SML1625",
                                               .name = "mesh-flat",
                                               .severity = Severity::error,
-                                              .summary = "The mesh of a collision lies in a plane.",
+                                              .summary = "The collision mesh lies in a plane.",
                                               .remedy =
                                                   "Give the mesh a thickness, or use a thin box.",
                                               .check_model = check,

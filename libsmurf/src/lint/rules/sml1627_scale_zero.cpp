@@ -45,7 +45,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
+    {&readers::mars, Effect::breaks,
+     "stops loading here: what follows, the pose and the anchor are missing",
      "MARS NodePhysics.cpp:626-634", "#zero"},
     {&readers::dart, Effect::takes, "keeps the scale", kRun, "#tiny"},
     {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},

@@ -8,7 +8,7 @@
 namespace smurf::rules {
 namespace {
 
-/// How the left side is made of the right one: one finding a file.
+/// Authors mirror parts to make the left side from the right one: one finding a file.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   for_each_geometry(model, [&](const GeometryUse& use) {
@@ -22,7 +22,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
+    {&readers::mars, Effect::breaks,
+     "stops loading here: what follows, the pose and the anchor are missing",
      "MARS NodePhysics.cpp:626-634"},
     {&readers::pybullet, Effect::changes, "mirrors the mesh and leaves its faces inside out",
      "BulletUrdfImporter.cpp"},

@@ -35,7 +35,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                              quoted(path::stem(reference->filename)) +
                                              " too, elsewhere or in another format");
     diagnostic.labels.push_back({first.filename.span, "the first one"});
-    diagnostic.notes.push_back("MuJoCo takes the first for both");
+    diagnostic.notes.push_back("MuJoCo uses the first for both");
   });
 }
 

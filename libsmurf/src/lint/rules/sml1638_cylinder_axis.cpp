@@ -56,9 +56,9 @@ extern constinit const Rule sml1638_cylinder_axis{
     .id = "SML1638",
     .name = "cylinder-axis",
     .severity = Severity::warning,
-    .summary = "The cylinder of a collision is turned against the mesh that it stands for.",
+    .summary = "A collision cylinder is rotated relative to the visual mesh that it replaces.",
     .why =
-        "The axis of a cylinder is z in every reader; a wheel that lies is then a wheel that stands.",
+        "The axis of a cylinder is z in every reader. Without the rotation of the mesh, the cylinder lies where the wheel stands upright.",
     .remedy = "Turn the origin of the collision.",
     .sources = "URDF specification; all readers agree.",
     .check_model = check};

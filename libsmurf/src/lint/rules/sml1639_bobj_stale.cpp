@@ -11,7 +11,7 @@ namespace {
 
 bool is_alike(double a, double b, double size) { return std::abs(a - b) <= 0.01 * size; }
 
-/// Equal as they stand, or with the axes of old MARS meshes, which are y up: (x, -z, y).
+/// Equal as written, or after turning the axes of old MARS meshes, which are y up: (x, -z, y).
 bool is_same(const Box& mesh, const Box& bobj) {
   const Vector3 extent = mesh.size();
   const double size = std::max({extent[0], extent[1], extent[2]});
@@ -56,7 +56,7 @@ extern constinit const Rule sml1639_bobj_stale{
     .id = "SML1639",
     .name = "bobj-stale",
     .severity = Severity::warning,
-    .summary = "The .bobj that MARS takes instead of a mesh has another bounding box.",
+    .summary = "The .bobj that MARS loads instead of a mesh has another bounding box.",
     .why = "It was most likely made from an older state of the mesh.",
     .remedy = "Export the .bobj again, or delete it.",
     .check_model = check,

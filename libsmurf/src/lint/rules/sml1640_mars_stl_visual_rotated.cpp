@@ -42,7 +42,7 @@ extern constinit const Rule sml1640_mars_stl_visual_rotated{
     .name = "mars-stl-visual-rotated",
     .severity = Severity::warning,
     .summary = "A visual of a SMURF model is an STL file without a .bobj beside it.",
-    .why = "What is seen is not what collides.",
+    .why = "The visual does not match the collision.",
     .remedy = "Convert visual meshes to .obj, or add .bobj files.",
     .check_model = check,
     .facts = kFacts};

@@ -16,8 +16,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (first.is_denied) diagnostic.help = "read it with `--allow-outside`";
     if (!first.is_texture) diagnostic.severity = Severity::info;
     if (mesh.file.lost.size() > 1) {
-      diagnostic.notes.push_back("nor are " + std::to_string(mesh.file.lost.size() - 1) +
-                                 " other files that it names");
+      diagnostic.notes.push_back(std::to_string(mesh.file.lost.size() - 1) +
+                                 " other files that it names are missing, too");
     }
   }
 }

@@ -28,7 +28,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::ignores, "reads no .bobj",
      "only the MARS generations and Phobos know it"},
     {&readers::mars, Effect::crashes,
-     "checks neither records nor indices: it reads memory that is not its own, or draws a mesh with a hole",
+     "checks neither records nor indices: it reads out of bounds, or draws a mesh with a hole",
      "MARS gui_helper_functions.cpp:390-599, control flow executed"},
 };
 
@@ -38,8 +38,8 @@ extern constinit const Rule sml1642_bobj_broken{
     .id = "SML1642",
     .name = "bobj-broken",
     .severity = Severity::error,
-    .summary = "A .bobj file is damaged, or of a size whose last triangle MARS loses.",
-    .remedy = "Export the .bobj again; a repeated last triangle changes an unlucky size.",
+    .summary = "A .bobj file is damaged, or has a size at which MARS loses the last triangle.",
+    .remedy = "Export the .bobj again; if the size is the problem, repeat the last triangle.",
     .check_model = check,
     .facts = kFacts};
 

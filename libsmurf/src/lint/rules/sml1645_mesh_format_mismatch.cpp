@@ -37,10 +37,10 @@ extern constinit const Rule sml1645_mesh_format_mismatch{
     .id = "SML1645",
     .name = "mesh-format-mismatch",
     .severity = Severity::error,
-    .summary = "A mesh file holds another format than its extension says.",
+    .summary = "The content of a mesh file does not match its extension.",
     .why = "Readers choose the loader by the extension, and this one cannot read the content.",
     .remedy =
-        "Rename the file, or export it again; a page of a web site may have been saved in its place.",
+        "Rename the file, or export it again; perhaps a web page was saved instead of the file.",
     .sources = "MuJoCo, Bullet, Drake, urdf-loader and MARS choose by the extension.",
     .check_model = check,
     .facts = kFacts};

@@ -101,7 +101,7 @@ extern constinit const Rule sml1646_collision_visual_mismatch{
     .severity = Severity::warning,
     .summary = "The collision of a link has quite another size or place than its visual.",
     .why =
-        "One of them has most likely the wrong scale or origin: what is seen is not what collides.",
+        "One of them has most likely the wrong scale or origin: the visual does not match the collision.",
     .remedy = "Compare `scale` and `origin` of both.",
     .sources = "Bounding boxes of shapes and meshes.",
     .check_model = check,

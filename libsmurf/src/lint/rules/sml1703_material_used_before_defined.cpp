@@ -50,7 +50,7 @@ extern constinit const Rule sml1703_material_used_before_defined{
     .id = "SML1703",
     .name = "material-used-before-defined",
     .severity = Severity::warning,
-    .summary = "A visual names a material that a later visual defines.",
+    .summary = "A visual uses a material that a later visual defines.",
     .remedy = "Define the material as a child of `robot`.",
     .check_model = check,
     .facts = kFacts};

@@ -34,7 +34,7 @@ extern constinit const Rule sml1704_material_duplicate_global{
     .name = "material-duplicate-global",
     .severity = Severity::error,
     .summary = "Two materials of the robot have the same name.",
-    .why = "urdf-loader takes the last.",
+    .why = "urdf-loader uses the last.",
     .remedy = "Delete or rename one.",
     .sources = "urdf-loader 0.13, executed.",
     .check_model = check,

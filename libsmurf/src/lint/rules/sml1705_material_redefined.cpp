@@ -8,13 +8,13 @@
 namespace smurf::rules {
 namespace {
 
-/// Written here, and not the same as in the first.
+/// True when both are given and differ.
 template <class T>
 bool is_other(const Field<T>& here, const Field<T>& first) {
   return here && (!first || *here != *first);
 }
 
-/// Drake takes colours for equal that are this close, detail_urdf_geometry.cc:76-80.
+/// Drake treats colours that are this close as equal, detail_urdf_geometry.cc:76-80.
 bool is_rounding(const urdf::Material& here, const urdf::Material& first) {
   constexpr double kClosest = 1e-10;
   if (!here.rgba || !first.rgba || is_other(here.texture, first.texture)) return false;
@@ -38,7 +38,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_new) return;
     const bool is_color = is_other(material.rgba, first.rgba);
     const bool is_changed = is_color || is_other(material.texture, first.texture);
-    // Two of the robot are a fault of their own.
+    // Two at robot level are SML1704.
     const bool is_global =
         xml::View(model.robot->document, material.element).parent().name() == "robot";
     if (!is_changed || is_global || !reported.insert(*material.name).second) return;
@@ -57,10 +57,10 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::changes, "takes the first for both", kRun},
+    {&readers::urdfdom, Effect::changes, "uses the first for both", kRun},
     {&readers::pybullet, Effect::takes, "gives each its own", kRun},
     {&readers::mujoco, Effect::takes, "gives each its own", kRun},
-    {&readers::drake, Effect::takes, "takes colours for equal that differ by less than 1e-10",
+    {&readers::drake, Effect::takes, "treats colours that differ by less than 1e-10 as equal",
      "Drake detail_urdf_geometry.cc:76-80", "#rounding"},
     {&readers::drake, Effect::refuses, "refuses the file", "Drake detail_urdf_geometry.cc:64-102"},
 };
@@ -71,7 +71,7 @@ extern constinit const Rule sml1705_material_redefined{
     .id = "SML1705",
     .name = "material-redefined",
     .severity = Severity::warning,
-    .summary = "A material has one colour or texture here and another one there.",
+    .summary = "A material is defined twice, with different colours or textures.",
     .remedy = "Name the second material differently, or write the colour once.",
     .check_model = check,
     .facts = kFacts};

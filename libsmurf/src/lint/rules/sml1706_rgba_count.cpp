@@ -19,7 +19,7 @@ extern constinit const Rule sml1706_rgba_count{
     .id = "SML1706",
     .name = "rgba-count",
     .severity = Severity::error,
-    .summary = "A colour has not four numbers.",
+    .summary = "A colour does not have four numbers.",
     .remedy = "Write red, green, blue and alpha, each from 0 to 1; an alpha of 1 is opaque.",
     .facts = kFacts};
 

@@ -19,7 +19,7 @@ extern constinit const Rule sml1708_rgba_alpha_zero{
     .severity = Severity::warning,
     .summary = "A colour has an alpha of 0.",
     .why = "The shape is not drawn; 1 is opaque.",
-    .remedy = "Write 1 for an opaque material; take the visual out if it is not to be seen.",
+    .remedy = "Write 1 for an opaque material; delete the visual if it is meant to be invisible.",
     .sources = "URDF specification.",
     .check_model = check};
 

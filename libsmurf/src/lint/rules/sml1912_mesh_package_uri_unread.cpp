@@ -29,15 +29,15 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
-     "takes `package://` for a part of the path, and ends with an exception",
+     "treats `package://` as a part of the path, and ends with an exception",
      "MARS misc.cpp:112-131", "/collision/"},
     {&readers::mars, Effect::loses,
-     "takes `package://` for a part of the path, and shows the link without it",
+     "treats `package://` as a part of the path, and shows the link without it",
      "MARS misc.cpp:112-131"},
     {&readers::phobos, Effect::changes, "takes the folder above urdf/ for every package",
      "Phobos xml.py:89-98"},
     {&readers::mujoco, Effect::takes, "looks where its element `compiler` says", kRun, kElsewhere},
-    {&readers::mujoco, Effect::refuses, "takes `package://` for a part of the path", kRun},
+    {&readers::mujoco, Effect::refuses, "treats `package://` as a part of the path", kRun},
     {&readers::dart, Effect::refuses, "knows no package that it was not told of", kRun},
 };
 

@@ -44,13 +44,13 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(name_place(model, shown), title(shown) + " has no inertial");
   if (is_root_lost) diagnostic.construct = "root";
-  // One by one they are findings only when some other link has an inertial.
+  // SML1501 reports single links only when some other link has an inertial.
   const std::vector<bool> massless = massless_bodies(model);
   if (std::find(massless.begin(), massless.end(), true) != massless.end()) {
     diagnostic.construct += "#massless-body";
   }
   if (links.size() > 1) {
-    diagnostic.notes.push_back("nor have " + std::to_string(links.size() - 1) + " more links");
+    diagnostic.notes.push_back(std::to_string(links.size() - 1) + " more links have none");
   }
 }
 

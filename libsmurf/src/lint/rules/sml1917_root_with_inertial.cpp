@@ -17,8 +17,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses, "KDL warns, and computes without the mass of the root",
      "kdl_parser"},
-    {&readers::mujoco, Effect::ignores,
-     "welds the root to the world, where its mass does not count", "MuJoCo xml_urdf.cc:366, run"},
+    {&readers::mujoco, Effect::ignores, "welds the root to the world, where its mass has no effect",
+     "MuJoCo xml_urdf.cc:366, run"},
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ extern constinit const Rule sml2004_absolute_path{
     .name = "absolute-path",
     .severity = Severity::error,
     .summary = "`files` lists an absolute path.",
-    .why = "No other machine has it there.",
+    .why = "The path exists on one machine only.",
     .remedy = "Write the path relative to the .smurf's folder.",
     .facts = kFacts};
 

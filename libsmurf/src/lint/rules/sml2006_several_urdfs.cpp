@@ -22,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "takes the last one",
+    {&readers::mars, Effect::changes, "uses the last one",
      "smurf_parser SMURFParser.cpp:49-51, run"},
     {&readers::phobos, Effect::refuses,
      "stops with an assertion, or takes the first when they stand side by side",

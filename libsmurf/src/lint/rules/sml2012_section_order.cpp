@@ -26,7 +26,7 @@ bool comes_before(const Order& order, std::string_view user, std::string_view us
          first->second.first < second->second.first;
 }
 
-/// `used` are sections that `user` names things of.
+/// Entries of `user` refer to entries of the sections `used`.
 void check_order(const LinkedModel& model, const Order& order, std::string_view user,
                  const std::vector<std::string_view>& used, Findings& findings) {
   std::string late;
@@ -71,7 +71,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
-     "works through the sections in the order in which it meets them: a controller before the motors or sensors, or a sensor of motors before the motors, finds none of its names and stays empty, without a message",
+     "reads sections in file order: a controller before the motors or sensors, or a sensor of motors before the motors, finds none of its names and stays empty, without a message",
      "MARS smurf.cpp:223-228, 161-181, 465-480"},
 };
 
@@ -81,8 +81,8 @@ extern constinit const Rule sml2012_section_order{
     .id = "SML2012",
     .name = "section-order",
     .severity = Severity::error,
-    .summary = "A section stands before the one whose names it uses.",
-    .remedy = "Move the section, or its file in `files`, behind the other.",
+    .summary = "A section comes before the one whose names it uses.",
+    .remedy = "Move the section, or its file in `files`, after the other.",
     .check_model = check,
     .facts = kFacts};
 

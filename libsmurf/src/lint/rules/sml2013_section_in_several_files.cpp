@@ -24,8 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::takes, "joins the parts", "smurf_parser SMURFParser.cpp:57-62, run"},
-    {&readers::phobos, Effect::loses,
-     "keeps the last part only, and nothing that stands in the main file",
+    {&readers::phobos, Effect::loses, "keeps the last part only, and ignores the main file",
      "Phobos io/smurfrobot.py:196, run"},
 };
 
@@ -35,7 +34,7 @@ extern constinit const Rule sml2013_section_in_several_files{
     .id = "SML2013",
     .name = "section-in-several-files",
     .severity = Severity::warning,
-    .summary = "A section stands in several files.",
+    .summary = "Several files have the same section.",
     .remedy = "Keep each section in one annotation file.",
     .check_model = check,
     .facts = kFacts};

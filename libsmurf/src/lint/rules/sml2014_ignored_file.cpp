@@ -21,16 +21,16 @@ void check(const LinkedModel& model, Findings& findings) {
     if (extension == ".sdf") {
       diagnostic.notes.push_back("Phobos reads it instead of a URDF");
     } else {
-      diagnostic.notes.push_back("Phobos takes it for an annotation file");
+      diagnostic.notes.push_back("Phobos treats it as an annotation file");
     }
   }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::ignores,
-     "takes .urdf and .yml and passes over everything else without a message",
+     "reads .urdf and .yml, and ignores everything else without a message",
      "smurf_parser SMURFParser.cpp:49-52, run"},
-    {&readers::phobos, Effect::breaks, "takes it for an annotation file and fails to parse it",
+    {&readers::phobos, Effect::breaks, "treats it as an annotation file and fails to parse it",
      "Phobos io/smurfrobot.py:179-197"},
 };
 
@@ -41,7 +41,7 @@ extern constinit const Rule sml2014_ignored_file{
     .name = "ignored-file",
     .severity = Severity::warning,
     .summary = "`files` lists a file of a kind that MARS ignores.",
-    .remedy = "Take the file out of `files`; a key of your own can name it.",
+    .remedy = "Remove the file from `files`; a custom key can name it.",
     .check_model = check,
     .facts = kFacts};
 

@@ -31,13 +31,13 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
-     "passes over `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
+     "ignores `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
      "MARS smurf.cpp:257-485"},
     {&readers::mars2, Effect::loses,
-     "passes over `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
+     "ignores `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
      "MARS smurf.cpp:257-485"},
     {&readers::envire, Effect::loses,
-     "passes over `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
+     "ignores `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
      "MARS smurf.cpp:257-485"},
     {&readers::phobos, Effect::takes, "reads both numbers", "Phobos io/smurfrobot.py:201-205"},
 };

@@ -29,7 +29,7 @@ bool looks_like(const SectionSpec& section, yaml::View value) {
          std::any_of(value.begin(), value.end(), has_key);
 }
 
-/// A file must not get the same section twice: by what it has already, or by two slips.
+/// A rename must not give a file the same section twice.
 class Sections {
  public:
   KeyRenames& of(yaml::View section) {
@@ -64,7 +64,7 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
-/// Data files of entities hold sections of the user's own.
+/// Data files of entities contain custom sections.
 void check_data(const LinkedScene& scene, Findings& findings) {
   if (scene.schemas == nullptr) return;
   Sections sections;
@@ -97,9 +97,8 @@ extern constinit const Rule sml2016_misspelt_section{
     .id = "SML2016",
     .name = "misspelt-section",
     .severity = Severity::warning,
-    .summary = "A section that no reader knows is nearly one of the format, by name and "
-               "content.",
-    .remedy = "Correct the name. Sections of your own are welcome; name them less alike.",
+    .summary = "A section unknown to all readers resembles a known one, by name and content.",
+    .remedy = "Correct the name, or give a custom section a name that differs more.",
     .check_model = check,
     .check_scene = check_data,
     .facts = kFacts};

@@ -39,7 +39,7 @@ extern constinit const Rule sml2017_uri_in_model{
     .summary = "A mapping of a model has the key `URI` or `URIs`, which readers resolve "
                "differently.",
     .why =
-        "The documentation says the reverse. In the main file absolute paths do not work, and a circle overflows the stack. This tool does not look into the files either.",
+        "The documentation of configmaps states the opposite. In the main file absolute paths do not work, and a cycle overflows the stack. This tool does not look into the files either.",
     .remedy = "Write the keys in place.",
     .check_model = check,
     .facts = kFacts};

@@ -26,8 +26,8 @@ extern constinit const Rule sml3108_misspelt_mechanism_name{
     .id = "SML3108",
     .name = "misspelt-mechanism-name",
     .severity = Severity::warning,
-    .summary = "A submechanism or exoskeleton names what is nearly a joint or link of the "
-               "URDF.",
+    .summary =
+        "A submechanism or exoskeleton has a name that resembles a joint or link of the URDF.",
     .why =
         "Names that are altogether unknown are left alone: the joints of a floating base need not be in the URDF.",
     .remedy = "Correct the name.",

@@ -8,7 +8,7 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  // A model without motors is not for moving in MARS.
+  // A model without motors is not meant to move in MARS.
   if (!can_judge(model, NameKind::motor) || model.annotations.motors.empty()) return;
   std::unordered_map<std::string_view, const Motor*> by_joint;
   for (const Reference& one : findings.doubtful_references()) {
@@ -41,7 +41,7 @@ extern constinit const Rule sml3110_pose_joint_without_motor{
     .id = "SML3110",
     .name = "pose-joint-without-motor",
     .severity = Severity::warning,
-    .summary = "A joint pose names a joint for which there is no motor of the same name.",
+    .summary = "A joint pose names a joint that has no motor of the same name.",
     .remedy = "Give the motor the name of its joint, which all readers understand.",
     .check_model = check,
     .facts = kFacts};

@@ -40,7 +40,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "creates both, but a name leads to the last one only: controllers, poses and mimicking motors never reach the first; entries that change the URDF are applied one after the other",
+     "creates both, but a name refers to the last one only: controllers, poses and mimicking motors never reach the first; entries that change the URDF are applied one after the other",
      "MARS smurf.cpp:262, 326"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
 };
@@ -51,7 +51,7 @@ extern constinit const Rule sml3120_duplicate_annotation_name{
     .id = "SML3120",
     .name = "duplicate-annotation-name",
     .severity = Severity::warning,
-    .summary = "Two entries of a section have one name.",
+    .summary = "Two entries of a section have the same name.",
     .remedy = "Rename one of them, or make one entry of the two.",
     .check_model = check,
     .facts = kFacts};

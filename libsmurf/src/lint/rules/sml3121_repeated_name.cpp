@@ -47,13 +47,13 @@ constexpr Fact kFacts[] = {
 
 }  // namespace
 
-extern constinit const Rule sml3121_repeated_name{
-    .id = "SML3121",
-    .name = "repeated-name",
-    .severity = Severity::warning,
-    .summary = "A list of names holds one name twice.",
-    .remedy = "Take one of the two out, or write the name that was meant.",
-    .check_model = check,
-    .facts = kFacts};
+extern constinit const Rule sml3121_repeated_name{.id = "SML3121",
+                                                  .name = "repeated-name",
+                                                  .severity = Severity::warning,
+                                                  .summary =
+                                                      "A list of names has the same name twice.",
+                                                  .remedy = "Remove one of the two, or correct it.",
+                                                  .check_model = check,
+                                                  .facts = kFacts};
 
 }  // namespace smurf::rules

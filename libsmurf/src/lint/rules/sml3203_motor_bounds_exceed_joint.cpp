@@ -24,7 +24,7 @@ bool looks_like_degrees(double bound, const urdf::Joint& joint) {
   return joint.type == urdf::JointType::revolute && std::fabs(bound) > kManyTurns;
 }
 
-/// One bound without the other: MARS takes half a turn, or 3.14 m, for the one that is not there.
+/// One bound without the other: MARS uses half a turn, or 3.14 m, for the missing one.
 void check_absent(const Motor& motor, const urdf::Joint& joint, const Field<double>& low,
                   const Field<double>& high, Findings& findings) {
   const bool is_low = high.written;
@@ -39,7 +39,7 @@ void check_absent(const Motor& motor, const urdf::Joint& joint, const Field<doub
   diagnostic.labels.push_back({limit.span, "the limit of the joint"});
 }
 
-/// A key that is no bound, but nearly one, is reported.
+/// Misspelt bounds are reported by their rule.
 bool has_misspelt_bound(yaml::View mapping) {
   constexpr std::string_view kBounds[] = {"minValue", "maxValue", "minPosition", "maxPosition"};
   return mapping && std::any_of(mapping.begin(), mapping.end(), [&](yaml::View value) {
@@ -52,7 +52,7 @@ void check_motor(const LinkedModel& model, const Motor& motor, const urdf::Joint
   if (!joint.limit || joint.type == urdf::JointType::continuous) return;
   const Field<double>& lower = joint.limit->lower;
   const Field<double>& upper = joint.limit->upper;
-  // Limits that are equal say nothing, and are reported where they stand.
+  // Equal limits are reported by SML1408.
   if (!lower || !upper || *lower >= *upper) return;
   const Field<double>& low = lower_bound(motor);
   const Field<double>& high = upper_bound(motor);
@@ -94,7 +94,7 @@ extern constinit const Rule sml3203_motor_bounds_exceed_joint{
     .id = "SML3203",
     .name = "motor-bounds-exceed-joint",
     .severity = Severity::warning,
-    .summary = "A motor may be sent beyond the limits of its joint.",
+    .summary = "The bounds of a motor exceed the limits of its joint.",
     .why = "Readers of the URDF stop at the joint's limits.",
     .remedy = "Give the motor the bounds of its joint.",
     .check_model = check,

@@ -51,7 +51,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "passes the command of a motor on to those that mimic it, in every step: in a circle the commands chase each other",
+     "passes the command of a motor on to those that mimic it, in every step: in a cycle the commands never settle",
      "MARS SimMotor.cpp:352-360 and 455-460, MotorManager.cpp:537-544"},
 };
 
@@ -61,8 +61,8 @@ extern constinit const Rule sml3205_mimic_circle{
     .id = "SML3205",
     .name = "mimic-circle",
     .severity = Severity::error,
-    .summary = "Motors mimic each other in a circle, or one mimics itself.",
-    .remedy = "Let one motor of the circle lead.",
+    .summary = "Motors mimic each other in a cycle, or one mimics itself.",
+    .remedy = "Let one motor of the cycle lead.",
     .check_model = check,
     .facts = kFacts};
 

@@ -56,8 +56,8 @@ extern constinit const Rule sml3213_joint_entry_disagrees{
     .id = "SML3213",
     .name = "joint-entry-disagrees",
     .severity = Severity::warning,
-    .summary = "An entry of `joint` says something else of the joint than the URDF.",
-    .why = "Readers of the URDF build that of the URDF.",
+    .summary = "An entry of `joint` contradicts the URDF.",
+    .why = "Readers of the URDF build the joint of the URDF.",
     .remedy = "Make the two agree.",
     .check_model = check,
     .facts = kFacts};

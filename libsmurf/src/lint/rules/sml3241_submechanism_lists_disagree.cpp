@@ -15,7 +15,7 @@ void check_list(const LinkedModel& model, const Submechanism& mechanism, std::st
   std::unordered_set<std::string_view> all;
   for (const Spanned<std::string>& name : *mechanism.joint_names) all.insert(name.value);
   for (const Spanned<std::string>& name : *list) {
-    // What is no joint of the robot may be a slip, which is reported.
+    // Unknown names are reported as possible misspellings.
     if (all.contains(name.value) || !model.joint_names.contains(name.value)) continue;
     Diagnostic& diagnostic = findings.report(
         name.span, quoted(key) + " of " + subject("submechanism", mechanism) + " holds " +
@@ -24,7 +24,7 @@ void check_list(const LinkedModel& model, const Submechanism& mechanism, std::st
   }
 }
 
-/// Unknown and repeated names are reported, and may stand for those that are missing.
+/// Unknown and repeated names are reported; they may be misspellings of the missing ones.
 bool is_sound(const LinkedModel& model, const NameList& names) {
   std::unordered_set<std::string_view> seen;
   return std::all_of(names.begin(), names.end(), [&](const Spanned<std::string>& name) {
@@ -44,7 +44,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::phobos, Effect::changes, "takes them as they are and writes them for HyRoDyn",
+    {&readers::phobos, Effect::changes, "writes them for HyRoDyn unchecked",
      "Phobos io/hyrodyn.py"},
 };
 

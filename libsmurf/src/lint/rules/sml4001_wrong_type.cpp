@@ -18,7 +18,7 @@ extern constinit const Rule sml4001_wrong_type{
     .name = "wrong-type",
     .severity = Severity::error,
     .summary = "A key holds a value of the wrong kind.",
-    .why = "`yes`, `abc` and `.inf` are texts where a number or boolean is needed.",
+    .why = "`yes`, `abc` and `.inf` are texts, not numbers or booleans.",
     .remedy = "Write the kind of value that the message names; `smurf-lint --explain` of the key's "
               "section and the schemas list them.",
     .facts = kFacts};

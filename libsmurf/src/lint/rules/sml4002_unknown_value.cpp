@@ -6,7 +6,8 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::breaks, "does not load what follows, nor the pose and the anchor",
+    {&readers::mars, Effect::breaks,
+     "stops loading here: what follows, the pose and the anchor are missing",
      "MARS SensorManager.cpp:357-360"},
 };
 

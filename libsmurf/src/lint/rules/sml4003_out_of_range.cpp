@@ -6,7 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "takes the number as it is", "MARS MotorData.cpp and others"},
+    {&readers::mars, Effect::changes, "uses the number as it is", "MARS MotorData.cpp and others"},
 };
 
 }  // namespace

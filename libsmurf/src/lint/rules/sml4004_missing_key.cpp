@@ -15,12 +15,12 @@ constexpr Fact kFacts[] = {
 
 }  // namespace
 
-extern constinit const Rule sml4004_missing_key{
-    .id = "SML4004",
-    .name = "missing-key",
-    .severity = Severity::error,
-    .summary = "An entry or a main file lacks a key without which it means nothing.",
-    .remedy = "Add the key.",
-    .facts = kFacts};
+extern constinit const Rule sml4004_missing_key{.id = "SML4004",
+                                                .name = "missing-key",
+                                                .severity = Severity::error,
+                                                .summary =
+                                                    "An entry or a main file lacks a required key.",
+                                                .remedy = "Add the key.",
+                                                .facts = kFacts};
 
 }  // namespace smurf::rules

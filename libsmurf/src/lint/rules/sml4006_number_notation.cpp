@@ -19,7 +19,7 @@ extern constinit const Rule sml4006_number_notation{
     .name = "number-notation",
     .severity = Severity::error,
     .summary = "A number is written in a notation that MARS reads as another number.",
-    .why = "Other numbers may have exponents, but `0o17` is 0.",
+    .why = "Numbers with a fraction may have exponents; `0o17` is 0 in both.",
     .remedy = "Write plain decimal digits.",
     .facts = kFacts};
 

@@ -17,7 +17,7 @@ constexpr Fact kFacts[] = {
 extern constinit const Rule sml4008_incomplete_value{.id = "SML4008",
                                                      .name = "incomplete-value",
                                                      .severity = Severity::warning,
-                                                     .summary = "A value is there in part only.",
+                                                     .summary = "A value is incomplete.",
                                                      .remedy = "Write the whole value.",
                                                      .facts = kFacts};
 

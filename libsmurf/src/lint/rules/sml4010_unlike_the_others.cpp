@@ -11,7 +11,7 @@
 namespace smurf::rules {
 namespace {
 
-/// A key that some reader needs, and keys that stand for it.
+/// A key that some reader needs, and keys that replace it.
 struct Needed {
   std::string_view key;
   std::array<std::string_view, 3> instead;
@@ -44,7 +44,7 @@ bool has_key(yaml::View mapping, const Needed& needed) {
          std::any_of(needed.instead.begin(), needed.instead.end(), is_given);
 }
 
-/// Something else says more: the rest of the entry is in another file, or the key is misspelt.
+/// A better explanation exists: the rest of the entry is in another file, or the key is misspelt.
 bool is_excused(yaml::View mapping, const Needed& needed) {
   constexpr std::size_t kShort = 2;  // letters of such keys resemble each other by chance
   if (mapping.find("URI") || mapping.find("URIs")) return true;
@@ -53,7 +53,7 @@ bool is_excused(yaml::View mapping, const Needed& needed) {
                      [&](yaml::View value) { return path::to_lower(value.key()) == needed.key; });
 }
 
-/// Reports the one of the `entries` that counts and is without what is needed, if it is one.
+/// Reports the entry without the needed key, when exactly one of `entries` lacks it.
 template <class T, class Counts>
 void check_entries(const LinkedModel& model, const std::vector<T>& entries, std::string_view what,
                    const Needed& needed, Findings& findings, Counts counts) {
@@ -80,7 +80,7 @@ void check_entries(const LinkedModel& model, const std::vector<T>& entries, std:
 
 /// Only they have gains and bounds.
 bool is_position_motor(const Motor& motor) {
-  // A type that nobody knows is reported, and may be any.
+  // An unknown type is reported; it may be any type.
   return motor.type &&
          (*motor.type == "PID" || *motor.type == "generic_bldc" || *motor.type == "1") &&
          !motor.mimic_motor.written;
@@ -108,10 +108,8 @@ extern constinit const Rule sml4010_unlike_the_others{
     .name = "unlike-the-others",
     .severity = Severity::warning,
     .summary = "One entry lacks a key that all others of its section have.",
-    .why = "Each of these keys is needed by some reader: without `p` a position motor of MARS "
-           "does not move, without `link` MARS 2 stops at a collision entry, without `bitmask` "
-           "rock-cpp/smurf lets nothing collide. That one entry alone is without it is rarely "
-           "meant.",
+    .why =
+        "Each of these keys is needed by some reader: without `p` a position motor of MARS does not move, without `link` MARS 2 stops at a collision entry, without `bitmask` rock-cpp/smurf lets nothing collide. An entry that alone lacks the key is rarely intended.",
     .remedy = "Add the key.",
     .sources = "MARS SimMotor.cpp:352-407, MotorData.cpp; envire_smurf_loader Model.cpp:216-230, "
                "443-505; rock-cpp/smurf Robot.cpp:53-83.",

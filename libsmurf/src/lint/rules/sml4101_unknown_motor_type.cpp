@@ -43,11 +43,11 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "takes it for a position controller",
+    {&readers::mars, Effect::changes, "treats it as a position controller",
      "MARS MotorData.cpp:126-135"},
     {&readers::mars2, Effect::loses, "skips this and all following motors",
      "envire_smurf_loader Model.cpp"},
-    {&readers::envire, Effect::changes, "takes it for a position controller",
+    {&readers::envire, Effect::changes, "treats it as a position controller",
      "MARS MotorData.cpp:126-135"},
 };
 

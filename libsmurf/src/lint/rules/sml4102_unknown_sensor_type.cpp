@@ -66,8 +66,8 @@ extern constinit const Rule sml4102_unknown_sensor_type{
     .name = "unknown-sensor-type",
     .severity = Severity::error,
     .summary = "A sensor has a type that MARS does not know.",
-    .remedy = "Use one of the known types; they are case-sensitive. A type that a plug-in of "
-              "yours brings: `--severity SML4102=info`.",
+    .remedy =
+        "Use one of the known types; they are case-sensitive. For a type of your own plug-in, set `--severity SML4102=info`.",
     .check_model = check,
     .facts = kFacts};
 

@@ -34,8 +34,7 @@ void check_need(const LinkedModel& model, const Motor& motor, const Need& need,
       .labels.push_back({place_to_add(mapping, need.key), "add it after this"});
 }
 
-/// A gain that is not written may be missing in all motors of a model that is not for MARS; 0 is
-/// said on purpose.
+/// Models that are not meant for MARS have no gains at all; a gain of 0 was written on purpose.
 bool has_zero_gain(const LinkedModel& model, const Motor& motor) {
   const bool is_zero = motor.p && *motor.p == 0 && motor.i.value_or(0) == 0;
   return is_zero && mapping_of(model, motor) && control_in_mars(motor) == MotorControl::position;
@@ -63,7 +62,7 @@ extern constinit const Rule sml4103_dead_motor{
     .id = "SML4103",
     .name = "dead-motor",
     .severity = Severity::error,
-    .summary = "A motor has no speed, no effort or no gain, so that it never moves.",
+    .summary = "A motor has no speed, no effort or no gain, so it never moves.",
     .remedy = "Write both; the limits of the URDF joint are a good start.",
     .check_model = check,
     .facts = kFacts};

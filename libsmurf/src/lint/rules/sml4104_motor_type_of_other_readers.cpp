@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "takes it for a position controller",
+    {&readers::mars, Effect::changes, "treats it as a position controller",
      "MARS MotorData.cpp:126-135, SimMotor.cpp:290-297"},
 };
 
@@ -37,12 +37,11 @@ extern constinit const Rule sml4104_motor_type_of_other_readers{
     .id = "SML4104",
     .name = "motor-type-of-other-readers",
     .severity = Severity::warning,
-    .summary = "A motor has a type that MARS takes for a position controller, but others do "
-               "not.",
+    .summary = "A motor has a type that MARS treats as a position controller, but others do not.",
     .why =
         "`velocity` and `force` are types of one reader, `DirectEffort`, `FeedForwardEffort` and `ff_torque` of another.",
-    .remedy = "Write `DC` for a speed and `direct_effort` for a torque when MARS is to "
-              "understand it.",
+    .remedy =
+        "Write `DC` for a speed and `direct_effort` for a torque so that MARS understands it.",
     .check_model = check,
     .facts = kFacts};
 

@@ -25,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "enables the mimic by `mimic_motor` and reads the absent multiplier as 0: the motor holds `mimic_offset` and follows nobody",
+     "enables the mimic by `mimic_motor` and reads the absent multiplier as 0: the motor stays at `mimic_offset`",
      "MARS MotorManager.cpp:104-109"},
 };
 

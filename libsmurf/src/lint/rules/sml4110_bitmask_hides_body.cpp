@@ -38,7 +38,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
   }
   if (hidden.empty()) return;
-  // Models give all collisions such masks, or none.
+  // Models give such masks to all collisions or to none.
   const CollisionAnnotation& first = *hidden.front();
   const std::size_t others = hidden.size() - 1;
   std::string who = subject("collision", first);
@@ -46,7 +46,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(first.bitmask.span, "ray sensors of MARS do not see " +
                                                                    who + ": bit 15 is not set");
   diagnostic.help = "with it the bitmask is " + std::to_string(*first.bitmask | kSeenByRays);
-  // A robot with eyes is rarely meant to be invisible to others of its kind.
+  // A robot with ray sensors is rarely meant to be invisible to them.
   if (has_ray_sensor(model)) diagnostic.severity = Severity::warning;
 }
 
@@ -56,7 +56,7 @@ extern constinit const Rule sml4110_bitmask_hides_body{
     .id = "SML4110",
     .name = "bitmask-hides-body",
     .severity = Severity::info,
-    .summary = "A bitmask takes a collision out of something.",
+    .summary = "A bitmask excludes a collision from contacts or from ray sensors.",
     .why = "Two objects collide when their masks share a bit, so a mask of 0 collides with "
            "nothing. Ray sensors of MARS see bit 15 (32768) only.",
     .remedy = "Add 32768 to the mask when lasers and sonars are to see the body.",

@@ -32,7 +32,7 @@ void check_entries(const LinkedModel& model, const Entries& entries,
   }
 }
 
-/// Bounds that leave a motor one position.
+/// Bounds that are equal.
 void check_ranges(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) {
     const Field<double>& low = lower_bound(motor);
@@ -63,7 +63,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "clamps commands to the upper bound, then to the lower one: the motor goes to the lower bound whatever it is told",
+     "clamps commands to the upper bound, then to the lower one: the motor always goes to the lower bound",
      "MARS SimMotor.cpp (runPositionController), GraphicData.cpp, RotatingRaySensor.cpp"},
     {&readers::phobos, Effect::takes, "takes them from the limit of the joint",
      "Phobos a613e31, run"},
@@ -76,7 +76,7 @@ extern constinit const Rule sml4113_minimum_above_maximum{
     .name = "minimum-above-maximum",
     .severity = Severity::error,
     .summary = "A lower bound lies above the upper one, or leaves a motor one position.",
-    .why = "Of stops, distances and fog the other way round nothing is left.",
+    .why = "Swapped stops, distances or fog limits leave no range.",
     .remedy = "Swap the two.",
     .check_model = check,
     .facts = kFacts};

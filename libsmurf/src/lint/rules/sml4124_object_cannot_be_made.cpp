@@ -60,7 +60,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
-     "stops loading at the first object that cannot be made, such as a shape without size or a joint without axis: all that follows is missing, and the pose and the anchor of the robot are skipped",
+     "stops loading at the first object that it cannot build, such as a shape without size or a joint without axis: everything after it is missing, and the pose and the anchor of the robot are skipped",
      "MARS smurf.cpp:1014-1058, JointManager.cpp:82-85, NodePhysics.cpp:626-634"},
 };
 
@@ -70,7 +70,7 @@ extern constinit const Rule sml4124_object_cannot_be_made{
     .id = "SML4124",
     .name = "object-cannot-be-made",
     .severity = Severity::error,
-    .summary = "An entry makes a shape or a joint that the physics engine cannot build.",
+    .summary = "An entry describes a shape or joint that the physics engine cannot build.",
     .remedy = "Write sizes above 0 and an axis with a direction.",
     .check_model = check,
     .facts = kFacts};

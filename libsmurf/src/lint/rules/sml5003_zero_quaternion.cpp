@@ -17,7 +17,7 @@ extern constinit const Rule sml5003_zero_quaternion{
     .name = "zero-quaternion",
     .severity = Severity::error,
     .summary = "A rotation is a quaternion of length zero.",
-    .why = "No direction follows from it.",
+    .why = "It defines no rotation.",
     .remedy = "Write a unit quaternion; no rotation is [1, 0, 0, 0].",
     .facts = kFacts};
 

@@ -17,7 +17,7 @@ extern constinit const Rule sml5005_entity_without_file{
     .id = "SML5005",
     .name = "entity-without-file",
     .severity = Severity::error,
-    .summary = "An entity does not say what it stands for.",
+    .summary = "An entity names no file and no type.",
     .remedy =
         "Add `file:` with the model or scene, and `type:` when the extension does not tell it.",
     .facts = kFacts};

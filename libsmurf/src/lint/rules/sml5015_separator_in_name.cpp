@@ -26,9 +26,9 @@ extern constinit const Rule sml5015_separator_in_name{
     .name = "separator-in-name",
     .severity = Severity::warning,
     .summary = "The name of an entity contains `::`.",
-    .why = "`parent` and `anchor` are split at the first `::`, so that the entity cannot be "
-           "referred to.",
-    .remedy = "Take another separator.",
+    .why =
+        "`parent` and `anchor` are split at the first `::`, so other entities cannot refer to it.",
+    .remedy = "Use another separator.",
     .sources = "MARS SimEntity.cpp:373-376.",
     .check_scene = check,
     .facts = kFacts};

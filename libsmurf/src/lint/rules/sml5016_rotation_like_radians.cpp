@@ -55,7 +55,7 @@ extern constinit const Rule sml5016_rotation_like_radians{
     .name = "rotation-like-radians",
     .severity = Severity::warning,
     .summary = "The angles of a rotation are fractions of pi, but scenes take degrees.",
-    .why = "1.5708 degrees are a turn by one and a half degrees. URDF takes radians.",
+    .why = "1.5708 is read as one and a half degrees. URDF uses radians, scenes use degrees.",
     .remedy = "Write degrees: 90 instead of 1.5708.",
     .check_scene = check,
     .facts = kFacts};

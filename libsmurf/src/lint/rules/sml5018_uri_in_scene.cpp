@@ -26,7 +26,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "lets the keys of the file win",
+    {&readers::mars, Effect::changes, "overwrites the keys beside it with those of the file",
      "MARS SMURFLoader.cpp:420; configmaps ConfigMap.cpp:615-624, run"},
     {&readers::mars2, Effect::ignores, "ignores the key", "read"},
     {&readers::phobos, Effect::ignores, "ignores the key", "read"},
@@ -40,7 +40,7 @@ extern constinit const Rule sml5018_uri_in_scene{
     .severity = Severity::warning,
     .summary = "A mapping of a scene has the key `URI`, which only MARS expands.",
     .why =
-        "The documentation says the reverse. Absolute paths do not work, and a circle overflows the stack.",
+        "The documentation of configmaps states the opposite. Absolute paths do not work, and a cycle overflows the stack.",
     .remedy = "Write the keys in place, or nest a scene with `file`.",
     .check_scene = check,
     .facts = kFacts};

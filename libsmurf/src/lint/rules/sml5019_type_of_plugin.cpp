@@ -33,9 +33,9 @@ extern constinit const Rule sml5019_type_of_plugin{
     .id = "SML5019",
     .name = "type-of-plugin",
     .severity = Severity::info,
-    .summary = "An entity has a type that Phobos writes but MARS does not know.",
-    .why = "Plug-ins may take it.",
-    .remedy = "Load a plug-in for the type, or say the same with `lights`, a primitive or a URDF.",
+    .summary = "An entity has a type that Phobos writes, but MARS does not know.",
+    .why = "A plug-in may add the type.",
+    .remedy = "Load a plug-in for the type, or use `lights`, a primitive or a URDF instead.",
     .check_scene = check,
     .facts = kFacts};
 

@@ -18,7 +18,7 @@ extern constinit const Rule sml5020_cyclic_include{
     .name = "cyclic-include",
     .severity = Severity::error,
     .summary = "A scene includes itself, directly or through others.",
-    .remedy = "Take one include out of the circle; the notes name its files.",
+    .remedy = "Remove one include from the cycle; the notes name its files.",
     .facts = kFacts};
 
 }  // namespace smurf::rules

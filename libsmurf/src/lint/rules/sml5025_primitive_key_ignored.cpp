@@ -7,7 +7,7 @@
 namespace smurf::rules {
 namespace {
 
-/// What says the default anyway does no harm.
+/// Explicit defaults are fine.
 bool has_effect(yaml::View value) {
   if (!value || value.is_null()) return false;
   const std::string_view text = value.is_scalar() ? value.text() : "?";

@@ -31,7 +31,7 @@ void check_mapping(yaml::View mapping, std::span<const KeySpec> keys, Findings& 
   }
 }
 
-/// True when the missing file is reported, together with the slip.
+/// True when SML5005 reports the missing file together with the misspelling.
 bool is_reported_as_missing(const KeySpec& meant, const Entity& entity) {
   if (meant.name != "file") return false;
   const std::string type = entity_type(entity);
@@ -73,9 +73,9 @@ extern constinit const Rule sml5028_misspelt_scene_key{
     .name = "misspelt-scene-key",
     .severity = Severity::warning,
     .summary = "A key of a scene, an entity, physics or environment is almost a known one.",
-    .why = "Every reader ignores keys it does not know, without a word: the robot stands at the "
-           "origin, is not fixed, or is not there at all.",
-    .remedy = "Write the key as suggested. Keys of your own may have any other name.",
+    .why =
+        "Every reader ignores keys it does not know, silently: the robot is at the origin, is not fixed, or is missing.",
+    .remedy = "Write the key as suggested. Custom keys may have any other name.",
     .sources = "MARS SMURFLoader.cpp:418-548, SimEntity.cpp:344-501.",
     .check_scene = check};
 

@@ -50,9 +50,9 @@ extern constinit const Rule sml5030_implausible_pose{
     .id = "SML5030",
     .name = "implausible-pose",
     .severity = Severity::warning,
-    .summary = "An entity stands further away, or is turned more often, than anybody means.",
+    .summary = "An entity is implausibly far away, or rotated by many turns.",
     .why =
-        "Scenes take metres and degrees. Single precision loses centimetres at a hundred kilometres, and a rotation of many turns was counted in another unit.",
+        "Scenes take metres and degrees. Single precision loses centimetres at a hundred kilometres, and a rotation of many turns is in another unit.",
     .remedy = "Write metres and degrees.",
     .sources = "IEEE 754 single precision.",
     .check_scene = check};

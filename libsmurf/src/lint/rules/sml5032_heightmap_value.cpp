@@ -75,7 +75,7 @@ extern constinit const Rule sml5032_heightmap_value{
     .id = "SML5032",
     .name = "heightmap-value",
     .severity = Severity::warning,
-    .summary = "A height map lacks its image or its size, or they are no image and no size.",
+    .summary = "A height map lacks its image or its size, or their values are unusable.",
     .why = "Phobos 0.7 writes a height map as an entity with the image under `file` and its "
            "extent in metres under `width`, `length` and `height`; MARS itself has no such type,"
            " and a plug-in that makes one needs all of them.",

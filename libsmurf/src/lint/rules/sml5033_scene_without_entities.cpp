@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kLists[] = {"entities", "smurfs", "smurfa"};
 
-/// What is written in the place of the list: the first key that no reader of scenes knows.
+/// The probable misspelling of the list: the first key that no reader of scenes knows.
 yaml::View unknown_key(yaml::View root) {
   for (const yaml::View value : root) {
     if (find_key({scene_keys()}, value.key()) == nullptr) return value;
@@ -19,7 +19,7 @@ yaml::View unknown_key(yaml::View root) {
   return {};
 }
 
-/// A list that is none, and a key that is nearly that of a list, are reported.
+/// SML5001 reports a value that is not a list, SML5028 a misspelt key.
 bool is_reported(yaml::View root) {
   KeyRenames renames(root);
   return std::any_of(root.begin(), root.end(), [&](const yaml::View value) {
@@ -65,8 +65,7 @@ extern constinit const Rule sml5033_scene_without_entities{
     .severity = Severity::warning,
     .summary = "A scene has no entities.",
     .why =
-        "Readers ignore keys they do not know: robots under any other key than `entities` are not "
-        "loaded, and nothing tells it.",
+        "Readers ignore keys they do not know: robots under any key but `entities` are not loaded, without a message.",
     .remedy = "List the entities under `entities`: `- {name: arm, type: smurf, file: arm.smurf}`.",
     .check_scene = check,
     .facts = kFacts};

@@ -16,7 +16,7 @@ extern constinit const Rule sml5040_incomplete_drawn_entity{
     .id = "SML5040",
     .name = "incomplete-drawn-entity",
     .severity = Severity::error,
-    .summary = "A group of a drawn scene lacks what makes it an entity.",
+    .summary = "A group of a drawn scene does not describe an entity.",
     .why =
         "Its title names a YAML file, its description says `origin_z: NUMBER`, and its first path begins with `m X,Y`.",
     .remedy = "Give the group a `<title>`, a `<desc>` and a path of this form, or move what is "

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "counts the numbers between the first brackets, with commas between them: six are a matrix, two a translation, everything else is no transform",
+     "counts the comma-separated numbers in the first brackets: six are a matrix, two a translation, and everything else is ignored",
      "MARS SMURFLoader.cpp:224-262"},
 };
 
@@ -17,8 +17,8 @@ extern constinit const Rule sml5041_drawing_transform{
     .id = "SML5041",
     .name = "drawing-transform",
     .severity = Severity::error,
-    .summary = "MARS takes a transform of a drawn scene otherwise than a drawing program.",
-    .why = "The entity stands elsewhere than it is drawn.",
+    .summary = "MARS interprets a transform of a drawn scene differently than a drawing program.",
+    .why = "The entity is not where it is drawn.",
     .remedy = "Write `matrix(a,b,c,d,e,f)` or `translate(x,y)`.",
     .facts = kFacts};
 

@@ -17,7 +17,7 @@ extern constinit const Rule sml5042_drawing_width{
     .id = "SML5042",
     .name = "drawing-width",
     .severity = Severity::error,
-    .summary = "The width of a drawn scene is missing or is no plain number.",
+    .summary = "The width of a drawn scene is missing or not a plain number.",
     .why = "The y of a page goes down, that of the world up: all entities are shifted.",
     .remedy = "Give the `svg` element a `width` without unit; one unit is one metre.",
     .facts = kFacts};

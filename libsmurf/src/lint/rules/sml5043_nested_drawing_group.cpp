@@ -6,7 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "takes every group for an entity",
+    {&readers::mars, Effect::changes, "treats every group as an entity",
      "MARS SMURFLoader.cpp:205-215"},
 };
 
@@ -17,7 +17,7 @@ extern constinit const Rule sml5043_nested_drawing_group{
     .name = "nested-drawing-group",
     .severity = Severity::warning,
     .summary = "A group of a drawn scene holds other groups.",
-    .why = "smurfs-flatten takes the drawing as it looks: a layer is no entity.",
+    .why = "smurfs-flatten follows the picture: it does not treat a layer as an entity.",
     .remedy = "Draw without layers and ungroup.",
     .facts = kFacts};
 

@@ -17,7 +17,7 @@ extern constinit const Rule sml5103_parent_of_scene{
     .name = "parent-of-scene",
     .severity = Severity::error,
     .summary = "`parent` or `anchor` names an included scene.",
-    .why = "An include is no entity.",
+    .why = "An included scene is not an entity.",
     .remedy = "Name an entity inside the included scene and one of its links.",
     .facts = kFacts};
 

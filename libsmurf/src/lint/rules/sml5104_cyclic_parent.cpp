@@ -16,8 +16,8 @@ extern constinit const Rule sml5104_cyclic_parent{
     .id = "SML5104",
     .name = "cyclic-parent",
     .severity = Severity::error,
-    .summary = "Entities are placed relative to each other in a circle.",
-    .why = "No placement satisfies it.",
+    .summary = "Entities are placed relative to each other in a cycle.",
+    .why = "No placement satisfies all of them.",
     .remedy = "Place one of them relative to the world or to another entity.",
     .facts = kFacts};
 

@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// A link as anchor: whoever writes it often takes it for the place where the entity stands.
+/// A link as anchor: many authors expect it to place the entity there.
 void check_link(const Use& use, Findings& findings) {
   const Entity& entity = use.entity;
   if (entity.parent.written || use.placement.anchor.kind != Attachment::Kind::link) return;

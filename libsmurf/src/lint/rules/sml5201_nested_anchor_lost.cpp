@@ -43,7 +43,7 @@ extern constinit const Rule sml5201_nested_anchor_lost{
     .name = "nested-anchor-lost",
     .severity = Severity::warning,
     .summary = "An entity in an included scene has an anchor that MARS overwrites.",
-    .why = "What stands fixed in the scene comes loose. This tool keeps the anchor.",
+    .why = "An entity that is fixed in its own scene comes loose. This tool keeps the anchor.",
     .remedy = "Set `anchor` on the entity that includes the scene, or place the anchored entities "
               "in the outer scene.",
     .check_scene = check,

@@ -16,7 +16,7 @@ std::optional<std::size_t> instance_of(const Attachment& attachment) {
   return to_size(attachment.instance);
 }
 
-/// The instances that MARS creates when all they refer to is there; the rest come last.
+/// The instances that MARS creates once their references exist; the rest come last.
 std::vector<bool> created_in_order(const LinkedScene& scene, const std::vector<Frames>& frames) {
   std::vector<bool> in_order(frames.size(), false);
   std::vector<std::size_t> waiting(frames.size(), 0);
@@ -83,9 +83,9 @@ extern constinit const Rule sml5203_order_dependent_parent{
     .name = "order-dependent-parent",
     .severity = Severity::warning,
     .summary = "An entity refers to a later one in a way that MARS resolves only in file order.",
-    .why = "One that is created before what it refers to is misplaced.",
-    .remedy = "Move the entity behind the one it refers to, or give it both keys (`anchor: "
-              "parent`).",
+    .why = "An entity that is created before the one it refers to is misplaced.",
+    .remedy =
+        "Move the entity after the one it refers to, or give it both keys (`anchor: parent`).",
     .check_scene = check,
     .facts = kFacts};
 

@@ -14,7 +14,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::ignores, "heeds `root` in a list `smurfa` only",
+    {&readers::mars, Effect::ignores, "reads `root` in a list `smurfa` only",
      "MARS SMURFLoader.cpp:444-450"},
 };
 
@@ -24,8 +24,8 @@ extern constinit const Rule sml5208_root_outside_smurfa{
     .id = "SML5208",
     .name = "root-outside-smurfa",
     .severity = Severity::warning,
-    .summary = "`root: true` stands in a list other than `smurfa`.",
-    .remedy = "Rename the list to `smurfa`, or take the key out.",
+    .summary = "`root: true` is in a list other than `smurfa`.",
+    .remedy = "Rename the list to `smurfa`, or delete the key.",
     .check_scene = check,
     .facts = kFacts};
 

@@ -23,7 +23,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "lets the model decide, in every scene",
+    {&readers::mars, Effect::changes, "uses the value of the model in every scene",
      "smurf_parser SMURFParser.cpp:43, run"},
 };
 
@@ -34,7 +34,7 @@ extern constinit const Rule sml5210_model_overrides_entity{
     .name = "model-overrides-entity",
     .severity = Severity::warning,
     .summary = "A model's main file holds a key that belongs to the scene.",
-    .why = "The model stands where its own file says. Other readers and this tool ignore the keys.",
+    .why = "The main file sets the pose of the model. Other readers and this tool ignore the keys.",
     .remedy = "Move the key into the scene.",
     .check_scene = check,
     .facts = kFacts};

@@ -17,7 +17,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "takes whatever is in memory", "MARS LightData.h:40-65"},
+    {&readers::mars, Effect::changes, "reads uninitialised memory", "MARS LightData.h:40-65"},
 };
 
 }  // namespace

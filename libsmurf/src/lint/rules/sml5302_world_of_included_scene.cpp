@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// The scene around `use`, nearest first, that sets the key as well.
+/// The nearest enclosing scene of `use` that also sets the key.
 yaml::View set_around(const LinkedScene& scene, const SceneUse& use, std::string_view key) {
   for (auto outer = use.outer; outer;) {
     const SceneUse& around = scene.uses[to_size(*outer)];
@@ -46,8 +46,8 @@ extern constinit const Rule sml5302_world_of_included_scene{
     .id = "SML5302",
     .name = "world-of-included-scene",
     .severity = Severity::warning,
-    .summary = "An included scene sets physics or environment, and so does a scene around it.",
-    .why = "There is one world.",
+    .summary = "An included scene sets physics or environment, and so does an enclosing scene.",
+    .why = "All scenes share one world.",
     .remedy = "Set `physics` and `environment` in one scene, best the outermost.",
     .check_scene = check,
     .facts = kFacts};

@@ -16,10 +16,10 @@ extern constinit const Rule sml5305_path_from_working_folder{
     .id = "SML5305",
     .name = "path-from-working-folder",
     .severity = Severity::warning,
-    .summary = "A path of `environment` is looked for where the simulation is started.",
+    .summary = "A path of `environment` is relative to the folder where the simulation is started.",
     .why = "What is found depends on the folder in which the program was started.",
-    .remedy = "Put the sky box beside the scene. For the others only an absolute path, or a fixed "
-              "folder to start in, is certain.",
+    .remedy =
+        "Put the sky box beside the scene. For the other paths, use absolute paths or always start in the same folder.",
     .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -7,10 +7,10 @@ extern constinit const Rule sml6201_initial_overlap{
     .id = "SML6201",
     .name = "initial-overlap",
     .severity = Severity::warning,
-    .summary = "Two collision shapes are inside each other at the start.",
+    .summary = "Two collision shapes overlap at the start.",
     .why = "ODE pushes them apart in the first steps, with a force that has no limit; only bodies "
            "that a joint connects are left alone.",
-    .remedy = "Shrink one shape, or give the two bitmasks without a common bit.",
+    .remedy = "Shrink one shape, or give the two bitmasks that share no bit.",
     .sources = "15 of 307 robots; Panda 36 mm, Baxter 67 mm.",
     .reported_by = Tool::load_check};
 

@@ -7,10 +7,9 @@ extern constinit const Rule sml6301_zero_outside_limits{
     .id = "SML6301",
     .name = "zero-outside-limits",
     .severity = Severity::warning,
-    .summary = "A joint cannot be at zero, or a pose has it outside its limits.",
+    .summary = "The zero position of a joint, or its position in a pose, is outside its limits.",
     .why =
-        "Simulators start with all joints at zero; one whose stops exclude zero is thrown to the "
-        "nearest stop in the first steps. The check starts it at the nearest allowed position.",
+        "Simulators start with all joints at zero. A joint whose limits exclude zero is thrown to the nearest limit in the first steps. The check starts it at the nearest allowed position.",
     .remedy = "Give the model a joint pose within the limits, or start the simulation there.",
     .sources = "ODE 0.16.2, executed: all of 307 robots that move at rest have such a joint.",
     .reported_by = Tool::load_check};

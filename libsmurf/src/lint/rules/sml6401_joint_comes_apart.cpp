@@ -7,7 +7,7 @@ extern constinit const Rule sml6401_joint_comes_apart{
     .id = "SML6401",
     .name = "joint-comes-apart",
     .severity = Severity::error,
-    .summary = "A joint does not hold the robot that hangs on it.",
+    .summary = "A joint comes apart under the weight of the robot.",
     .why = "The solver cannot balance the masses and inertias around the joint: in MARS the robot "
            "trembles, drifts or falls to pieces.",
     .remedy = "Look at the masses and inertias on both sides of the joint.",

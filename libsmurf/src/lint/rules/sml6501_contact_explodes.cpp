@@ -8,9 +8,9 @@ extern constinit const Rule sml6501_contact_explodes{
     .name = "contact-explodes",
     .severity = Severity::error,
     .summary = "A robot that is dropped from a millimetre is flung away.",
-    .why = "Shapes inside each other, or contacts on bodies that are far too light, push with "
-           "forces that no robot survives.",
-    .remedy = "Shrink the shapes that overlap, or give them bitmasks without a common bit.",
+    .why =
+        "Shapes inside each other, or contacts on bodies that are far too light, push the robot away with extreme forces.",
+    .remedy = "Shrink the shapes that overlap, or give them bitmasks that share no bit.",
     .sources = "ODE 0.16.2, executed: sound robots gain at most 0.07 m, exploding ones 1e4 m.",
     .reported_by = Tool::load_check};
 

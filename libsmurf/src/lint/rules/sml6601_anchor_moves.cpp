@@ -7,7 +7,7 @@ extern constinit const Rule sml6601_anchor_moves{
     .id = "SML6601",
     .name = "anchor-moves",
     .severity = Severity::error,
-    .summary = "An anchored entity moves against what it is anchored to.",
+    .summary = "An anchored entity moves relative to its anchor.",
     .why = "An anchor is rigid; one that gives way makes every pose in the scene wrong.",
     .remedy = "Look at the masses of the two models.",
     .sources = "ODE 0.16.2, executed.",

@@ -27,7 +27,7 @@ extern constinit const Rule sml7001_continuous_without_limit{
     .name = "continuous-without-limit",
     .severity = Severity::error,
     .summary = "A continuous joint has no limit element.",
-    .why = "URDF needs none there.",
+    .why = "URDF does not require one.",
     .remedy = "Add a limit with effort and velocity.",
     .check_model = check,
     .needs_target = true,

@@ -42,8 +42,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::takes, "has defaults for most keys of a motor", "MARS MotorData.cpp"},
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
      "envire_smurf_loader Model.cpp:443-456", "#type"},
-    {&readers::mars2, Effect::changes, "computes with whatever is in memory",
-     "envire_types motors"},
+    {&readers::mars2, Effect::changes, "computes with uninitialised memory", "envire_types motors"},
 };
 
 }  // namespace
@@ -52,7 +51,7 @@ extern constinit const Rule sml7004_motor_key_missing{
     .id = "SML7004",
     .name = "motor-key-missing",
     .severity = Severity::error,
-    .summary = "A motor lacks a key that a target does not do without.",
+    .summary = "A motor lacks a key that a target requires.",
     .remedy = "Write the key.",
     .check_model = check,
     .needs_target = true,

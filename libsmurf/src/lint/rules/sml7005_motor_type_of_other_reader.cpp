@@ -41,7 +41,7 @@ constexpr Fact kFacts[] = {
     {&readers::envire, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#DC"},
     {&readers::envire, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#generic_"},
     {&readers::envire, Effect::takes, "knows it", "MARS MotorData.cpp:126-135", "#direct_"},
-    {&readers::envire, Effect::changes, "takes it for a position controller",
+    {&readers::envire, Effect::changes, "treats it as a position controller",
      "MARS MotorData.cpp:126-135"},
 };
 

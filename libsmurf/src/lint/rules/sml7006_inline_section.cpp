@@ -32,7 +32,7 @@ extern constinit const Rule sml7006_inline_section{
     .id = "SML7006",
     .name = "inline-section",
     .severity = Severity::warning,
-    .summary = "An annotation section stands in the main file.",
+    .summary = "The main file has an annotation section.",
     .remedy = "Move the section to an annotation file and list it in `files`.",
     .check_model = check,
     .needs_target = true,

@@ -23,9 +23,9 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::takes, "passes over unknown sections", "MARS smurf.cpp:257-485"},
-    {&readers::mars2, Effect::takes, "passes over unknown sections", "MARS smurf.cpp:257-485"},
-    {&readers::envire, Effect::takes, "passes over unknown sections", "MARS smurf.cpp:257-485"},
+    {&readers::mars, Effect::takes, "ignores unknown sections", "MARS smurf.cpp:257-485"},
+    {&readers::mars2, Effect::takes, "ignores unknown sections", "MARS smurf.cpp:257-485"},
+    {&readers::envire, Effect::takes, "ignores unknown sections", "MARS smurf.cpp:257-485"},
     {&readers::phobos, Effect::refuses, "raises an exception",
      "Phobos io/smurfrobot.py:233-243, 376"},
 };

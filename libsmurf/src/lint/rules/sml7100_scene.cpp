@@ -33,8 +33,7 @@ constexpr Fact kFacts[] = {
 extern constinit const Rule sml7100_scene{.id = "SML7100",
                                           .name = "scene",
                                           .severity = Severity::error,
-                                          .summary =
-                                              "A scene is given to a target that reads no scenes.",
+                                          .summary = "A target does not read scenes.",
                                           .remedy = "Expand the scene with smurfs-flatten.",
                                           .check_scene = check,
                                           .needs_target = true,

@@ -21,9 +21,9 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::takes, "composes the poses and takes all entities",
+    {&readers::mars, Effect::takes, "composes the poses and loads all entities",
      "MARS SMURFLoader.cpp"},
-    {&readers::mars2, Effect::loses, "takes only its .yml entities, and ignores the pose",
+    {&readers::mars2, Effect::loses, "loads only its .yml entities, and ignores the pose",
      "MarsSceneLoader.cpp:209, 249-298"},
     {&readers::pybullet, Effect::changes, "ignores the pose of the include",
      "Phobos scripts/smurfs_in_pybullet.py:105-107", "#placed"},
@@ -35,7 +35,7 @@ extern constinit const Rule sml7105_included_scene{
     .id = "SML7105",
     .name = "included-scene",
     .severity = Severity::warning,
-    .summary = "A scene includes another one, of which a target takes a part.",
+    .summary = "A scene includes another one, of which a target loads only a part.",
     .remedy = "Write all entities into one scene: smurfs-flatten computes their poses.",
     .check_scene = check,
     .needs_target = true,

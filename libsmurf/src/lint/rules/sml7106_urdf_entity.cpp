@@ -27,7 +27,7 @@ extern constinit const Rule sml7106_urdf_entity{
     .id = "SML7106",
     .name = "urdf-entity",
     .severity = Severity::error,
-    .summary = "An entity is a URDF, which a target does not take.",
+    .summary = "An entity is a URDF, which a target does not load.",
     .remedy = "Write a .smurf whose `files` list the URDF.",
     .check_scene = check,
     .needs_target = true,

@@ -7,7 +7,7 @@ namespace {
 
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
-    // Without a type nobody can load it, which is another finding.
+    // Without a type no reader can load it: SML5005.
     if (entity.file.written || entity.uri.written || !entity.type.written) return;
     findings.report(type_place(entity), title(entity) + " has a type and no file");
   });
@@ -27,8 +27,8 @@ extern constinit const Rule sml7107_entity_of_plugin{
     .id = "SML7107",
     .name = "entity-of-plugin",
     .severity = Severity::error,
-    .summary = "An entity has no file, which a target asks for.",
-    .remedy = "Keep such entities in a scene of their own.",
+    .summary = "An entity has no file, which a target requires.",
+    .remedy = "Put such entities into a separate scene.",
     .check_scene = check,
     .needs_target = true,
     .facts = kFacts};

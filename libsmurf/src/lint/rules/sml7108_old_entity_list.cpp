@@ -31,7 +31,7 @@ extern constinit const Rule sml7108_old_entity_list{
     .id = "SML7108",
     .name = "old-entity-list",
     .severity = Severity::warning,
-    .summary = "Entities stand in a list that a target does not read.",
+    .summary = "Entities are in a list that a target does not read.",
     .remedy = "Call the list `entities`.",
     .check_scene = check,
     .needs_target = true,

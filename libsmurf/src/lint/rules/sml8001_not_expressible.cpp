@@ -8,9 +8,9 @@ extern constinit const Rule sml8001_not_expressible{
     .name = "not-expressible",
     .severity = Severity::info,
     .summary = "An annotation has no counterpart in a URDF.",
-    .why = "A program that reads the exported URDF does not know of it: gains of motors, sensors, "
-           "bitmasks, joint pose sets and the like.",
-    .remedy = "Hand it over in another way, or use a reader of SMURF.",
+    .why =
+        "Programs that read the exported URDF do not get it. Examples are motor gains, sensors, bitmasks and joint pose sets.",
+    .remedy = "Pass the values on in another way, or use a program that reads SMURF.",
     .sources = "The elements of URDF: urdfdom 3 and 5.1.",
     .reported_by = Tool::converters};
 

@@ -11,7 +11,7 @@ extern constinit const Rule sml8002_not_requested{
     .why =
         "MARS simulates with the annotation, a reader of the exported URDF with the other value: "
         "the same robot behaves differently.",
-    .remedy = "Export with `--apply`, which takes the values of the annotations.",
+    .remedy = "Export with `--apply`, which uses the values of the annotations.",
     .sources = "MARS smurf.cpp:902 (limits of the URDF are not used), MaterialData.cpp:47-118.",
     .reported_by = Tool::converters};
 

@@ -7,10 +7,10 @@ extern constinit const Rule sml8003_ambiguous{
     .id = "SML8003",
     .name = "ambiguous",
     .severity = Severity::info,
-    .summary = "Several annotations say different things about one value of the URDF.",
+    .summary = "Several annotations give different values for the same part of the URDF.",
     .why = "Only one of them can be written; which one a simulator would use depends on its order "
            "of loading.",
-    .remedy = "Leave one of them.",
+    .remedy = "Keep one of them.",
     .sources = "Two motors of one joint in MARS: smurf.cpp:257-270.",
     .reported_by = Tool::converters};
 

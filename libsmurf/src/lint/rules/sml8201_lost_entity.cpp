@@ -8,9 +8,8 @@ extern constinit const Rule sml8201_lost_entity{
     .name = "lost-entity",
     .severity = Severity::warning,
     .summary = "An entity of the scene cannot be written in the format.",
-    .why = "What a plug-in makes of its own types of entities no other simulator knows.",
-    .remedy = "Use a model or a primitive for what has to arrive, or the format json, which "
-              "carries all keys along.",
+    .why = "Only the plug-in of the type knows how to build the entity.",
+    .remedy = "Use a model or a primitive instead, or the format json, which keeps all keys.",
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 

@@ -8,7 +8,7 @@ extern constinit const Rule sml8202_lost_joint_pose{
     .name = "lost-joint-pose",
     .severity = Severity::warning,
     .summary = "The joints of a model start at zero instead of in their named pose.",
-    .why = "The format has no place for the position of a joint at the beginning.",
+    .why = "The format cannot store the initial position of a joint.",
     .remedy = "Choose a form or format that has it: SDF with --form expand, MJCF, Drake "
               "directives, JSON.",
     .sources = "SDFormat 1.9 joint.sdf; URDF has no such element.",

@@ -8,8 +8,8 @@ extern constinit const Rule sml8207_lost_annotations{
     .name = "lost-annotations",
     .severity = Severity::info,
     .summary = "Annotations, or keys of an entity, have no place in the format.",
-    .why = "Motors, sensors and the like are SMURF's own; other simulators have them in other "
-           "files.",
+    .why =
+        "Motors, sensors and similar annotations are specific to SMURF; other simulators keep them in other files.",
     .remedy = "Set them up in the simulator.",
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};

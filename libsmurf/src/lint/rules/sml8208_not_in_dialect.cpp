@@ -7,10 +7,10 @@ extern constinit const Rule sml8208_not_in_dialect{
     .id = "SML8208",
     .name = "not-in-dialect",
     .severity = Severity::warning,
-    .summary = "The reader whose dialect was asked for does not load an entity.",
-    .why = "The result holds what that reader shows, and it does not show this.",
-    .remedy = "Use --dialect spec, or change the entity so that the reader takes it; "
-              "--compare-dialects shows what the readers make of it.",
+    .summary = "The reader of the chosen dialect does not load an entity.",
+    .why = "The result contains only what that reader loads.",
+    .remedy =
+        "Use --dialect spec, or change the entity so that the reader loads it; --compare-dialects shows where each reader places it.",
     .sources = "smurfs-flatten; MARS SMURFLoader.cpp, MarsSceneLoader.cpp, Phobos multiple.py.",
     .reported_by = Tool::converters};
 

@@ -9,10 +9,9 @@ extern constinit const Rule sml8209_old_nodes_stand_still{
     .severity = Severity::warning,
     .summary = "Movable nodes of a scene of MARS before SMURF are written as shapes that stand "
                "still.",
-    .why = "Nodes of old scenes hang together by joints and groups of their own, with masses that "
-           "are densities as often as not; what is carried over is how they look and where they "
-           "are.",
-    .remedy = "Make a SMURF model of what has to move.",
+    .why =
+        "Old scenes connect nodes by joints and groups, and often give densities as masses. Only shapes and poses are converted.",
+    .remedy = "Make a SMURF model of everything that has to move.",
     .sources = "MARS NodeData.cpp:98-286, Load.cpp:228-268.",
     .reported_by = Tool::converters};
 

@@ -7,9 +7,9 @@ extern constinit const Rule sml9001_unknown_setting{
     .id = "SML9001",
     .name = "unknown-setting",
     .severity = Severity::error,
-    .summary = "The configuration has a key that is no setting.",
-    .why = "It has no effect, and what was meant by it does not happen.",
-    .remedy = "Write the key as suggested, or take it out.",
+    .summary = "The configuration has an unknown key.",
+    .why = "The key has no effect.",
+    .remedy = "Write the suggested key, or delete it.",
     .sources = "smurf-lint."};
 
 }  // namespace smurf::rules

@@ -7,10 +7,10 @@ extern constinit const Rule sml9002_wrong_setting{
     .id = "SML9002",
     .name = "wrong-setting",
     .severity = Severity::error,
-    .summary = "A setting of the configuration has a value that it cannot take.",
-    .why = "It is ignored: a rule that does not exist selects nothing, a schema that cannot be "
-           "read checks nothing.",
-    .remedy = "Write a value as the message asks for; `--list-rules` shows the rules.",
+    .summary = "A setting of the configuration has an invalid value.",
+    .why =
+        "The value is ignored: a rule that does not exist selects nothing, and a schema that cannot be read checks nothing.",
+    .remedy = "Write a value of the kind that the message names; `--list-rules` shows the rules.",
     .sources = "smurf-lint."};
 
 }  // namespace smurf::rules

@@ -8,8 +8,8 @@ extern constinit const Rule sml9011_broken_schema{
     .name = "broken-schema",
     .severity = Severity::error,
     .summary = "A schema of your own cannot be used.",
-    .why = "It is no JSON Schema (draft-07), or applying it could take forever; nothing is checked "
-           "by it.",
+    .why =
+        "It is not a JSON Schema (draft-07), or applying it could take forever. It is not used for checks.",
     .remedy = "Correct the schema at the place of the message. References lead to "
               "`#/definitions/NAME` of the same file.",
     .sources = "JSON Schema draft-07; limits of these tools."};

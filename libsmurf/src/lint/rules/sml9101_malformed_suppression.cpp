@@ -7,10 +7,8 @@ extern constinit const Rule sml9101_malformed_suppression{
     .id = "SML9101",
     .name = "malformed-suppression",
     .severity = Severity::warning,
-    .summary = "A comment for smurf-lint is not one that it understands.",
-    .why =
-        "The comment was meant to silence a finding and does not, or it silences nothing for ever "
-        "without anybody noticing.",
+    .summary = "smurf-lint does not understand a comment that addresses it.",
+    .why = "The comment does not silence the finding it was written for.",
     .remedy =
         "Write `smurf-lint: ignore[SML3101] reason` at the end of the line or on the line above "
         "the entry, or `smurf-lint: ignore-file[SML3101] reason` for the whole file. The rules "

@@ -9,8 +9,7 @@ extern constinit const Rule sml9103_unused_suppression{
     .severity = Severity::warning,
     .summary = "A comment for smurf-lint silences nothing.",
     .why =
-        "The fault it was written for is mended, or the comment stands in the wrong place; if it "
-        "stays, it will silence the next fault there.",
+        "The fault was repaired, or the comment is in the wrong place. If the comment stays, it hides the next fault there.",
     .remedy = "Remove the comment; `--fix` does it.",
     .sources = "smurf-lint"};
 
