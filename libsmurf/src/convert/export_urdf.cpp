@@ -96,6 +96,14 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
     }
     if (options.adds_gazebo_sensors) passes::add_gazebo_sensors(model, edits);
   });
+  if (options.actuation == Actuation::ros2_control) {
+    steps.edit([&](XmlEdits& edits) {
+      for (const xml::View element :
+           passes::replaced_transmissions(steps.model(), options.actuation)) {
+        edits.remove(element);
+      }
+    });
+  }
   if (options.strips_extensions) {
     steps.edit([&](XmlEdits& edits) { passes::strip_extensions(steps.model(), edits); });
   }
