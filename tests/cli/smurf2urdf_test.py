@@ -139,6 +139,20 @@ class Options(ExportTest):
         self.expect_complaint("--keep goes with --collapse-fixed", "arm/smurf/arm.smurf",
                               "--keep", "lidar")
 
+    def test_what_mujoco_refuses_is_no_preset_of_mujoco(self):
+        self.write("m.dae", "<COLLADA/>")
+        body = ('<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+                "</inertial>")
+        self.write("r.urdf", f'<robot name="r"><link name="l">{body}<collision><geometry>'
+                   '<mesh filename="m.dae"/></geometry></collision></link></robot>')
+        self.assertEqual(self.run_tool("r.urdf", "-o", "out.urdf").returncode, 0)
+        done = self.run_tool("r.urdf", "--preset", "mujoco", "-o", "mujoco.urdf")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("not converted: MuJoCo has no decoder for it, and refuses the model", done.stderr)
+        self.assertFalse((self.folder / "mujoco.urdf").exists())
+        done = self.run_tool("r.urdf", "--preset", "mujoco", "--force", "-o", "mujoco.urdf")
+        self.assertEqual(done.returncode, 0)
+
     def test_losses(self):
         self.change("motors", "maxEffort: 40.0", "maxEffort: 41.5")
         self.export("--loss-report", "lost.json")
