@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "write/mjcf_inertia.hpp"
+#include "write/body_inertia.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "base/numbers.hpp"
-#include "write/mjcf_parts.hpp"
-#include "write/xml_text.hpp"
-
 namespace smurf {
 namespace {
 
-/// The smallest eigenvalue of a full tensor that MuJoCo takes (mjEPS), and somewhat more than the
-/// smallest mass and inertia of what moves (mjMINVAL).
-constexpr double kLeast = 1e-14;
-
-/// In the axes of the link.
 Eigen::Matrix3d tensor_of(const LinkInertial& mass) {
   const Quaternion& q = mass.X_LC.orientation;
   const Eigen::Matrix3d R = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
@@ -25,11 +16,10 @@ Eigen::Matrix3d tensor_of(const LinkInertial& mass) {
   return R * I * R.transpose();
 }
 
-/// Makes ascending moments such that MuJoCo takes them; true when that is more than rounding.
-bool repair(Eigen::Vector3d& moments, bool moves) {
+/// Makes ascending moments those of a body; true when that is more than rounding.
+bool repair(Eigen::Vector3d& moments, double least) {
   const double rounding = 1e-9 * moments.cwiseAbs().maxCoeff();
-  const double least = moves ? kLeast : 0;
-  bool is_changed = moments[0] < least - (moves ? 0 : rounding);
+  bool is_changed = moments[0] < least - (least > 0 ? 0 : rounding);
   moments = moments.cwiseMax(least);
   const double most = moments[0] + moments[1];
   is_changed = is_changed || moments[2] > most + rounding;
@@ -39,27 +29,26 @@ bool repair(Eigen::Vector3d& moments, bool moves) {
 
 }  // namespace
 
-MjcfInertia mjcf_inertia(const LinkInertial& mass, bool moves) {
+std::array<double, 6> tensor_in_link(const LinkInertial& mass) {
   const Eigen::Matrix3d I = tensor_of(mass);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(I);
+  return {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
+}
+
+BodyInertia body_inertia(const LinkInertial& mass, double least, double least_in_tensor) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor_of(mass));
   Eigen::Vector3d moments = solver.eigenvalues();
-  MjcfInertia result{.mass = format_number(moves ? std::max(mass.mass, kLeast) : mass.mass),
-                     .tensor_name = "fullinertia",
-                     .tensor = {},
-                     .orientation = {},
-                     .is_changed = moves && mass.mass < kLeast};
-  if (moments[0] > 2 * kLeast && moments[2] <= moments[0] + moments[1]) {
-    result.tensor = join_numbers({I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
-    return result;
-  }
-  if (repair(moments, moves)) result.is_changed = true;
+  const bool is_large = mass.mass >= least && moments[0] > least_in_tensor;
+  if (is_large && moments[2] <= moments[0] + moments[1]) return {mass, false, false};
+  const bool is_changed = repair(moments, least) || mass.mass < least;
   Eigen::Matrix3d axes = solver.eigenvectors();
   if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
   const Eigen::Quaterniond q(axes);
-  result.tensor_name = "diaginertia";
-  result.tensor = join_numbers({moments[0], moments[1], moments[2]});
-  result.orientation = quaternion_text({q.w(), q.x(), q.y(), q.z()});
-  return result;
+  LinkInertial principal{.mass = std::max(mass.mass, least), .X_LC = mass.X_LC};
+  principal.X_LC.orientation = {q.w(), q.x(), q.y(), q.z()};
+  principal.ixx = moments[0];
+  principal.iyy = moments[1];
+  principal.izz = moments[2];
+  return {principal, true, is_changed};
 }
 
 }  // namespace smurf

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inertias as MuJoCo takes them.
+// Inertias as simulators take them, who refuse a world for one that no body has.
 #pragma once
-
-#include <string>
-#include <string_view>
 
 #include "write/scene_parts.hpp"
 
 namespace smurf {
 
-struct MjcfInertia {
-  std::string mass;
-  std::string_view tensor_name;  ///< the attribute: "fullinertia" or "diaginertia"
-  std::string tensor;
-  std::string orientation;  ///< of the principal axes; empty with a full tensor
-  bool is_changed = false;  ///< the nearest that MuJoCo takes
+struct BodyInertia {
+  LinkInertial mass;
+  /// Whether `mass` has the principal moments, ascending, with their axes in X_LC. If not, it is
+  /// that of the link as written: moments above the bound, the largest at most the sum of the
+  /// others.
+  bool is_principal = false;
+  bool is_changed = false;  ///< by more than rounding
 };
 
-/// Of a body that moves by a joint of its own, or not.
-MjcfInertia mjcf_inertia(const LinkInertial& mass, bool moves);
+/// The nearest inertia of a body whose mass and moments are at least `least` (kg, kg m^2). With
+/// moments up to `least_in_tensor`, it is given by principal moments.
+BodyInertia body_inertia(const LinkInertial& mass, double least, double least_in_tensor);
+
+/// R I R^T: the tensor in the axes of the link; xx, yy, zz, xy, xz, yz.
+std::array<double, 6> tensor_in_link(const LinkInertial& mass);
 
 }  // namespace smurf

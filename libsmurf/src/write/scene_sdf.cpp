@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/unique_names.hpp"
+#include "write/body_inertia.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/sdf_model.hpp"
@@ -241,7 +242,9 @@ class SdfWriter {
     const urdf::Link& whole = model.robot->links[body];
     const auto mass = inertial_of(whole);
     if (!mass) losses_.note(kInventedMasses, whole.span, link_name(model, body));
-    add_sdf_inertial(xml_, mass.value_or(smallest_mass()), is_old_);
+    const BodyInertia inertia = body_inertia(mass.value_or(smallest_mass()), 0, 0);
+    if (inertia.is_changed) losses_.note(kRefusedInertias, whole.span, link_name(model, body));
+    add_sdf_inertial(xml_, inertia.mass, is_old_);
     UniqueNames shapes;
     UniqueNames sensors;
     for (const std::size_t part : parts) {
