@@ -116,11 +116,14 @@ class Options(ExportTest):
         self.assertIn('version="1.1"', self.export("--urdf-version", "1.1"))
 
     def test_what_a_preset_keeps(self):
-        """MuJoCo reads its own settings from an extension."""
+        """MuJoCo reads its own settings from an extension; its folders are not those of new paths."""
         self.write("arm/urdf/arm.urdf", self.source().replace(
-            "</robot>", '  <mujoco><compiler meshdir="../meshes"/></mujoco>\n</robot>'))
-        self.assertIn('<mujoco><compiler meshdir="../meshes" strippath="false"/></mujoco>',
+            "</robot>", '  <mujoco><compiler meshdir="../meshes" strippath="true" discardvisual="true"/>'
+            "</mujoco>\n</robot>"))
+        self.assertIn('<mujoco><compiler strippath="false" discardvisual="true"/></mujoco>',
                       self.export("--preset", "mujoco"))
+        self.assertIn('<mujoco><compiler meshdir="../meshes" strippath="true" discardvisual="true"/>',
+                      self.export("--settings", "mujoco"))
 
     def test_packages(self):
         self.assertIn('filename="package://arm_description/meshes/upper_arm.obj"',
@@ -150,6 +153,10 @@ class Options(ExportTest):
         self.assertEqual(done.returncode, 1)
         self.assertIn("not converted: MuJoCo has no decoder for it, and refuses the model", done.stderr)
         self.assertFalse((self.folder / "mujoco.urdf").exists())
+        self.write("p.urdf", self.read("r.urdf").replace("m.dae", "package://nowhere/m.stl"))
+        done = self.run_tool("p.urdf", "--preset", "mujoco", "-o", "mujoco.urdf")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("takes `package://` for a part of the path", done.stderr)
         done = self.run_tool("r.urdf", "--preset", "mujoco", "--force", "-o", "mujoco.urdf")
         self.assertEqual(done.returncode, 0)
 

@@ -306,15 +306,21 @@ void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits) {
   }
 }
 
-void add_mujoco_settings(const LinkedModel& model, XmlEdits& edits) {
+void add_mujoco_settings(const LinkedModel& model, bool has_new_paths, XmlEdits& edits) {
   const xml::View robot = model.robot->document.view();
   const xml::View settings = robot.child("mujoco");
   const std::string compiler = new_element("compiler", {{"strippath", "false"}});
   if (!settings) {
     edits.add_child(robot, "<mujoco>\n  " + compiler + "\n</mujoco>");
   } else if (const xml::View known = settings.child("compiler")) {
-    // What the author says of it already stays.
-    if (known.attribute("strippath") == nullptr) edits.set_attribute(known, "strippath", "false");
+    // What the author says of it stays, unless it is about other paths than those that are written.
+    if (has_new_paths || known.attribute("strippath") == nullptr) {
+      edits.set_attribute(known, "strippath", "false");
+    }
+    for (const char* folder : {"meshdir", "texturedir", "assetdir"}) {
+      const xml::Attribute* attribute = known.attribute(folder);
+      if (has_new_paths && attribute != nullptr) edits.remove(*attribute);
+    }
   } else {
     edits.add_child(settings, compiler);
   }

@@ -108,7 +108,9 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
     steps.edit([&](XmlEdits& edits) { passes::strip_extensions(steps.model(), edits); });
   }
   if (options.adds_mujoco_settings) {
-    steps.edit([&](XmlEdits& edits) { passes::add_mujoco_settings(steps.model(), edits); });
+    const bool has_new_paths = options.mesh_uri == MeshUri::relative;
+    steps.edit(
+        [&](XmlEdits& edits) { passes::add_mujoco_settings(steps.model(), has_new_paths, edits); });
   }
   if (options.strips_comments) {
     steps.edit([&](XmlEdits& edits) { passes::strip_comments(steps.model(), edits); });

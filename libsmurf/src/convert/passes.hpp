@@ -24,7 +24,8 @@ std::string_view interface_of(const Motor& motor);
 /// Sensors as <gazebo><sensor>, those that Gazebo has and the URDF does not name yet.
 void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits);
 /// <compiler strippath="false">, without which MuJoCo before 3.7 looks for meshes beside the URDF.
-void add_mujoco_settings(const LinkedModel& model, XmlEdits& edits);
+/// Paths that were rewritten are no longer those that the author's settings are about.
+void add_mujoco_settings(const LinkedModel& model, bool has_new_paths, XmlEdits& edits);
 /// Gazebo's type of a sensor; "" when it has none.
 std::string_view gazebo_type(const Sensor& sensor);
 /// Gazebo's <sensor> of a sensor that it has a type for. `document` is the one that it stands in.

@@ -46,12 +46,16 @@ bool computes(const UrdfExport& wanted) {
 
 /// Of a URDF for MuJoCo, which loads it or does not. Addresses of packages become relative paths,
 /// and the settings say where meshes are.
-std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const UrdfExport& wanted) {
+std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const LinkedModel& model,
+                                           const UrdfExport& wanted) {
   const Fact* fact = find_fact(readers::mujoco, finding);
   if (fact == nullptr || fact->effect < Effect::refuses) return std::nullopt;
-  const bool is_found =
-      wanted.mesh_uri == MeshUri::relative && finding.rule->id == std::string_view("SML1912");
-  if (is_found || finding.rule->id == "SML1647") return std::nullopt;
+  const bool are_found =
+      std::all_of(model.meshes.begin(), model.meshes.end(),
+                  [](const MeshReference& mesh) { return mesh.exists || mesh.is_texture; });
+  const bool is_relative = wanted.mesh_uri == MeshUri::relative;
+  if (finding.rule->id == "SML1912" && is_relative && are_found) return std::nullopt;
+  if (finding.rule->id == "SML1647") return std::nullopt;
   return "MuJoCo " + std::string(fact->makes);
 }
 
@@ -77,7 +81,7 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
   const SourceId source = finding.span.source;
   if (source == model.robot->document.source) {
     const auto refused =
-        wanted.adds_mujoco_settings ? loss_for_mujoco(finding, wanted) : std::nullopt;
+        wanted.adds_mujoco_settings ? loss_for_mujoco(finding, model, wanted) : std::nullopt;
     return refused ? refused : loss_in_text(finding, wanted);
   }
   if (model.has_main && source == model.files.front().source) {
