@@ -256,7 +256,13 @@ class SdfWriter {
     xml_.close();
   }
 
-  /// Shapes are named as libsdformat names them.
+  /// As libsdformat names them: sensors of contact in <gazebo> refer to them.
+  static std::string shape_name(const Field<std::string>& name, std::string_view link,
+                                const char* kind, std::size_t index) {
+    if (name) return *name + kind;
+    return std::string(link) + kind + (index > 0 ? "_" + std::to_string(index) : "");
+  }
+
   void add_shapes(const LinkedModel& model, const FlatModel& flat_model, std::size_t part,
                   const Pose& X_BL, UniqueNames& names) {
     const urdf::Link& link = model.robot->links[part];
@@ -265,7 +271,8 @@ class SdfWriter {
     for (const urdf::Visual& visual : link.visuals) {
       const auto geometry = to_flat(visual.geometry, flat_model);
       if (!geometry || !can_say(*geometry, visual.span)) continue;
-      open_shape("visual", names.add(visual.name.value_or(std::string(link_name)) + "_visual"),
+      const auto index = static_cast<std::size_t>(&visual - link.visuals.data());
+      open_shape("visual", names.add(shape_name(visual.name, link_name, "_visual", index)),
                  X_BL * urdf::to_pose(visual.origin), *geometry);
       if (!gazebo.has_own_material(link_name)) {
         add_sdf_material(xml_,
@@ -279,8 +286,8 @@ class SdfWriter {
     for (const urdf::Collision& collision : link.collisions) {
       const auto geometry = to_flat(collision.geometry, flat_model);
       if (!geometry || !can_say(*geometry, collision.span)) continue;
-      open_shape("collision",
-                 names.add(collision.name.value_or(std::string(link_name)) + "_collision"),
+      const auto index = static_cast<std::size_t>(&collision - link.collisions.data());
+      open_shape("collision", names.add(shape_name(collision.name, link_name, "_collision", index)),
                  X_BL * urdf::to_pose(collision.origin), *geometry);
       const Contacts contacts = is_old_ ? Contacts() : parts_of(model).contacts.of(collision, link);
       add_sdf_surface(xml_, contacts, gazebo.empty() ? nullptr : &gazebo, link_name);
