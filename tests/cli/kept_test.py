@@ -29,7 +29,7 @@ URDF = """<robot name="rich">
   <limit lower="-1" upper="2" effort="5" velocity="3" acceleration="9"/>
   <dynamics damping="0.25" friction="0.125"/><calibration rising="0.5"/>
   <safety_controller soft_lower_limit="-0.5" k_velocity="7"/></joint>
-<link name="hand">""" + BODY.format(m="1") + """</link>
+<link name="hand"><collision><geometry><sphere radius="0"/></geometry></collision>""" + BODY.format(m="1") + """</link>
 <joint name="wrist" type="revolute"><parent link="arm"/><child link="hand"/><axis xyz="0 1 0"/>
   <limit lower="-1" upper="1" effort="6" velocity="4"/><mimic joint="shoulder" multiplier="0.5"/></joint>
 <link name="finger"/>
@@ -97,11 +97,12 @@ CHANGES = {
     "masses and inertias": ('<mass value="2"/>', '<mass value="3"/>'),
     "masses of moving links that have none": ('<link name="finger"/>', '<link name="finger">'
                                               + BODY.format(m="1") + "</link>"),
-    "inertias that MuJoCo refuses": ("0.000201", "0.0002"),
+    "inertias that no simulator takes": ("0.000201", "0.0002"),
     "visual shapes": ('<visual name="hull"><geometry><box size="1 2 3"/>',
                       '<visual name="hull"><geometry><box size="1 2 4"/>'),
     "collision shapes": ('<collision name="bumper"><geometry><box size="1 2 3"/>',
                          '<collision name="bumper"><geometry><box size="1 2 4"/>'),
+    "shapes with a size of 0": ('<sphere radius="0"/>', '<sphere radius="1"/>'),
     "names of visuals and collisions": ('<visual name="hull">', '<visual name="shell">'),
     "colours": ('rgba="1 0 0 1"', 'rgba="1 0 1 1"'),
     "textures": ('<texture filename="skin.png"/>', ""),
@@ -160,7 +161,7 @@ PARTS = {
     "gain of a motor": ("p: 20", "p: 10", ("mjcf",)),
 }
 # A format that keeps everything else has nothing to say of these.
-ASIDES = {"masses of moving links that have none", "inertias that MuJoCo refuses", "motor setting",
+ASIDES = {"masses of moving links that have none", "inertias that no simulator takes", "motor setting",
           "sensor setting", "gravity that nobody wrote", "step size that nobody wrote",
           "ambient colours of lights", "keys of primitives"}
 OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])

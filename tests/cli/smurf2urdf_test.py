@@ -116,11 +116,14 @@ class Options(ExportTest):
         self.assertIn('version="1.1"', self.export("--urdf-version", "1.1"))
 
     def test_what_a_preset_keeps(self):
-        """MuJoCo reads its own settings from an extension."""
+        """MuJoCo reads its own settings from an extension; its folders are not those of new paths."""
         self.write("arm/urdf/arm.urdf", self.source().replace(
-            "</robot>", '  <mujoco><compiler meshdir="../meshes"/></mujoco>\n</robot>'))
-        self.assertIn('<mujoco><compiler meshdir="../meshes" strippath="false"/></mujoco>',
+            "</robot>", '  <mujoco><compiler meshdir="../meshes" strippath="true" discardvisual="true"/>'
+            "</mujoco>\n</robot>"))
+        self.assertIn('<mujoco><compiler strippath="false" discardvisual="true"/></mujoco>',
                       self.export("--preset", "mujoco"))
+        self.assertIn('<mujoco><compiler meshdir="../meshes" strippath="true" discardvisual="true"/>',
+                      self.export("--settings", "mujoco"))
 
     def test_packages(self):
         self.assertIn('filename="package://arm_description/meshes/upper_arm.obj"',
@@ -138,6 +141,24 @@ class Options(ExportTest):
         self.assertIn("has no link or joint `lider` to keep; did you mean 'lidar'?", done.stderr)
         self.expect_complaint("--keep goes with --collapse-fixed", "arm/smurf/arm.smurf",
                               "--keep", "lidar")
+
+    def test_what_mujoco_refuses_is_no_preset_of_mujoco(self):
+        self.write("m.dae", "<COLLADA/>")
+        body = ('<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+                "</inertial>")
+        self.write("r.urdf", f'<robot name="r"><link name="l">{body}<collision><geometry>'
+                   '<mesh filename="m.dae"/></geometry></collision></link></robot>')
+        self.assertEqual(self.run_tool("r.urdf", "-o", "out.urdf").returncode, 0)
+        done = self.run_tool("r.urdf", "--preset", "mujoco", "-o", "mujoco.urdf")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("not converted: MuJoCo has no decoder for it, and refuses the model", done.stderr)
+        self.assertFalse((self.folder / "mujoco.urdf").exists())
+        self.write("p.urdf", self.read("r.urdf").replace("m.dae", "package://nowhere/m.stl"))
+        done = self.run_tool("p.urdf", "--preset", "mujoco", "-o", "mujoco.urdf")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("takes `package://` for a part of the path", done.stderr)
+        done = self.run_tool("r.urdf", "--preset", "mujoco", "--force", "-o", "mujoco.urdf")
+        self.assertEqual(done.returncode, 0)
 
     def test_losses(self):
         self.change("motors", "maxEffort: 40.0", "maxEffort: 41.5")

@@ -638,6 +638,15 @@ class Mistakes(FlattenTest):
             done = self.expect(2, "scene.smurfs", option, "spek")
             self.assertEqual(done.stdout, "")
 
+    def test_loss_report(self):
+        self.write("r.urdf", '<robot name="r"><link name="l"/><gazebo><static>true</static></gazebo></robot>')
+        done = self.run_tool("r.urdf", "--format", "mjcf", "-o", "r.mjcf", "--loss-report", "lost.json")
+        self.assertEqual(done.returncode, 0)
+        losses = json.loads(self.read("lost.json"))["losses"]
+        self.assertEqual([(loss["class"], loss["line"]) for loss in losses], [("lost-part", 1)])
+        self.assertEqual(losses[0]["message"], "elements in <gazebo> (`static`) are not in the MJCF: "
+                                               "it is meant for Gazebo")
+
     def test_help(self):
         text = self.expect(0, "--help").stdout
         for option in ["--format", "--links", "--dialect", "--explain", "--strict", "--output"]:

@@ -330,6 +330,7 @@ class Contents(SimulatorTest):
   <visual><geometry><box size="1 1 1"/></geometry>
     <material name="r"><color rgba="1 0 0 1"/></material></visual>
   <collision><geometry><box size="1 1 1"/></geometry></collision>
+  <collision><geometry><box size="1 2 1"/></geometry></collision>
   <collision name="hey"><geometry><box size="1 1 1"/></geometry></collision></link>
 <link name="c">{BODY}<visual name="cv"><geometry><box size="1 1 1"/></geometry></visual></link>
 <joint name="j" type="revolute"><parent link="b"/><child link="c"/><axis xyz="0 0 1"/>
@@ -376,9 +377,25 @@ class Contents(SimulatorTest):
         theirs = self.converted("g.urdf")
         ours = self.converted(self.write_scene("g.urdf", "sdf"))
         for path, value in theirs.items():
-            if path[1:2] == ("b_fixed_joint_lump__hey_collision_1",):
+            if path[1:2] == ("b_fixed_joint_lump__hey_collision_2",):
                 continue  # its name differs, and libsdformat gives it no friction
             self.assertEqual(ours.get(path, "is missing"), value, path)
+
+    @reader.needs_program("ign")
+    def test_sensors_of_annotations(self):
+        self.write("g.urdf", self.URDF)
+        self.write("g.smurf", "modelname: g\nfiles: [g.urdf, g_sensors.yml, g_collision.yml]\n")
+        self.write("g_collision.yml", "collision:\n- {name: hey, link: b, bitmask: 6}\n")
+        self.write("g_sensors.yml", "sensors:\n- {name: touch, type: NodeContact, link: b, id: [hey]}\n"
+                   "- {name: turn, type: NodeIMU, link: cam, id: [cam], rate: 10}\n")
+        root = ElementTree.parse(self.write_scene("g.smurf", "sdf")).getroot()
+        self.read_with("ign", "sdf", "-k", "out.sdf", cwd=self.folder)
+        sensors = {sensor.get("name"): sensor for sensor in root.iter("sensor")}
+        named = sensors["touch"].find("contact/collision").text
+        collisions = {shape.get("name"): shape for shape in root.iter("collision")}
+        self.assertEqual(collisions[named].find("surface/contact/collide_bitmask").text, "6")
+        self.assertEqual(sensors["turn"].find("pose").get("relative_to"), "cam")
+        self.assertEqual(sensors["turn"].find("update_rate").text, "100")
 
     @reader.needs_built("sdf_poses")
     def test_sensors_of_lumped_links_keep_their_place(self):

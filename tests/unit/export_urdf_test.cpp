@@ -220,10 +220,14 @@ TEST_CASE("motors become extensions where no extension drives their joints") {
   UrdfExport options;
   options.actuation = Actuation::ros2_control;
   const Exported ros2(lamp, options);
-  // The hinge has a transmission; the other motor follows it, so it is not commanded.
+  // ROS 2 does not read the transmission of the hinge. The other motor follows, and is not
+  // commanded.
   CHECK(ros2.has("  <ros2_control name=\"lamp\" type=\"system\">\n"));
+  CHECK(ros2.has("    <joint name=\"hinge\">\n      <command_interface name=\"position\">\n"));
   CHECK(ros2.has("    <joint name=\"tilt\">\n      <state_interface name=\"position\"/>\n"));
-  CHECK_FALSE(ros2.has("command_interface"));
+  CHECK_FALSE(ros2.has("<transmission"));
+  CHECK(ros2.losses.find("SML8004 `transmission` is left out for ros2_control") !=
+        std::string::npos);
   options.actuation = Actuation::transmission;
   const Exported transmissions(lamp, options);
   CHECK(transmissions.has("  <transmission name=\"tilt_transmission\">\n"));
@@ -247,12 +251,19 @@ TEST_CASE("sensors become those of Gazebo, once") {
       "- {name: s, type: NodeIMU, link: eye, id: [eye], rate: 20}\n"
       "- {name: c, type: CameraSensor, link: eye, width: 64, height: 32, opening_width: 90,\n"
       "   position_offset: {x: 1, y: 2, z: 3}, orientation_offset: {roll: 0, pitch: 0, yaw: 90}}\n"
+      "- {name: r, type: NodeRotation, link: eye, id: [eye]}\n"
+      "- {name: d, type: RaySensor, link: eye, width: 9, opening_width: 2, max_distance: 5}\n"
       "- {name: p, type: JointPosition, id: [hinge]}\n";
   const Exported exported(Read(plain, sensors), options);
   CHECK(exported.has("  <gazebo reference=\"eye\">\n    <sensor name=\"s\" type=\"imu\">\n"
                      "      <update_rate>50</update_rate>\n    </sensor>\n  </gazebo>\n"));
   CHECK(exported.has("<pose>1 2 3 0 0 1.570796"));
   CHECK(exported.has("<horizontal_fov>1.570796"));
+  CHECK(exported.has("<sensor name=\"r\" type=\"imu\">"));
+  CHECK(exported.has("<sensor name=\"d\" type=\"gpu_lidar\">"));
+  CHECK(exported.has("<samples>9</samples>"));
+  CHECK(exported.has("<min_angle>-1</min_angle>"));
+  CHECK(exported.has("<max>5</max>"));
   CHECK(exported.losses == "SML8001 sensor `p` has no place in a URDF\n");
 }
 

@@ -100,6 +100,7 @@ CheckSettings Conversion::settings() const {
   CheckSettings settings;
   for (const std::string_view name : report_format_names()) settings.formats.emplace_back(name);
   settings.packages = options_.packages;
+  settings.selection.targets = options_.targets;
   return settings;
 }
 

@@ -16,6 +16,7 @@
 #include "smurf/archive_files.hpp"
 #include "smurf/check.hpp"
 #include "smurf/old_scene.hpp"
+#include "smurf/readers.hpp"
 
 namespace smurf::tools {
 
@@ -29,6 +30,7 @@ struct ConverterOptions {
   bool allow_outside = false;  ///< read what models name wherever it lies
   Limits limits;
   bool quiet = false;
+  std::vector<const Reader*> targets;  ///< whom the result is for; empty: all
 };
 
 /// Rows of the option table that all converters have.

@@ -280,6 +280,7 @@ std::string problem_of(Options& options) {
     return "--srdf needs a file of its own";
   }
   wanted.has_srdf = !options.srdf.empty();
+  if (wanted.adds_mujoco_settings) options.common.targets = {find_target("mujoco")};
   const bool to_stdout = output.empty() || output == "-";
   // Standard output counts as the current folder.
   wanted.output_folder = to_stdout ? "." : std::string(path::parent(output));

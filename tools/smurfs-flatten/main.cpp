@@ -32,6 +32,7 @@ struct Options {
   std::string form;
   std::string explained;
   std::string assets;  ///< folder
+  std::string loss_report;
   bool overwrite = false;
   bool links = false;
   bool force = false;
@@ -116,6 +117,10 @@ void add_options(Command& command, Options& options) {
   add({.name = "force",
        .help = "Write the scene despite errors, as long as every pose is known.",
        .set = set_flag(options.force)});
+  add({.name = "loss-report",
+       .metavar = "FILE",
+       .help = "Write what the format cannot say to FILE, as JSON.",
+       .set = set_text(options.loss_report)});
   add({.name = "strict",
        .help = "Refuse to write when the format cannot express something.",
        .set = set_flag(options.strict)});
@@ -273,6 +278,15 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
   return result;
 }
 
+bool write_losses(const Options& options, std::span<const Diagnostic> findings,
+                  const SourceMap& sources) {
+  if (options.loss_report.empty()) return true;
+  std::vector<Diagnostic> losses;
+  std::copy_if(findings.begin(), findings.end(), std::back_inserter(losses), is_loss);
+  return write_output(kTool, options.loss_report,
+                      render_losses_json(losses, sources, {kTool, kVersion}));
+}
+
 /// The result, and what its reader needs beside it.
 bool write_result(const SceneFormat& format, const Options& options, const std::string& text) {
   const std::string& output = options.common.output;
@@ -318,7 +332,7 @@ int main(int argc, char** argv) {
     result = flatten_scene(conversion, *loaded, options, format, *form, *current);
   }
   const std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
-  if (!conversion.keeps_inputs({options.common.output})) return kFailed;
+  if (!conversion.keeps_inputs({options.common.output, options.loss_report})) return kFailed;
   if (!keeps_inputs(kTool, conversion.inputs(), copies)) return kFailed;
   // A comment lets a finding pass, but does not tell the pose.
   const std::optional<std::string> loss = first_loss(*loaded);
@@ -332,6 +346,7 @@ int main(int argc, char** argv) {
   if (!options.explained.empty()) {
     return explain_instance(loaded->scene, sources, options);
   }
+  if (!write_losses(options, conversion.findings(), sources)) return kFailed;
   if (!result.is_complete && options.strict) return conversion.refuse("has losses");
   const bool is_written =
       copy_files(kTool, result.copies, conversion.files(), options.common.limits, options.overwrite,

@@ -74,6 +74,7 @@ class GazeboSensor {
     }
     if (type == "CameraSensor") return text + camera();
     if (type == "RotatingRaySensor") return text + lidar();
+    if (type == "RaySensor") return text + rays();
     if (type == "NodeContact") return text + contact();
     return text;
   }
@@ -118,11 +119,6 @@ class GazeboSensor {
   }
 
   std::string lidar() const {
-    const auto fan = [](const char* name, double samples, double middle, double opening) {
-      return "        <" + std::string(name) + ">\n          " + leaf("samples", samples) +
-             "\n          " + leaf("min_angle", middle - opening / 2) + "\n          " +
-             leaf("max_angle", middle + opening / 2) + "\n        </" + name + ">\n";
-    };
     const double width = number("opening_width", 2 * std::numbers::pi);
     const double step = number("horizontal_resolution", std::numbers::pi / 180);
     const double samples = step > 0 ? std::max(1.0, std::round(width / step)) : 1;
@@ -130,9 +126,25 @@ class GazeboSensor {
            fan("horizontal", samples, number("horizontal_offset", 0), width) +
            fan("vertical", number("lasers", 32), -number("vertical_offset", 0.18622663118779495),
                number("opening_height", 40 * std::numbers::pi / 180)) +
-           "      </scan>\n      <range>\n        " + leaf("min", number("min_distance", 0.01)) +
-           "\n        " + leaf("max", number("max_distance", 100)) +
-           "\n      </range>\n    </lidar>\n";
+           "      </scan>\n" + range(0.01) + "    </lidar>\n";
+  }
+
+  /// In one plane (MARS RaySensor.cpp).
+  std::string rays() const {
+    return "    <lidar>\n      <scan>\n" +
+           fan("horizontal", number("width", 1), 0, number("opening_width", 1)) +
+           "      </scan>\n" + range(0) + "    </lidar>\n";
+  }
+
+  static std::string fan(const char* name, double samples, double middle, double opening) {
+    return "        <" + std::string(name) + ">\n          " + leaf("samples", samples) +
+           "\n          " + leaf("min_angle", middle - opening / 2) + "\n          " +
+           leaf("max_angle", middle + opening / 2) + "\n        </" + name + ">\n";
+  }
+
+  std::string range(double least) const {
+    return "      <range>\n        " + leaf("min", number("min_distance", least)) + "\n        " +
+           leaf("max", number("max_distance", 100)) + "\n      </range>\n";
   }
 
   std::string contact() const {
@@ -162,7 +174,8 @@ std::string_view interface_of(const Motor& motor) {
   return "effort";
 }
 
-std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::string_view element) {
+std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::string_view element,
+                                               std::string_view extension) {
   std::set<std::string_view> names;
   const auto visit = [&](const auto& self, xml::View view) -> void {
     const xml::Attribute* name = view.attribute("name");
@@ -170,17 +183,17 @@ std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::st
     for (const xml::View child : view) self(self, child);
   };
   for (const xml::ElementId id : model.robot->extensions) {
-    visit(visit, xml::View(model.robot->document, id));
+    const xml::View top(model.robot->document, id);
+    if (extension.empty() || top.name() == extension) visit(visit, top);
   }
   return names;
 }
 
 std::string_view gazebo_type(const Sensor& sensor) {
   constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
-      {"CameraSensor", "camera"},
-      {"RotatingRaySensor", "gpu_lidar"},
-      {"NodeIMU", "imu"},
-      {"NodeContact", "contact"},
+      {"CameraSensor", "camera"},   {"RotatingRaySensor", "gpu_lidar"},
+      {"RaySensor", "gpu_lidar"},   {"NodeRotation", "imu"},
+      {"NodeIMU", "imu"},           {"NodeContact", "contact"},
       {"Joint6DOF", "force_torque"}};
   for (const auto& [type, of_gazebo] : kTypes) {
     if (sensor.type && *sensor.type == type) return of_gazebo;
@@ -217,13 +230,41 @@ bool gazebo_says(const Sensor& sensor, std::string_view key) {
                  "vertical_offset", "horizontal_resolution", "min_distance", "max_distance",
                  "rotation_offset"});
   }
+  if (type == "RaySensor") {
+    return says({"width", "opening_width", "min_distance", "max_distance"});
+  }
   if (type == "NodeContact") return says({"id", "collisions"});
   return type == "Joint6DOF" ? says({"joint"}) : says({"id"});
 }
 
+std::set<std::string_view> driven_joints(const LinkedModel& model, Actuation actuation) {
+  return names_in_extensions(model, "joint",
+                             actuation == Actuation::ros2_control ? "ros2_control" : "");
+}
+
+std::vector<xml::View> replaced_transmissions(const LinkedModel& model, Actuation actuation) {
+  std::vector<xml::View> replaced;
+  if (actuation != Actuation::ros2_control) return replaced;
+  std::set<std::string_view> driven = driven_joints(model, actuation);
+  const AnnotationValues values(model);
+  for (const Motor& motor : model.annotations.motors) {
+    if (const urdf::Joint* joint = values.joint_of(motor)) driven.insert(*joint->name);
+  }
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View element(model.robot->document, id);
+    if (element.name() != "transmission") continue;
+    const auto is_idle = [&](xml::View child) {
+      const xml::Attribute* name = child.attribute("name");
+      return child.name() == "joint" && (name == nullptr || !driven.contains(name->value()));
+    };
+    if (std::none_of(element.begin(), element.end(), is_idle)) replaced.push_back(element);
+  }
+  return replaced;
+}
+
 void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edits) {
   const AnnotationValues values(model);
-  std::set<std::string_view> driven = names_in_extensions(model, "joint");
+  std::set<std::string_view> driven = driven_joints(model, actuation);
   std::string joints;
   for (const Motor& motor : model.annotations.motors) {
     const urdf::Joint* joint = values.joint_of(motor);
@@ -265,15 +306,21 @@ void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits) {
   }
 }
 
-void add_mujoco_settings(const LinkedModel& model, XmlEdits& edits) {
+void add_mujoco_settings(const LinkedModel& model, bool has_new_paths, XmlEdits& edits) {
   const xml::View robot = model.robot->document.view();
   const xml::View settings = robot.child("mujoco");
   const std::string compiler = new_element("compiler", {{"strippath", "false"}});
   if (!settings) {
     edits.add_child(robot, "<mujoco>\n  " + compiler + "\n</mujoco>");
   } else if (const xml::View known = settings.child("compiler")) {
-    // What the author says of it already stays.
-    if (known.attribute("strippath") == nullptr) edits.set_attribute(known, "strippath", "false");
+    // What the author says of it stays, unless it is about other paths than those that are written.
+    if (has_new_paths || known.attribute("strippath") == nullptr) {
+      edits.set_attribute(known, "strippath", "false");
+    }
+    for (const char* folder : {"meshdir", "texturedir", "assetdir"}) {
+      const xml::Attribute* attribute = known.attribute(folder);
+      if (has_new_paths && attribute != nullptr) edits.remove(*attribute);
+    }
   } else {
     edits.add_child(settings, compiler);
   }

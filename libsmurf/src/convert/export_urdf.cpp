@@ -97,11 +97,21 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
     }
     if (options.adds_gazebo_sensors) passes::add_gazebo_sensors(model, edits);
   });
+  if (options.actuation == Actuation::ros2_control) {
+    steps.edit([&](XmlEdits& edits) {
+      for (const xml::View element :
+           passes::replaced_transmissions(steps.model(), options.actuation)) {
+        edits.remove(element);
+      }
+    });
+  }
   if (options.strips_extensions) {
     steps.edit([&](XmlEdits& edits) { passes::strip_extensions(steps.model(), edits); });
   }
   if (options.adds_mujoco_settings) {
-    steps.edit([&](XmlEdits& edits) { passes::add_mujoco_settings(steps.model(), edits); });
+    const bool has_new_paths = options.mesh_uri == MeshUri::relative;
+    steps.edit(
+        [&](XmlEdits& edits) { passes::add_mujoco_settings(steps.model(), has_new_paths, edits); });
   }
   if (options.strips_comments) {
     steps.edit([&](XmlEdits& edits) { passes::strip_comments(steps.model(), edits); });

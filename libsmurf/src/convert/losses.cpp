@@ -34,7 +34,7 @@ class LossReport {
         sink_(sink),
         values_(model),
         sensors_(passes::names_in_extensions(model, "sensor")),
-        driven_joints_(passes::names_in_extensions(model, "joint")) {}
+        driven_joints_(passes::driven_joints(model, options.actuation)) {}
 
   void run() {
     const Annotations& all = model_.annotations;
@@ -59,6 +59,12 @@ class LossReport {
     for (const xml::Attribute* limit : passes::newer_limits(model_, options_.version)) {
       lose(rules::sml8001_not_expressible, limit->name_span(), quoted(limit->name()),
            "has no place in a URDF of version " + options_.version);
+    }
+    if (!options_.strips_extensions) {
+      for (const xml::View element : passes::replaced_transmissions(model_, options_.actuation)) {
+        lose(rules::sml8004_vendor_extension, element.name_span(), quoted(element.name()),
+             "is left out for ros2_control, which drives its joint");
+      }
     }
     if (options_.strips_extensions) {
       for (const xml::View element : passes::extension_elements(*model_.robot)) {

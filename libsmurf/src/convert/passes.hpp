@@ -17,14 +17,15 @@ namespace smurf::passes {
 /// Annotations into the URDF; reports SML8003.
 void apply_annotations(const LinkedModel& model, const UrdfExport& options, DiagnosticSink& sink,
                        XmlEdits& edits);
-/// Motors whose joints no extension drives yet, as an extension that does.
+/// Motors whose joints are not driven yet, as an extension that does; see driven_joints().
 void add_actuation(const LinkedModel& model, Actuation actuation, XmlEdits& edits);
 /// What is commanded to a motor: "position", "velocity" or "effort".
 std::string_view interface_of(const Motor& motor);
 /// Sensors as <gazebo><sensor>, those that Gazebo has and the URDF does not name yet.
 void add_gazebo_sensors(const LinkedModel& model, XmlEdits& edits);
 /// <compiler strippath="false">, without which MuJoCo before 3.7 looks for meshes beside the URDF.
-void add_mujoco_settings(const LinkedModel& model, XmlEdits& edits);
+/// Paths that were rewritten are no longer those that the author's settings are about.
+void add_mujoco_settings(const LinkedModel& model, bool has_new_paths, XmlEdits& edits);
 /// Gazebo's type of a sensor; "" when it has none.
 std::string_view gazebo_type(const Sensor& sensor);
 /// Gazebo's <sensor> of a sensor that it has a type for. `document` is the one that it stands in.
@@ -34,8 +35,14 @@ std::string gazebo_sensor(const yaml::Document& document, const Sensor& sensor,
 std::string gazebo_carrier(const LinkedModel& model, const Sensor& sensor);
 /// add_gazebo_sensors() takes over what the key of such a sensor says.
 bool gazebo_says(const Sensor& sensor, std::string_view key);
-/// Names of <element name="..."> below the robot's extensions.
-std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::string_view element);
+/// Names of <element name="..."> below the robot's extensions, or those of one name.
+std::set<std::string_view> names_in_extensions(const LinkedModel& model, std::string_view element,
+                                               std::string_view extension = {});
+/// Joints that the URDF drives already: for ros2_control, which does not read the transmissions of
+/// ROS 1, those of its own.
+std::set<std::string_view> driven_joints(const LinkedModel& model, Actuation actuation);
+/// Transmissions of ROS 1 of which ros2_control drives all joints, and that go.
+std::vector<xml::View> replaced_transmissions(const LinkedModel& model, Actuation actuation);
 /// Mesh and texture paths, as options.mesh_uri wants them.
 void rewrite_paths(const LinkedModel& model, const UrdfExport& options, XmlEdits& edits);
 

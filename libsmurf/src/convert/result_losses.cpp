@@ -44,6 +44,21 @@ bool computes(const UrdfExport& wanted) {
   return wanted.collapses_fixed || wanted.is_canonical || !wanted.version.empty();
 }
 
+/// Of a URDF for MuJoCo, which loads it or does not. Addresses of packages become relative paths,
+/// and the settings say where meshes are.
+std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const LinkedModel& model,
+                                           const UrdfExport& wanted) {
+  const Fact* fact = find_fact(readers::mujoco, finding);
+  if (fact == nullptr || fact->effect < Effect::refuses) return std::nullopt;
+  const bool are_found =
+      std::all_of(model.meshes.begin(), model.meshes.end(),
+                  [](const MeshReference& mesh) { return mesh.exists || mesh.is_texture; });
+  const bool is_relative = wanted.mesh_uri == MeshUri::relative;
+  if (finding.rule->id == "SML1912" && is_relative && are_found) return std::nullopt;
+  if (finding.rule->id == "SML1647") return std::nullopt;
+  return "MuJoCo " + std::string(fact->makes);
+}
+
 /// urdfdom is what loads URDFs for nearly everybody, and is asked about the result.
 std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExport& wanted) {
   const Fact* fact = find_fact(readers::urdfdom, finding);
@@ -64,7 +79,11 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
   if (finding.severity != Severity::error) return std::nullopt;
   if (!model.robot) return "its URDF cannot be read";
   const SourceId source = finding.span.source;
-  if (source == model.robot->document.source) return loss_in_text(finding, wanted);
+  if (source == model.robot->document.source) {
+    const auto refused =
+        wanted.adds_mujoco_settings ? loss_for_mujoco(finding, model, wanted) : std::nullopt;
+    return refused ? refused : loss_in_text(finding, wanted);
+  }
   if (model.has_main && source == model.files.front().source) {
     return "the .smurf decides which files the robot is made of";
   }

@@ -1,30 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/mjcf_parts.hpp"
 
+#include <algorithm>
+
 #include "base/numbers.hpp"
 #include "base/path.hpp"
-#include "write/mjcf_inertia.hpp"
+#include "write/body_inertia.hpp"
 
 namespace smurf {
 namespace {
 
+using Geom = std::pair<std::string, std::string>;
+
+/// None when a size is not positive, which MuJoCo refuses.
+std::optional<Geom> sized(const char* type, std::initializer_list<double> sizes) {
+  if (std::any_of(sizes.begin(), sizes.end(), [](double size) { return !(size > 0); })) {
+    return std::nullopt;
+  }
+  return Geom{type, join_numbers(sizes)};
+}
+
 /// Type and size of a geom; none for what is no geom of MuJoCo's, or a mesh.
-std::optional<std::pair<std::string, std::string>> solid_geom(const FlatGeometry& geometry) {
-  using Geom = std::pair<std::string, std::string>;
+std::optional<Geom> solid_geom(const FlatGeometry& geometry) {
   if (const auto* box = std::get_if<FlatBox>(&geometry)) {
-    return Geom{"box", join_numbers({box->size[0] / 2, box->size[1] / 2, box->size[2] / 2})};
+    return sized("box", {box->size[0] / 2, box->size[1] / 2, box->size[2] / 2});
   }
   if (const auto* sphere = std::get_if<FlatSphere>(&geometry)) {
-    return Geom{"sphere", join_numbers({sphere->radius})};
+    return sized("sphere", {sphere->radius});
   }
   if (const auto* cylinder = std::get_if<FlatCylinder>(&geometry)) {
-    return Geom{"cylinder", join_numbers({cylinder->radius, cylinder->length / 2})};
+    return sized("cylinder", {cylinder->radius, cylinder->length / 2});
   }
   if (const auto* capsule = std::get_if<FlatCapsule>(&geometry)) {
-    return Geom{"capsule", join_numbers({capsule->radius, capsule->length / 2})};
+    return sized("capsule", {capsule->radius, capsule->length / 2});
   }
   if (const auto* plane = std::get_if<FlatPlane>(&geometry)) {
-    return Geom{"plane", join_numbers({plane->length / 2, plane->width / 2, 1})};
+    return sized("plane", {plane->length / 2, plane->width / 2, 1});
   }
   return std::nullopt;
 }
@@ -77,12 +88,22 @@ void MjcfParts::add_class(const std::string& name, const std::vector<XmlText::At
 
 void MjcfParts::add_inertial(const LinkInertial& mass, bool moves, Span span,
                              const std::string& name) {
-  const MjcfInertia inertia = mjcf_inertia(mass, moves);
-  if (inertia.is_changed) losses_.note(kRefusedInertias, span, name);
-  std::vector<XmlText::Attribute> attributes{{"pos", join_numbers(mass.X_LC.position)},
-                                             {"mass", inertia.mass},
-                                             {inertia.tensor_name, inertia.tensor}};
-  if (!inertia.orientation.empty()) attributes.emplace_back("quat", inertia.orientation);
+  // Of a full tensor MuJoCo takes no eigenvalue below mjEPS, of what moves no mass and no moment
+  // below mjMINVAL.
+  constexpr double kEpsilon = 1e-14;
+  const BodyInertia body = body_inertia(mass, moves ? kEpsilon : 0, 2 * kEpsilon);
+  if (body.is_changed) losses_.note(kRefusedInertias, span, name);
+  const LinkInertial& given = body.mass;
+  std::vector<XmlText::Attribute> attributes{{"pos", join_numbers(given.X_LC.position)},
+                                             {"mass", format_number(given.mass)}};
+  if (body.is_principal) {
+    attributes.emplace_back("diaginertia", join_numbers({given.ixx, given.iyy, given.izz}));
+    attributes.emplace_back("quat", quaternion_text(given.X_LC.orientation));
+  } else {
+    // MuJoCo takes no orientation together with a full tensor.
+    const std::array<double, 6> I = tensor_in_link(given);
+    attributes.emplace_back("fullinertia", join_numbers({I[0], I[1], I[2], I[3], I[4], I[5]}));
+  }
   xml_.empty("inertial", attributes);
 }
 

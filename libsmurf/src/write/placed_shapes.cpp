@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/placed_shapes.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace smurf {
 namespace {
 
@@ -68,6 +71,16 @@ std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedMo
   if (material == nullptr || !material->texture) return std::nullopt;
   const auto known = flat.resources.find(*material->texture);
   return known != flat.resources.end() ? known->second : *material->texture;
+}
+
+Rgba linear_color(const Rgba& color) {
+  Rgba linear{};
+  for (std::size_t i = 0; i < color.size(); ++i) linear[i] = std::clamp(color[i], 0.0, 1.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    double& c = linear[i];
+    c = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  }
+  return linear;
 }
 
 std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index,

@@ -21,6 +21,10 @@ std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& mode
 std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
                                       const FlatModel& flat);
 
+/// What glTF and USD mean by a colour: amounts of light. URDF and SMURF mean what a screen shows
+/// (sRGB). Within 0..1; the alpha stays.
+Rgba linear_color(const Rgba& color);
+
 struct LinkShape {
   Pose X_LS;
   FlatGeometry geometry;

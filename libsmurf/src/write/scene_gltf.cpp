@@ -195,10 +195,10 @@ class GltfWriter {
   std::size_t material_of(const std::optional<Rgba>& color) {
     const auto [known, is_new] = materials_.try_emplace(color, materials_.size());
     if (!is_new) return known->second;
-    const Rgba rgba = color.value_or(Rgba{0.7, 0.7, 0.7, 1});
+    const Rgba rgba = linear_color(color.value_or(Rgba{0.85, 0.85, 0.85, 1}));
     std::string material = "{\"pbrMetallicRoughness\": {\"baseColorFactor\": [";
     for (std::size_t i = 0; i < rgba.size(); ++i) {
-      material += (i > 0 ? ", " : "") + format_number(std::min(1.0, std::max(0.0, rgba[i])));
+      material += (i > 0 ? ", " : "") + format_number(rgba[i]);
     }
     material += "], \"metallicFactor\": 0}";
     if (rgba[3] < 1) material += ", \"alphaMode\": \"BLEND\"";

@@ -194,8 +194,19 @@ class MjcfWriter : MjcfActuators {
          {"frictionloss",
           format_number(joint.dynamics ? joint.dynamics->friction.value_or(0) : 0)}});
     add_start(format_number(start_position(model, joint, scene_.scene.joint_positions(linked(i)))));
-    if (joint.mimic && joint.mimic->joint && joint.name) followers_.emplace_back(i, &joint);
+    if (joint.mimic) add_follower(i, model, joint);
     return true;
+  }
+
+  /// MuJoCo refuses an equality of a joint that it does not have.
+  void add_follower(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
+    const auto leader =
+        joint.mimic->joint ? model.joint_names.find(*joint.mimic->joint) : std::nullopt;
+    if (leader && joint.name && model.robot->joints[*leader].has_one_axis()) {
+      followers_.emplace_back(i, &joint);
+    } else if (reported_.insert(&joint).second) {
+      losses_.joint(joint, "free to move, since its leader does not move,");
+    }
   }
 
   void add_geoms(std::size_t i, const LinkedModel& model, const urdf::Link& link) {
@@ -204,6 +215,7 @@ class MjcfWriter : MjcfActuators {
     for (const urdf::Visual& visual : link.visuals) {
       const auto geometry = to_flat(visual.geometry, flat_model);
       auto geom = geometry ? geom_of("visual", *geometry) : std::nullopt;
+      if (geometry && !geom) note_empty(*geometry, visual.span, link);
       if (!geom) continue;
       is_shown = true;
       add_name(*geom, i, visual.name);
@@ -212,11 +224,18 @@ class MjcfWriter : MjcfActuators {
     for (const urdf::Collision& collision : link.collisions) {
       const auto geometry = to_flat(collision.geometry, flat_model);
       auto geom = geometry ? geom_of(is_shown ? "collision" : "solid", *geometry) : std::nullopt;
+      if (geometry && !geom) note_empty(*geometry, collision.span, link);
       if (!geom) continue;
       add_name(*geom, i, collision.name);
       add_geom(std::move(*geom), urdf::to_pose(collision.origin), std::nullopt,
                contacts_of(model).of(collision, link));
     }
+  }
+
+  /// Meshes that are not written have been reported when they were declared.
+  void note_empty(const FlatGeometry& geometry, Span span, const urdf::Link& link) {
+    if (std::holds_alternative<FlatMesh>(geometry)) return;
+    losses_.note(kEmptyShapes, span, link.name.value_or({}));
   }
 
   /// Visuals and collisions share one name space here, in a URDF they do not.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/unique_names.hpp"
+#include "write/body_inertia.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/sdf_model.hpp"
@@ -241,7 +242,9 @@ class SdfWriter {
     const urdf::Link& whole = model.robot->links[body];
     const auto mass = inertial_of(whole);
     if (!mass) losses_.note(kInventedMasses, whole.span, link_name(model, body));
-    add_sdf_inertial(xml_, mass.value_or(smallest_mass()), is_old_);
+    const BodyInertia inertia = body_inertia(mass.value_or(smallest_mass()), 0, 0);
+    if (inertia.is_changed) losses_.note(kRefusedInertias, whole.span, link_name(model, body));
+    add_sdf_inertial(xml_, inertia.mass, is_old_);
     UniqueNames shapes;
     UniqueNames sensors;
     for (const std::size_t part : parts) {
@@ -253,7 +256,13 @@ class SdfWriter {
     xml_.close();
   }
 
-  /// Shapes are named as libsdformat names them.
+  /// As libsdformat names them: sensors of contact in <gazebo> refer to them.
+  static std::string shape_name(const Field<std::string>& name, std::string_view link,
+                                const char* kind, std::size_t index) {
+    if (name) return *name + kind;
+    return std::string(link) + kind + (index > 0 ? "_" + std::to_string(index) : "");
+  }
+
   void add_shapes(const LinkedModel& model, const FlatModel& flat_model, std::size_t part,
                   const Pose& X_BL, UniqueNames& names) {
     const urdf::Link& link = model.robot->links[part];
@@ -262,7 +271,8 @@ class SdfWriter {
     for (const urdf::Visual& visual : link.visuals) {
       const auto geometry = to_flat(visual.geometry, flat_model);
       if (!geometry || !can_say(*geometry, visual.span)) continue;
-      open_shape("visual", names.add(visual.name.value_or(std::string(link_name)) + "_visual"),
+      const auto index = static_cast<std::size_t>(&visual - link.visuals.data());
+      open_shape("visual", names.add(shape_name(visual.name, link_name, "_visual", index)),
                  X_BL * urdf::to_pose(visual.origin), *geometry);
       if (!gazebo.has_own_material(link_name)) {
         add_sdf_material(xml_,
@@ -276,8 +286,8 @@ class SdfWriter {
     for (const urdf::Collision& collision : link.collisions) {
       const auto geometry = to_flat(collision.geometry, flat_model);
       if (!geometry || !can_say(*geometry, collision.span)) continue;
-      open_shape("collision",
-                 names.add(collision.name.value_or(std::string(link_name)) + "_collision"),
+      const auto index = static_cast<std::size_t>(&collision - link.collisions.data());
+      open_shape("collision", names.add(shape_name(collision.name, link_name, "_collision", index)),
                  X_BL * urdf::to_pose(collision.origin), *geometry);
       const Contacts contacts = is_old_ ? Contacts() : parts_of(model).contacts.of(collision, link);
       add_sdf_surface(xml_, contacts, gazebo.empty() ? nullptr : &gazebo, link_name);

@@ -20,6 +20,7 @@ constexpr std::string_view kGazeboOnly = "lost: it is meant for Gazebo";
 constexpr std::string_view kAsGazebo =
     "partly: as Gazebo converts them, where their link or joint is there";
 constexpr std::string_view kPlugin = "lost: Gazebo leaves them to a plug-in that reads the URDF";
+constexpr std::string_view kNearest = "changed: the nearest that the simulator takes";
 constexpr std::string_view kTenGrams =
     "added: 10 g in a ball of 1 cm, as MARS takes them for what moves";
 constexpr std::string_view kColours = "lost: shapes have colours";
@@ -32,7 +33,7 @@ constexpr SceneThing kThings[] = {
     {.title = kInventedMasses,
      .cells = {kTenGrams, kTenGrams, kTenGrams, kKept, kKept, kKept, kKept}},
     {.title = kRefusedInertias,
-     .cells = {kKept, kKept, "changed: the nearest that it takes", kKept, kKept, kKept, kKept}},
+     .cells = {kNearest, kNearest, kNearest, kKept, kKept, kKept, kKept}},
     {.title = "visual shapes",
      .cells = {kKept, "kept: capsules are lost", "kept: meshes that are STL or OBJ", kKept, kKept,
                "kept: meshes that are STL or OBJ", "kept: meshes that are STL or OBJ"}},
@@ -40,6 +41,8 @@ constexpr SceneThing kThings[] = {
      .in_model = things::collision_shapes,
      .cells = {kKept, "kept: capsules are lost", "kept: meshes that are STL or OBJ", kKept, kKept,
                kShown, kShown}},
+    {.title = kEmptyShapes,
+     .cells = {kKept, kKept, "lost: MuJoCo refuses them", kKept, kKept, kKept, kKept}},
     {.title = "names of visuals and collisions",
      .cells = {kKept, kKept, kKept, kKept, kKept, kShown, kShown}},
     {.title = "colours", .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kKept}},

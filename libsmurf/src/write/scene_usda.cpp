@@ -203,7 +203,7 @@ class UsdaWriter {
     }
     add_pose(shape.X_LS, scale);
     if (shape.color) {
-      const Rgba& c = *shape.color;
+      const Rgba c = linear_color(*shape.color);
       line("color3f[] primvars:displayColor = [" + tuple({c[0], c[1], c[2]}) + "]");
       if (c[3] < 1) line("float[] primvars:displayOpacity = [" + format_number(c[3]) + "]");
     }

@@ -42,6 +42,11 @@ void SdfModel::add_sensors(XmlText& xml, std::string_view carrier, std::string_v
     const yaml::Document* document = model_.document(sensor.span.source);
     if (document == nullptr) continue;
     std::string text = passes::gazebo_sensor(*document, sensor, names.add(*sensor.name));
+    constexpr std::string_view kEnd = "</collision>";
+    for (std::size_t at = text.find(kEnd); at != std::string::npos; at = text.find(kEnd, at)) {
+      text.insert(at, "_collision");  // what collisions are called here
+      at += kEnd.size() + std::string_view("_collision").size();
+    }
     if (!frame.empty()) {
       const std::string relative = "<pose relative_to=\"" + escape_xml(frame) + "\">";
       const std::size_t pose = text.find("<pose>");

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/body_inertia.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace smurf {
+namespace {
+
+Eigen::Matrix3d tensor_of(const LinkInertial& mass) {
+  const Quaternion& q = mass.X_LC.orientation;
+  const Eigen::Matrix3d R = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+  Eigen::Matrix3d I;
+  I << mass.ixx, mass.ixy, mass.ixz, mass.ixy, mass.iyy, mass.iyz, mass.ixz, mass.iyz, mass.izz;
+  return R * I * R.transpose();
+}
+
+/// Makes ascending moments those of a body; true when that is more than rounding.
+bool repair(Eigen::Vector3d& moments, double least) {
+  const double rounding = 1e-9 * moments.cwiseAbs().maxCoeff();
+  bool is_changed = moments[0] < least - (least > 0 ? 0 : rounding);
+  moments = moments.cwiseMax(least);
+  const double most = moments[0] + moments[1];
+  is_changed = is_changed || moments[2] > most + rounding;
+  moments[2] = std::min(moments[2], most);
+  return is_changed;
+}
+
+}  // namespace
+
+std::array<double, 6> tensor_in_link(const LinkInertial& mass) {
+  const Eigen::Matrix3d I = tensor_of(mass);
+  return {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
+}
+
+BodyInertia body_inertia(const LinkInertial& mass, double least, double least_in_tensor) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor_of(mass));
+  Eigen::Vector3d moments = solver.eigenvalues();
+  const bool is_large = mass.mass >= least && moments[0] > least_in_tensor;
+  if (is_large && moments[2] <= moments[0] + moments[1]) return {mass, false, false};
+  const bool is_changed = repair(moments, least) || mass.mass < least;
+  Eigen::Matrix3d axes = solver.eigenvectors();
+  if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
+  const Eigen::Quaterniond q(axes);
+  LinkInertial principal{.mass = std::max(mass.mass, least), .X_LC = mass.X_LC};
+  principal.X_LC.orientation = {q.w(), q.x(), q.y(), q.z()};
+  principal.ixx = moments[0];
+  principal.iyy = moments[1];
+  principal.izz = moments[2];
+  return {principal, true, is_changed};
+}
+
+}  // namespace smurf

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Inertias as simulators take them, who refuse a world for one that no body has.
+#pragma once
+
+#include "write/scene_parts.hpp"
+
+namespace smurf {
+
+struct BodyInertia {
+  LinkInertial mass;
+  /// Whether `mass` has the principal moments, ascending, with their axes in X_LC. If not, it is
+  /// that of the link as written: moments above the bound, the largest at most the sum of the
+  /// others.
+  bool is_principal = false;
+  bool is_changed = false;  ///< by more than rounding
+};
+
+/// The nearest inertia of a body whose mass and moments are at least `least` (kg, kg m^2). With
+/// moments up to `least_in_tensor`, it is given by principal moments.
+BodyInertia body_inertia(const LinkInertial& mass, double least, double least_in_tensor);
+
+/// R I R^T: the tensor in the axes of the link; xx, yy, zz, xy, xz, yz.
+std::array<double, 6> tensor_in_link(const LinkInertial& mass);
+
+}  // namespace smurf
