@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/rules.hpp"
+#include "ast/wrong_type.hpp"
 
 namespace smurf {
 namespace {
@@ -17,9 +17,10 @@ constexpr const SectionSpec* kSections[] = {
 
 void report_shape(const SectionSpec& section, yaml::View value, std::string_view expected,
                   DiagnosticSink& sink) {
-  sink.report(rules::sml4001_wrong_type, value.place(),
-              "the section `" + std::string(section.name) + "` must be " + std::string(expected) +
-                  ", not " + describe(value));
+  report_wrong_type(wanted::section, value,
+                    "the section `" + std::string(section.name) + "` must be " +
+                        std::string(expected) + ", not " + describe(value),
+                    sink);
 }
 
 void read_entries(const SectionSpec& section, yaml::View value, std::string_view expected,

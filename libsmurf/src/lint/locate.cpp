@@ -126,8 +126,12 @@ void mark_ignored(const xml::Document& document, std::span<Diagnostic* const> fo
   }
 }
 
-void locate_in(const yaml::Document& document, BySource& found) {
-  for (Diagnostic* diagnostic : found.take(document.source)) point(*diagnostic, document);
+/// `kind` is that of the file: a fault of YAML matters more in the file that names the others.
+void locate_in(const yaml::Document& document, std::string_view kind, BySource& found) {
+  for (Diagnostic* diagnostic : found.take(document.source)) {
+    point(*diagnostic, document);
+    if (diagnostic->rule->id.starts_with("SML00")) diagnostic->construct += kind;
+  }
 }
 
 std::vector<Diagnostic*> locate_in(const xml::Document& document, BySource& all) {
@@ -139,7 +143,8 @@ std::vector<Diagnostic*> locate_in(const xml::Document& document, BySource& all)
 
 void locate_in(const LinkedModel& model, BySource& all) {
   for (const ModelFile& file : model.files) {
-    if (file.document) locate_in(*file.document, all);
+    if (!file.document) continue;
+    locate_in(*file.document, file.kind == ModelFile::Kind::main ? "main" : "", all);
   }
   if (!model.robot) return;
   const std::vector<Diagnostic*> found = locate_in(model.robot->document, all);
@@ -163,10 +168,10 @@ void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
     if (file.drawing) {
       locate_in(*file.drawing, found);
     } else if (file.document) {
-      locate_in(*file.document, found);
+      locate_in(*file.document, "scene", found);
     }
   }
-  for (const DataFile& file : scene.data_files) locate_in(file.document, found);
+  for (const DataFile& file : scene.data_files) locate_in(file.document, "", found);
   for (const LinkedModel& model : scene.models) locate_in(model, found);
 }
 

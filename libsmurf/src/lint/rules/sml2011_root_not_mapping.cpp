@@ -8,6 +8,7 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes, "ends with an uncaught exception",
      "smurf_parser SMURFParser.cpp:45-77, run"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun},
 };
 
 }  // namespace

@@ -30,8 +30,9 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::ignores,
      "takes .urdf and .yml and passes over everything else without a message",
      "smurf_parser SMURFParser.cpp:49-52, run"},
-    {&readers::phobos, Effect::breaks, "takes it for an annotation file and fails to parse it",
-     "Phobos io/smurfrobot.py:179-197"},
+    {&readers::phobos, Effect::refuses,
+     "takes it for an annotation file, and stops with an exception",
+     "Phobos io/smurfrobot.py:179-197, run"},
 };
 
 }  // namespace
