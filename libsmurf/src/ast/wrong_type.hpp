@@ -16,8 +16,9 @@ inline constexpr std::string_view value = "value";      ///< a text, a number, t
 inline constexpr std::string_view names = "names";      ///< a list of names
 inline constexpr std::string_view numbers = "numbers";  ///< a list of numbers
 inline constexpr std::string_view mapping = "mapping";
-inline constexpr std::string_view section = "section";  ///< a section, or an entry of it
-inline constexpr std::string_view entity = "entity";    ///< an entity of a scene
+inline constexpr std::string_view section = "section";
+inline constexpr std::string_view entry = "entry";    ///< an entry of a section
+inline constexpr std::string_view entity = "entity";  ///< an entity of a scene
 }  // namespace wanted
 
 /// Reports `message` at the value, whose construct says what is wanted and what is there.

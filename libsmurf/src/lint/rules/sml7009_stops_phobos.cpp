@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <initializer_list>
 
 #include "ast/sections.hpp"
 #include "base/readers.hpp"
@@ -14,12 +15,39 @@ constexpr std::string_view kUnknown[] = {
     "JointLoad",    "JointTorque",         "JointAVGTorque", "MultiLevelLaserRangeFinder",
     "NodeVelocity", "NodeAngularVelocity", "ScanningSonar",  "HapticField"};
 
+/// It has values of its own for these, which a null replaces.
+constexpr std::string_view kNeeded[] = {"id",     "horizontal_offset", "vertical_offset",
+                                        "lasers", "opening_width",     "opening_height"};
+
+/// Whether it has these members with values, and no others.
+bool has_just(yaml::View mapping, std::initializer_list<std::string_view> names) {
+  return mapping.size() == names.size() &&
+         std::all_of(names.begin(), names.end(), [&](std::string_view name) {
+           const yaml::View member = mapping.find(name);
+           return member && !member.is_null();
+         });
+}
+
+/// Python's names are texts: `name: 5` is none.
+void check_name(yaml::View entry, Findings& findings) {
+  const yaml::View name = entry.is_mapping() ? entry.find("name") : yaml::View();
+  if (!name || !name.is_scalar() || name.style() != yaml::Style::plain) return;
+  if (!name.number() && !name.boolean()) return;
+  findings.report(name.span(), "Phobos reads " + quoted(name.text()) + " as no text").help =
+      "put it in quotes";
+}
+
 void check_offsets(yaml::View sensor, Findings& findings) {
   const yaml::View position = sensor.find("position_offset");
   const yaml::View orientation = sensor.find("orientation_offset");
-  if (orientation && orientation.is_mapping() && orientation.find("yaw")) {
-    findings.report(orientation.key_span(), "Phobos reads no angles here").help =
-        "write a quaternion with w, x, y, z";
+  if (orientation && orientation.is_mapping() && !has_just(orientation, {"w", "x", "y", "z"})) {
+    findings.report(orientation.key_span(), "Phobos reads a quaternion here, and nothing else")
+        .help = "write it with w, x, y, z";
+  }
+  if (position && (position.is_null() || position.is_mapping()) &&
+      !has_just(position, {"x", "y", "z"})) {
+    findings.report(position.key_span(), "Phobos wants a position with x, y, z");
+    return;
   }
   const bool is_behind =
       orientation && position && orientation.key_span().begin < position.key_span().begin;
@@ -41,9 +69,24 @@ void check_sensor(const Sensor& sensor, yaml::View mapping, Findings& findings) 
     findings.report(joint.key_span(), "Phobos takes no `joint` here").help =
         "leave it out: the sensor measures the joint above its link";
   }
-  const yaml::View ids = mapping.find("id");
-  if (ids && ids.is_null()) findings.report(ids.key_span(), "Phobos finds no list in `id`");
+  for (const std::string_view key : kNeeded) {
+    const yaml::View value = mapping.find(key);
+    if (!value || !value.is_null() || type.ends_with("IMU")) continue;
+    findings.report(value.key_span(), quoted(key) + " has no value, which Phobos needs");
+  }
   check_offsets(mapping, findings);
+}
+
+void check_entries(yaml::View section, Findings& findings) {
+  const std::string_view key = section.key();
+  if (!section.is_sequence()) return;
+  for (const yaml::View entry : section) {
+    if (key == "motors" || key == "sensors" || key == "poses") check_name(entry, findings);
+    const bool is_link = key == "link" || key == "links";
+    if (is_link && entry.is_mapping() && !entry.find("name")) {
+      findings.report(entry.place(), "Phobos stops at an entry without `name`");
+    }
+  }
 }
 
 /// Sections that Phobos walks through; others may be null.
@@ -59,6 +102,7 @@ void check_sections(const LinkedModel& model, Findings& findings) {
       if (is_walked && section.is_null()) {
         findings.report(section.key_span(), "Phobos finds no list in " + quoted(key));
       }
+      check_entries(section, findings);
     }
   }
 }
