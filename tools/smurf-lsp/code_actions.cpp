@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fixes, comments that let a finding pass, and what readers make of it.
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
 
 #include "common/command.hpp"
 #include "smurf-lsp/capabilities.hpp"
@@ -71,11 +74,20 @@ class Actions {
   }
 
  private:
-  bool is_in_range(Span span) const {
-    const Positions positions(context_.workspace.sources(), context_.client.encoding);
-    const Json& range = at(params_, {"range"});
-    const std::uint32_t begin = positions.offset(span.source, at(range, {"start"}));
-    const std::uint32_t end = positions.offset(span.source, at(range, {"end"}));
+  /// The bytes that the client asks about, in each text of the file.
+  std::pair<std::uint32_t, std::uint32_t> asked_in(SourceId source) {
+    const auto [known, is_new] = asked_.try_emplace(source);
+    if (is_new) {
+      const Positions positions(context_.workspace.sources(), context_.client.encoding);
+      const Json& range = at(params_, {"range"});
+      known->second = {positions.offset(source, at(range, {"start"})),
+                       positions.offset(source, at(range, {"end"}))};
+    }
+    return known->second;
+  }
+
+  bool is_in_range(Span span) {
+    const auto [begin, end] = asked_in(span.source);
     return span.begin <= end && begin <= span.end;
   }
 
@@ -141,6 +153,7 @@ class Actions {
   Context& context_;
   const Json& params_;
   std::string path_;
+  std::map<SourceId, std::pair<std::uint32_t, std::uint32_t>> asked_;
   Json actions_ = Json::array();
 };
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "base/edits.hpp"
 #include "base/path.hpp"
+#include "render/printable.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/xml_context.hpp"
 #include "smurf-lsp/yaml_context.hpp"
@@ -106,7 +108,7 @@ class Completer {
       const bool is_block =
           !context.is_flow && (key.form == ValueForm::list || key.form == ValueForm::mapping);
       Json& item = add(key.name, kProperty, key.name + (is_block ? ":" : ": "), detail_of(key));
-      if (!key.doc.empty()) item["documentation"] = markdown(std::string(key.doc));
+      if (!key.doc.empty()) item["documentation"] = markdown(key.doc);
       item["sortText"] = (key.required ? "0" : "1") + key.name;
       if (key.required) required.push_back(&key);
     }
@@ -169,7 +171,7 @@ class Completer {
     }
     snippet += help->children.empty() ? "/>" : ">\n\t$0\n</" + std::string(name) + ">";
     Json& item = add(std::string(name), kClass, std::string(name));
-    item["documentation"] = markdown(std::string(help->doc));
+    item["documentation"] = markdown(help->doc);
     add_snippet(item, snippet);
   }
 
@@ -180,7 +182,7 @@ class Completer {
       const auto& has = context.attributes;
       if (std::find(has.begin(), has.end(), key.name) != has.end()) continue;
       Json& item = add(key.name, kProperty, key.name + "=\"\"", detail_of(key));
-      item["documentation"] = markdown(std::string(key.doc));
+      item["documentation"] = markdown(key.doc);
       item["sortText"] = (key.required ? "0" : "1") + key.name;
       add_snippet(item, key.name + "=\"$1\"");
     }
@@ -193,20 +195,28 @@ class Completer {
       add(std::string(choice), kValue, std::string(choice), detail_of(help));
     }
     if (!help.names.empty() && !help.defines) add_names(help.names, is_yaml);
-    if (help.is_path) add_files();
+    if (help.is_path) add_files(is_yaml);
   }
 
   static std::string as_yaml(const std::string& name) {
     const bool is_plain =
         !name.empty() &&
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz"
-                               "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:") == std::string::npos &&
+                               "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./") == std::string::npos &&
         name.find_first_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") == 0;
-    if (is_plain) return name;
+    if (is_plain || name == "../") return name;
     std::string text = "\"";
-    for (const char c : name)
+    for (const char c : name) {
       text += c == '"' || c == '\\' ? "\\" + std::string(1, c) : std::string(1, c);
+    }
     return text + "\"";
+  }
+
+  /// Names of the checked files: written so that they stay a value, and not offered where a list
+  /// would show them as something else.
+  void add_name(const std::string& name, int kind, const std::string& detail, bool is_yaml) {
+    if (render::escape(name) != name) return;
+    add(name, kind, is_yaml ? as_yaml(name) : escape_xml(name), detail);
   }
 
   /// The views of the file; without what is being written, where that keeps it from being read.
@@ -237,12 +247,12 @@ class Completer {
       }
     }
     for (const auto& [name, kind] : names) {
-      add(name, kReference, is_yaml ? as_yaml(name) : name, std::string(to_string(kind)));
+      add_name(name, kReference, std::string(to_string(kind)), is_yaml);
     }
   }
 
   /// Files and folders, relative to the folder of the document.
-  void add_files() {
+  void add_files(bool is_yaml) {
     const std::size_t slash = written_.rfind('/');
     const std::string before = slash == std::string::npos ? "" : written_.substr(0, slash + 1);
     const std::string folder = path::join(path::parent(path_), before.empty() ? "." : before);
@@ -252,7 +262,7 @@ class Completer {
       const bool is_file = context_.workspace.files().is_file(inner);
       if (is_file && input_kind(inner) == InputKind::other) continue;
       if (inner == path_) continue;
-      add(before + name, is_file ? kFile : kFolder, before + name + (is_file ? "" : "/"));
+      add_name(before + name + (is_file ? "" : "/"), is_file ? kFile : kFolder, {}, is_yaml);
     }
     if (before.empty()) add("../", kFolder, "../");
   }

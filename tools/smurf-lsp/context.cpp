@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-lsp/context.hpp"
 
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "render/printable.hpp"
 #include "smurf-lsp/uri.hpp"
 
 namespace smurf::lsp {
@@ -69,6 +71,52 @@ Json workspace_edit(const Context& context, std::span<const Edit> edits, const S
   return {{"changes", std::move(changes)}};
 }
 
-Json markdown(const std::string& text) { return {{"kind", "markdown"}, {"value", text}}; }
+namespace {
+
+/// A text without markup: no link, picture or element is made of a name.
+std::string unmarked(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    constexpr std::string_view kMarks = "\\`*[]<&!|@";
+    const bool is_address = text.substr(i).starts_with("://") || text.substr(i).starts_with("www.");
+    if (kMarks.find(text[i]) != std::string_view::npos || is_address) {
+      result += text[i] == 'w' ? "www\\." : std::string{'\\', text[i]};
+      if (text[i] == 'w') i += 3;
+    } else {
+      result += text[i];
+    }
+  }
+  return result;
+}
+
+/// What is in backquotes stays as it is.
+std::string marked_line(std::string_view line) {
+  std::string result;
+  bool is_code = false;
+  while (!line.empty()) {
+    const std::size_t end = line.find('`');
+    const std::string_view part = line.substr(0, end);
+    result += is_code ? std::string(part) : unmarked(part);
+    if (end == std::string_view::npos) break;
+    line.remove_prefix(end + 1);
+    const bool is_closed = is_code || line.find('`') != std::string_view::npos;
+    result += is_closed ? "`" : "\\`";
+    is_code = is_closed && !is_code;
+  }
+  return result;
+}
+
+}  // namespace
+
+Json markdown(std::span<const std::string> lines) {
+  std::string text;
+  for (const std::string& line : lines) {
+    if (line.empty()) continue;
+    text += (text.empty() ? "" : "\n\n") + marked_line(render::escape(line));
+  }
+  return {{"kind", "markdown"}, {"value", text}};
+}
+
+Json markdown(std::string_view line) { return markdown(std::array{std::string(line)}); }
 
 }  // namespace smurf::lsp

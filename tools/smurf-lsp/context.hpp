@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -63,6 +64,8 @@ const Reference* reference_at(Context& context, const PlaceView& place);
 Json location(const Context& context, Span span);
 /// A WorkspaceEdit of edits in these sources.
 Json workspace_edit(const Context& context, std::span<const Edit> edits, const SourceMap& sources);
-Json markdown(const std::string& text);
+/// Paragraphs in which names stand in backquotes. Nothing in them is taken for other markup.
+Json markdown(std::span<const std::string> lines);
+Json markdown(std::string_view line);
 
 }  // namespace smurf::lsp

@@ -169,11 +169,8 @@ Json hover(Context& context, const Json& params) {
   for (const PlaceView& place : places_in(context, params)) {
     const auto said = said_at(context, place);
     if (!said) continue;
-    std::string text;
-    for (const std::string& line : said->lines) {
-      if (!line.empty()) text += (text.empty() ? "" : "\n\n") + line;
-    }
-    return {{"contents", markdown(text)}, {"range", loaded_positions(context).range(said->span)}};
+    return {{"contents", markdown(said->lines)},
+            {"range", loaded_positions(context).range(said->span)}};
   }
   return nullptr;
 }

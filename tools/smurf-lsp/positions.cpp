@@ -82,11 +82,19 @@ std::size_t offset_in(std::string_view text, const Json& position, Encoding enco
 Json Positions::position(SourceId source, std::uint32_t offset) const {
   const std::string_view text = sources_.text(source);
   offset = std::min(offset, static_cast<std::uint32_t>(text.size()));
-  while (offset < text.size() && is_continuation(text[offset])) ++offset;  // to a whole character
-  const std::uint32_t line = sources_.line_of(source, offset);
-  const std::uint32_t begin = sources_.line_span(source, line).begin;
-  const std::uint32_t units = units_in(text.substr(begin, offset - begin), encoding_);
-  return {{"line", line - 1}, {"character", units}};
+  for (int i = 0; i < 3 && offset < text.size() && is_continuation(text[offset]); ++i) {
+    ++offset;  // to a whole character
+  }
+  // From what the source map has counted: a file may be one line with thousands of places.
+  const smurf::Position place = sources_.position(source, offset);
+  const Span before{source, sources_.line_begin(source, place.line), offset};
+  std::uint32_t units = before.end - before.begin;
+  if (encoding_ != Encoding::utf8) {
+    units = place.column - 1;
+    if (place.line == 1 && offset > 0 && text.starts_with("\xEF\xBB\xBF")) ++units;  // the mark
+  }
+  if (encoding_ == Encoding::utf16) units += sources_.wide_characters(before);
+  return {{"line", place.line - 1}, {"character", units}};
 }
 
 Json Positions::range(Span span) const {

@@ -108,6 +108,12 @@ class SourceMap {
 
   /// Precondition: offset <= text(id).size().
   Position position(SourceId id, std::uint32_t offset) const;
+  /// Where a 1-based line begins.
+  std::uint32_t line_begin(SourceId id, std::uint32_t line) const {
+    return line_start(at(id), line);
+  }
+  /// Characters between two bytes that take two units of UTF-16.
+  std::uint32_t wide_characters(Span span) const;
   /// 1-based line that holds the byte.
   std::uint32_t line_of(SourceId id, std::uint32_t offset) const;
   std::uint32_t line_count(SourceId id) const;
@@ -123,6 +129,7 @@ class SourceMap {
     std::vector<std::uint32_t> line_ends_before;
     /// The same for characters, of texts in which not every character is a byte.
     std::vector<std::uint32_t> characters_before;
+    std::vector<std::uint32_t> wide_before;  ///< the same for those of two units in UTF-16
     std::uint32_t line_count = 1;
     bool is_ascii = true;  ///< a column is then a byte
     bool readable = true;

@@ -8,6 +8,7 @@
 #include "ast/model_reader.hpp"
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
+#include "ast/wrong_type.hpp"
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
 
@@ -43,8 +44,8 @@ class RotationReader {
       rotation_.values[index] = *number;
       return true;
     }
-    sink_.report(rules::sml4001_wrong_type, value.place(),
-                 "`rotation` takes numbers, not " + describe(value));
+    report_wrong_type(wanted::value, value, "`rotation` takes numbers, not " + describe(value),
+                      sink_);
     return false;
   }
 
@@ -158,8 +159,8 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
     if (item.is_mapping()) {
       scene.entities.push_back(read_entity(item, list, sink));
     } else {
-      sink.report(rules::sml4001_wrong_type, item.place(),
-                  "an entity of `" + key + "` is a mapping, not " + describe(item));
+      report_wrong_type(wanted::entity, item,
+                        "an entity of `" + key + "` is a mapping, not " + describe(item), sink);
     }
   }
 }
@@ -167,8 +168,8 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
 std::optional<Physics> read_physics(yaml::View value, DiagnosticSink& sink) {
   if (!value || value.is_null()) return std::nullopt;
   if (!value.is_mapping()) {
-    sink.report(rules::sml4001_wrong_type, value.place(),
-                "`physics` takes a mapping, not " + describe(value));
+    report_wrong_type(wanted::mapping, value, "`physics` takes a mapping, not " + describe(value),
+                      sink);
     return std::nullopt;
   }
   Physics physics;
@@ -183,8 +184,8 @@ std::optional<Physics> read_physics(yaml::View value, DiagnosticSink& sink) {
 void read_environment(yaml::View value, Scene& scene, DiagnosticSink& sink) {
   if (!value || value.is_null()) return;
   if (!value.is_mapping()) {
-    sink.report(rules::sml4001_wrong_type, value.place(),
-                "`environment` takes a mapping, not " + describe(value));
+    report_wrong_type(wanted::mapping, value,
+                      "`environment` takes a mapping, not " + describe(value), sink);
     return;
   }
   scene.environment = value.id();

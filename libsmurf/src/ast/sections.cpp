@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/rules.hpp"
+#include "ast/wrong_type.hpp"
 
 namespace smurf {
 namespace {
@@ -15,11 +15,12 @@ constexpr const SectionSpec* kSections[] = {
 #undef SMURF_SECTION
 };
 
-void report_shape(const SectionSpec& section, yaml::View value, std::string_view expected,
-                  DiagnosticSink& sink) {
-  sink.report(rules::sml4001_wrong_type, value.place(),
-              "the section `" + std::string(section.name) + "` must be " + std::string(expected) +
-                  ", not " + describe(value));
+void report_shape(const SectionSpec& section, std::string_view wanted, yaml::View value,
+                  std::string_view expected, DiagnosticSink& sink) {
+  report_wrong_type(wanted, value,
+                    "the section `" + std::string(section.name) + "` must be " +
+                        std::string(expected) + ", not " + describe(value),
+                    sink);
 }
 
 void read_entries(const SectionSpec& section, yaml::View value, std::string_view expected,
@@ -28,7 +29,7 @@ void read_entries(const SectionSpec& section, yaml::View value, std::string_view
     if (entry.is_mapping()) {
       section.read(entry, value.key_span(), out, sink);
     } else {
-      report_shape(section, entry, expected, sink);
+      report_shape(section, wanted::entry, entry, expected, sink);
     }
   }
 }
@@ -45,7 +46,7 @@ void read_section(const SectionSpec& section, yaml::View value, Annotations& out
   if (section.form == SectionForm::list_or_mapping && value.is_mapping()) {
     return section.read(value, value.key_span(), out, sink);
   }
-  report_shape(section, value, expected, sink);
+  report_shape(section, wanted::section, value, expected, sink);
 }
 
 }  // namespace

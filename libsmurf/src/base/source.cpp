@@ -24,6 +24,12 @@ void count_characters(std::string_view text, std::vector<std::uint32_t>& counts)
   }
 }
 
+bool is_wide(char lead) { return static_cast<unsigned char>(lead) >= 0xF0; }
+
+std::uint32_t count_wide(std::string_view text) {
+  return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), is_wide));
+}
+
 }  // namespace
 
 SourceId SourceMap::add(std::string path, std::string text) {
@@ -41,6 +47,13 @@ SourceId SourceMap::add(std::string path, std::string text) {
   }
   source.line_count = line_ends + 1;
   if (!source.is_ascii) count_characters(source.text, source.characters_before);
+  if (!source.is_ascii && std::any_of(whole.begin(), whole.end(), is_wide)) {
+    std::uint32_t wide = 0;
+    for (std::size_t at = 0; at <= whole.size(); at += kBlock) {
+      source.wide_before.push_back(wide);
+      wide += count_wide(whole.substr(at, kBlock));
+    }
+  }
   return keep(std::move(source));
 }
 
@@ -69,6 +82,18 @@ SourceShift SourceMap::take(SourceMap&& other, std::size_t common) {
     sources_.push_back(known);
   }
   return shift;
+}
+
+std::uint32_t SourceMap::wide_characters(Span span) const {
+  const Source& source = at(span.source);
+  if (source.wide_before.empty()) return 0;
+  const auto before = [&](std::uint32_t offset) {
+    const std::size_t block = offset / kBlock;
+    const std::string_view inside =
+        std::string_view(source.text).substr(block * kBlock, offset - block * kBlock);
+    return source.wide_before[block] + count_wide(inside);
+  };
+  return before(span.end) - before(span.begin);
 }
 
 std::string_view SourceMap::text(Span span) const {

@@ -347,9 +347,12 @@ class SceneExpander {
   bool check_extension(const Entity& entity, const std::string& type, const std::string& path,
                        std::string_view expected) {
     if (path::to_lower(path::extension(path)) == expected) return true;
-    context_.sink.report(rules::sml5009_entity_type_mismatch, file_of(entity).span,
-                         "an entity of type `" + type + "` needs a " + std::string(expected) +
-                             ", which `" + std::string(path::file_name(path)) + "` is not");
+    Diagnostic& diagnostic =
+        context_.sink.report(rules::sml5009_entity_type_mismatch, file_of(entity).span,
+                             "an entity of type `" + type + "` needs a " + std::string(expected) +
+                                 ", which `" + std::string(path::file_name(path)) + "` is not");
+    const std::string extension = path::to_lower(path::extension(path));
+    if (extension == ".urdf" || extension == ".smurf") diagnostic.construct = "of-another-kind";
     return false;
   }
 

@@ -125,8 +125,14 @@ void mark_ignored(const xml::Document& document, std::span<Diagnostic* const> fo
   }
 }
 
-void locate_in(const yaml::Document& document, BySource& found) {
-  for (Diagnostic* diagnostic : found.take(document.source)) point(*diagnostic, document);
+/// A fault of YAML matters more in the file that names the others, even where it has no tree.
+void locate_in(const std::optional<yaml::Document>& document, SourceId source,
+               std::string_view kind, BySource& found) {
+  for (Diagnostic* diagnostic : found.take(source)) {
+    if (document) point(*diagnostic, *document);
+    const std::string_view id = diagnostic->rule->id;
+    if (id.starts_with("SML00") || id == "SML2011") diagnostic->construct += kind;
+  }
 }
 
 std::vector<Diagnostic*> locate_in(const xml::Document& document, BySource& all) {
@@ -138,7 +144,8 @@ std::vector<Diagnostic*> locate_in(const xml::Document& document, BySource& all)
 
 void locate_in(const LinkedModel& model, BySource& all) {
   for (const ModelFile& file : model.files) {
-    if (file.document) locate_in(*file.document, all);
+    if (file.kind == ModelFile::Kind::urdf) continue;
+    locate_in(file.document, file.source, file.kind == ModelFile::Kind::main ? "main" : "", all);
   }
   if (!model.robot) return;
   const std::vector<Diagnostic*> found = locate_in(model.robot->document, all);
@@ -162,11 +169,15 @@ void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
   for (const SceneFile& file : scene.scenes) {
     if (file.drawing) {
       locate_in(*file.drawing, found);
-    } else if (file.document) {
-      locate_in(*file.document, found);
+    } else {
+      locate_in(file.document, file.source, "scene", found);
     }
   }
-  for (const DataFile& file : scene.data_files) locate_in(file.document, found);
+  for (const DataFile& file : scene.data_files) {
+    for (Diagnostic* diagnostic : found.take(file.document.source)) {
+      point(*diagnostic, file.document);
+    }
+  }
   for (const LinkedModel& model : scene.models) locate_in(model, found);
 }
 

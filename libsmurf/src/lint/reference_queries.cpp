@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lint/reference_queries.hpp"
 
+#include <algorithm>
+#include <initializer_list>
 #include <vector>
 
 #include "ast/sections.hpp"
@@ -26,6 +28,29 @@ std::string noun_of(const SectionSpec& section) {
   if (&section == &sections::poses) return "joint pose";
   const bool is_of_urdf = &section == &sections::collision || &section == &sections::visuals;
   return std::string(section.entry) + (is_of_urdf ? " entry" : "");
+}
+
+bool is_one_of(std::string_view text, std::initializer_list<std::string_view> texts) {
+  return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+bool is_first(yaml::View entry) {
+  return entry.document().nodes[static_cast<std::size_t>(entry.id())].position() == 0;
+}
+
+/// What readers make of an unknown name depends on the motor or sensor that names it.
+std::string_view construct_of(const AnnotationPlace& place) {
+  if (place.section == "motors" && place.key == "joint") {
+    return is_first(place.entry) ? "" : "later-motor";
+  }
+  if (place.section != "sensors" || place.key != "link") return {};
+  const yaml::View type = place.entry.find("type");
+  const std::string_view name = type && type.is_scalar() ? type.text() : std::string_view();
+  if (is_one_of(name, {"Joint6DOF", "CameraSensor", "RaySensor", "RotatingRaySensor",
+                       "MultiLevelLaserRangeFinder", "ScanningSonar"})) {
+    return "on-its-link";
+  }
+  return is_one_of(name, {"NodeIMU", "IMU", "NodeContact", "NodeContactForce"}) ? "" : "of-others";
 }
 
 }  // namespace
@@ -86,9 +111,12 @@ std::string subject_of(xml::View joint) {
 
 Diagnostic* report_unknown(const LinkedModel& model, const Reference& reference,
                            Findings& findings) {
-  const std::string subject = subject_of(annotation_place(model, reference));
-  return check_reference(model, reference.kind, reference.name, place_of(reference),
-                         subject.c_str(), findings);
+  const AnnotationPlace place = annotation_place(model, reference);
+  const std::string subject = subject_of(place);
+  Diagnostic* diagnostic = check_reference(model, reference.kind, reference.name,
+                                           place_of(reference), subject.c_str(), findings);
+  if (diagnostic != nullptr) diagnostic->construct += construct_of(place);
+  return diagnostic;
 }
 
 void report_unknown(const LinkedModel& model, NameKind kind, Findings& findings,

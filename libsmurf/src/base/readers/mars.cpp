@@ -18,8 +18,9 @@ constexpr FamilyFact kFamilies[] = {
 extern constinit const Reader mars{
     .name = "mars",
     .title = "MARS 1",
-    .basis = "71a5c45, read; configmaps, smurf_parser and ODE 0.16.2, executed",
+    .basis = "71a5c45: its loaders, configmaps, smurf_parser and ODE 0.16.2 run, the rest read",
     .like = &urdfdom,
+    .version = "MARS 71a5c45",
     .families = kFamilies,
     .reads_annotations = true};
 

@@ -2,12 +2,39 @@
 // Phobos 2, which reads URDF with Python's XML and YAML with PyYAML.
 #include "base/readers.hpp"
 
+#include <array>
+
 namespace smurf::readers {
+namespace {
+
+/// Rules on numbers of a URDF that are no numbers.
+constexpr std::array<std::string_view, 5> kNoNumber = {"SML1801", "SML1805", "SML1806", "SML1807",
+                                                       "SML1809"};
+/// The attributes that it computes with, or paints with, when it loads them.
+constexpr std::array<std::string_view, 5> kComputed = {
+    "/origin/@xyz/", "/origin/@rpy/", "/axis/@xyz/", "/color/@rgba/", "/inertia/@ixx/"};
+
+constexpr auto kFamilies = [] {
+  std::array<FamilyFact, kNoNumber.size() * (kComputed.size() + 1)> facts{};
+  std::size_t next = 0;
+  for (const std::string_view rule : kNoNumber) {
+    for (const std::string_view attribute : kComputed) {
+      facts[next++] = {rule,
+                       {&phobos, Effect::refuses, "stops with an exception", kRun, attribute}};
+    }
+    facts[next++] = {rule, {&phobos, Effect::changes, "keeps the text", kRun}};
+  }
+  return facts;
+}();
+
+}  // namespace
 
 extern constinit const Reader phobos{.name = "phobos",
                                      .title = "Phobos 2",
-                                     .basis = "a613e31, read",
+                                     .basis = "a613e31, run; nothing of Blender",
                                      .like = &urdf,
+                                     .version = "Phobos a613e31",
+                                     .families = kFamilies,
                                      .reads_annotations = true};
 
 }  // namespace smurf::readers

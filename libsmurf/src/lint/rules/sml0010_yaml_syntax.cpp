@@ -9,6 +9,8 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
     {&readers::envire, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#main"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#scene"},
     {&readers::phobos, Effect::loses, "logs the error and goes on without the annotations",
      "Phobos smurfrobot.py"},
 };

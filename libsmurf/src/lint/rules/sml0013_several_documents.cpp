@@ -9,6 +9,8 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses, "reads the first document only", "configmaps, run"},
     {&readers::mars2, Effect::loses, "reads the first document only", "configmaps, run"},
     {&readers::envire, Effect::loses, "reads the first document only", "configmaps, run"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#main"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#scene"},
     {&readers::phobos, Effect::loses, "refuses the file and goes on without the annotations",
      "PyYAML safe_load"},
 };

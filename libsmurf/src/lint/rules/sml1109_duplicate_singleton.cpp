@@ -6,6 +6,12 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/joint/axis/"},
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/joint/parent/"},
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/joint/child/"},
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/joint/mimic/"},
+    {&readers::phobos, Effect::changes, "uses one of them", kRun, "/inertial/mass/"},
+    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun},
     {&readers::urdf, Effect::changes, "uses the first one", "urdfdom, Bullet, run"},
     {&readers::phobos, Effect::refuses, "stops with an AssertionError", "Phobos a613e31, run"},
     {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun},

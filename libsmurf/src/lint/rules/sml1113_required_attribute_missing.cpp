@@ -6,6 +6,12 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "/mesh/"},
+    {&readers::phobos, Effect::changes, "keeps it without a value", kRun, "/geometry/"},
+    {&readers::phobos, Effect::changes, "keeps it without a value", kRun, "/inertial/"},
+    {&readers::phobos, Effect::changes, "keeps it without a value", kRun, "/axis/"},
+    {&readers::phobos, Effect::changes, "keeps it without a value", kRun, "/safety_controller/"},
+    {&readers::phobos, Effect::changes, "keeps it without a value", kRun, "/robot/material/"},
     {&readers::urdfdom, Effect::refuses, "refuses a link without name", kRun, "#link"},
     {&readers::urdfdom, Effect::changes, "reads the axis 0 0 0", "urdfdom joint.cpp, run",
      "/axis/"},

@@ -23,6 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
+    {&readers::phobos, Effect::breaks, "keeps a joint that hangs on nothing", kRun},
     {&readers::urdf, Effect::refuses, "refuses the file",
      "urdfdom model.h:128; MuJoCo, Bullet, run"},
     {&readers::drake, Effect::takes, "knows an implicit link `world`",

@@ -8,7 +8,6 @@ namespace {
 constexpr std::string_view kAbsent = "reads an empty number as absent";
 
 constexpr Fact kFacts[] = {
-    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::mujoco, Effect::changes, kAbsent, kRun, "/limit/@lower/#empty"},
     {&readers::mujoco, Effect::changes, kAbsent, kRun, "/limit/@upper/#empty"},
     {&readers::mujoco, Effect::changes, kAbsent, kRun, "/limit/@effort/#empty"},

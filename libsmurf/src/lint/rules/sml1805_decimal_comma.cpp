@@ -6,7 +6,6 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::changes, "reads the digits before the comma",
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::drake, Effect::changes, "reads the digits before the comma",

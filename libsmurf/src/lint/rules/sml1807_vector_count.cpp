@@ -8,7 +8,6 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes, "reads a colour of three numbers as black",
      "urdfdom color.h:88, run", "/@rgba/"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::refuses, "refuses an axis that is no vector",
      "Bullet UrdfParser.cpp, run", "/axis/"},
     {&readers::pybullet, Effect::changes, "cuts the vector, or reads zeros and warns",

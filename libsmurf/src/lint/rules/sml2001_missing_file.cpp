@@ -9,8 +9,8 @@ constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "cannot read the URDF", "any reader", "#urdf"},
     {&readers::mars, Effect::crashes, "ends with an uncaught exception",
      "smurf_parser SMURFParser.cpp:45-77, run"},
-    {&readers::phobos, Effect::loses, "logs an error and goes on without the annotations",
-     "Phobos io/smurfrobot.py:171-197"},
+    {&readers::phobos, Effect::refuses, "stops with an exception",
+     "Phobos io/smurfrobot.py:171-197, run"},
 };
 
 }  // namespace

@@ -30,8 +30,9 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::ignores,
      "reads .urdf and .yml, and ignores everything else without a message",
      "smurf_parser SMURFParser.cpp:49-52, run"},
-    {&readers::phobos, Effect::breaks, "treats it as an annotation file and fails to parse it",
-     "Phobos io/smurfrobot.py:179-197"},
+    {&readers::phobos, Effect::refuses,
+     "treats it as an annotation file, and stops with an exception",
+     "Phobos io/smurfrobot.py:179-197, run"},
 };
 
 }  // namespace

@@ -10,12 +10,15 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::crashes, "drives nothing, and crashes when a value is set",
+    {&readers::mars, Effect::breaks, "drives nothing, and crashes when a value is set",
      "MARS smurf.cpp:264, SimMotor.cpp:786-806", "/motors/"},
-    {&readers::phobos, Effect::ignores, "ignores the entry", "Phobos, run", "/joint/"},
+    {&readers::phobos, Effect::ignores, "ignores the entry", "Phobos, run", "/joint/name/"},
+    {&readers::phobos, Effect::ignores, "ignores the entry", "Phobos, run", "/joints/name/"},
+    {&readers::phobos, Effect::loses, "drops the motor, and logs another one", kRun,
+     "#later-motor"},
     {&readers::phobos, Effect::refuses,
-     "stops with an UnboundLocalError at the first motor, and drops any later one",
-     "Phobos representation.py:2399, run"},
+     "stops with an UnboundLocalError at the first motor, and elsewhere with an assertion",
+     "Phobos io/smurfrobot.py:211-215, run"},
 };
 
 }  // namespace

@@ -25,8 +25,11 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::crashes, "dereferences a null pointer for a Joint6DOF",
-     "MARS smurf.cpp:277-283", "/sensors/"},
+    {&readers::mars, Effect::crashes,
+     "dereferences a null pointer for a Joint6DOF, and ends with an assertion for a camera",
+     "MARS smurf.cpp:277-283, CameraSensor.cpp:74-75, run", "/sensors/link/#on-its-link"},
+    {&readers::mars, Effect::loses, "finds no such link", kRun, "/sensors/"},
+    {&readers::phobos, Effect::ignores, "does not look for it", kRun, "/sensors/link/#of-others"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
      "/sensors/"},
 };

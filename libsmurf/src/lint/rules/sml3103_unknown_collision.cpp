@@ -21,8 +21,8 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
      "the bitmask and contact parameters have no effect, and a contact sensor has no targets",
      "MARS smurf.cpp:302-305, 427-449"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
-     "/sensors/"},
+    {&readers::phobos, Effect::takes, "wants the names of links", kRun, "/sensors/"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun},
 };
 
 }  // namespace

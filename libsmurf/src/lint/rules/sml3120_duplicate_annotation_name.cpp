@@ -42,7 +42,9 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
      "creates both, but a name refers to the last one only: controllers, poses and mimicking motors never reach the first; entries that change the URDF are applied one after the other",
      "MARS smurf.cpp:262, 326"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "/motors/"},
+    {&readers::phobos, Effect::changes,
+     "keeps the last sensor and both poses, and applies other entries one after the other", kRun},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::refuses, "ends with an uncaught exception", kRun, "/physicmode/"},
     {&readers::mars, Effect::breaks,
      "stops loading here: what follows, the pose and the anchor are missing",
      "MARS SensorManager.cpp:357-360"},

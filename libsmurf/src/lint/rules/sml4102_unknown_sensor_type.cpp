@@ -41,6 +41,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.notes.push_back(
         "it stops loading here: later objects, the pose and the anchor of the robot are missing");
     if (std::any_of(std::begin(kPhobosTypes), std::end(kPhobosTypes), is_type)) {
+      diagnostic.construct = "phobos-sensor";
       diagnostic.notes.push_back("Phobos knows it");
       diagnostic.help = *sensor.type == "IMU" ? "the type of MARS is `NodeIMU`" : "";
     } else if (const auto near = nearest(*sensor.type, kTypes)) {
@@ -55,6 +56,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::breaks,
      "stops loading: all later objects are missing, and the pose, the anchor and the joint pose of the robot are skipped",
      "MARS SensorManager.cpp:351-360, smurf.cpp:1034-1037"},
+    {&readers::phobos, Effect::takes, "knows the type", kRun, "#phobos-sensor"},
     {&readers::phobos, Effect::refuses, "stops with an AttributeError",
      "Phobos sensor_representations.py, run"},
 };

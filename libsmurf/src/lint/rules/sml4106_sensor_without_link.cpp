@@ -28,6 +28,8 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "looks up node 0: a camera ends the program with an assertion, Joint6DOF dereferences a null pointer",
      "MARS smurf.cpp:272-283, CameraSensor.cpp"},
+    {&readers::phobos, Effect::breaks,
+     "stops with an assertion at a camera, and keeps other sensors without a link", kRun},
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception",
      "envire_smurf_loader Model.cpp:488"},
 };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
@@ -9,15 +11,25 @@ void report(Span section, std::string_view name, Findings& findings) {
   findings.report(section, "the section " + quoted(name) + " is a list");
 }
 
+/// With an `s` or without; `controllers` are read, and stop it all the same.
+bool is_read(std::string_view name) {
+  constexpr std::string_view kRead[] = {"motors",        "sensors",      "materials",  "joints",
+                                        "links",         "collisions",   "visuals",    "poses",
+                                        "submechanisms", "exoskeletons", "interfaces", "submodels"};
+  return std::any_of(std::begin(kRead), std::end(kRead), [&](std::string_view read) {
+    return name == read || name == read.substr(0, read.size() - 1);
+  });
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   for (const ModelFile& file : model.files) {
     if (file.kind != ModelFile::Kind::annotation || !file.document) continue;
     const yaml::View root = file.document->view();
     if (!root || !root.is_mapping()) continue;
     for (const yaml::View value : root) {
-      const bool is_read =
-          is_section_name(value.key()) && value.key() != "controllers" && value.key() != "lights";
-      if (!is_read && value.is_sequence()) report(value.key_span(), value.key(), findings);
+      if (value.is_sequence() && !is_read(value.key())) {
+        report(value.key_span(), value.key(), findings);
+      }
     }
   }
 }

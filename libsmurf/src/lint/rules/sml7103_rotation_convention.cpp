@@ -40,6 +40,7 @@ constexpr Fact kFacts[] = {
      "MARS SimEntity.cpp:405-431"},
     {&readers::phobos, Effect::changes, "reads x, y, z, w", "Phobos utils/transform.py:9-48",
      "#quaternion"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#yaw"},
     {&readers::phobos, Effect::changes, "reads radians", "Phobos utils/transform.py:9-48"},
     {&readers::pybullet, Effect::crashes, "stops with an exception",
      "Phobos scripts/smurfs_in_pybullet.py:115-122", "#quaternion"},

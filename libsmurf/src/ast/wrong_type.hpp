@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values of the wrong kind (SML4001), with what stands where: readers treat a list where a number
+// is wanted, a text there, and a text where a mapping is wanted differently.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ast/keys.hpp"
+
+namespace smurf {
+
+/// What is wanted; the names are in the facts of SML4001, such as "#names-text".
+namespace wanted {
+inline constexpr std::string_view value = "value";      ///< a text, a number, true or false
+inline constexpr std::string_view names = "names";      ///< a list of names
+inline constexpr std::string_view numbers = "numbers";  ///< a list of numbers
+inline constexpr std::string_view mapping = "mapping";
+inline constexpr std::string_view section = "section";
+inline constexpr std::string_view entry = "entry";    ///< an entry of a section
+inline constexpr std::string_view entity = "entity";  ///< an entity of a scene
+}  // namespace wanted
+
+/// Reports `message` at the value, whose construct says what is wanted and what is there.
+Diagnostic& report_wrong_type(std::string_view wanted, yaml::View value, std::string message,
+                              DiagnosticSink& sink);
+
+}  // namespace smurf

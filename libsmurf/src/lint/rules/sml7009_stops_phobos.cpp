@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <initializer_list>
+
+#include "ast/sections.hpp"
+#include "base/readers.hpp"
+#include "lint/annotation_queries.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Sensors of MARS without a class in Phobos.
+constexpr std::string_view kUnknown[] = {
+    "JointLoad",    "JointTorque",         "JointAVGTorque", "MultiLevelLaserRangeFinder",
+    "NodeVelocity", "NodeAngularVelocity", "ScanningSonar",  "HapticField"};
+
+/// It has values of its own for these, which a null replaces.
+constexpr std::string_view kNeeded[] = {"id",     "horizontal_offset", "vertical_offset",
+                                        "lasers", "opening_width",     "opening_height"};
+
+/// Whether it has these members with values, and no others.
+bool has_just(yaml::View mapping, std::initializer_list<std::string_view> names) {
+  return mapping.size() == names.size() &&
+         std::all_of(names.begin(), names.end(), [&](std::string_view name) {
+           const yaml::View member = mapping.find(name);
+           return member && !member.is_null();
+         });
+}
+
+/// Python's names are texts: `name: 5` is none.
+void check_name(yaml::View entry, Findings& findings) {
+  const yaml::View name = entry.is_mapping() ? entry.find("name") : yaml::View();
+  if (!name || !name.is_scalar() || name.style() != yaml::Style::plain) return;
+  if (!name.number() && !name.boolean()) return;
+  findings.report(name.span(), "Phobos reads " + quoted(name.text()) + " as no text").help =
+      "put it in quotes";
+}
+
+void check_offsets(yaml::View sensor, Findings& findings) {
+  const yaml::View position = sensor.find("position_offset");
+  const yaml::View orientation = sensor.find("orientation_offset");
+  if (orientation && orientation.is_mapping() && !has_just(orientation, {"w", "x", "y", "z"})) {
+    findings.report(orientation.key_span(), "Phobos reads a quaternion here, and nothing else")
+        .help = "write it with w, x, y, z";
+  }
+  if (position && (position.is_null() || position.is_mapping()) &&
+      !has_just(position, {"x", "y", "z"})) {
+    findings.report(position.key_span(), "Phobos wants a position with x, y, z");
+    return;
+  }
+  const bool is_behind =
+      orientation && position && orientation.key_span().begin < position.key_span().begin;
+  if (!position || is_behind) return;
+  findings
+      .report(position.key_span(), "Phobos takes `position_offset` after `orientation_offset` only")
+      .help = orientation ? "write `orientation_offset` before it"
+                          : "write `orientation_offset: {w: 1, x: 0, y: 0, z: 0}` before it";
+}
+
+void check_sensor(const Sensor& sensor, yaml::View mapping, Findings& findings) {
+  const std::string_view type = sensor.type ? std::string_view(*sensor.type) : std::string_view();
+  if (std::find(std::begin(kUnknown), std::end(kUnknown), type) != std::end(kUnknown)) {
+    findings.report(sensor.type.span, "Phobos does not know the sensor type " + quoted(type));
+    return;
+  }
+  const yaml::View joint = mapping.find("joint");
+  if (type == "Joint6DOF" && joint) {
+    findings.report(joint.key_span(), "Phobos takes no `joint` here").help =
+        "leave it out: the sensor measures the joint above its link";
+  }
+  for (const std::string_view key : kNeeded) {
+    const yaml::View value = mapping.find(key);
+    if (!value || !value.is_null() || type.ends_with("IMU")) continue;
+    findings.report(value.key_span(), quoted(key) + " has no value, which Phobos needs");
+  }
+  check_offsets(mapping, findings);
+}
+
+void check_entries(yaml::View section, Findings& findings) {
+  const std::string_view key = section.key();
+  if (!section.is_sequence()) return;
+  for (const yaml::View entry : section) {
+    if (key == "motors" || key == "sensors" || key == "poses") check_name(entry, findings);
+    const bool is_link = key == "link" || key == "links";
+    if (is_link && entry.is_mapping() && !entry.find("name")) {
+      findings.report(entry.place(), "Phobos stops at an entry without `name`");
+    }
+  }
+}
+
+/// Sections that Phobos walks through; others may be null.
+void check_sections(const LinkedModel& model, Findings& findings) {
+  for (const ModelFile& file : model.files) {
+    if (file.kind != ModelFile::Kind::annotation || !file.document) continue;
+    const yaml::View root = file.document->view();
+    if (!root || !root.is_mapping()) continue;
+    for (const yaml::View section : root) {
+      const std::string_view key = section.key();
+      const bool is_walked = is_section_name(key) && key != "lights" && key != "nodes" &&
+                             key != "graphics" && key != "submodels";
+      if (is_walked && section.is_null()) {
+        findings.report(section.key_span(), "Phobos finds no list in " + quoted(key));
+      }
+      check_entries(section, findings);
+    }
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  check_sections(model, findings);
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (const yaml::View mapping = mapping_of(model, sensor)) {
+      check_sensor(sensor, mapping, findings);
+    }
+  }
+}
+
+constexpr std::string_view kTakes = "takes it";
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::takes, kTakes, kRun},
+    {&readers::mars2, Effect::takes, kTakes, "MARS smurf.cpp:257-485"},
+    {&readers::envire, Effect::takes, kTakes, "MARS smurf.cpp:257-485"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", kRun},
+};
+
+}  // namespace
+
+extern constinit const Rule sml7009_stops_phobos{
+    .id = "SML7009",
+    .name = "stops-phobos",
+    .severity = Severity::error,
+    .summary = "An annotation is written in a way that stops Phobos 2.",
+    .remedy = "Write it as the message says, or keep it out of what Phobos loads.",
+    .check_model = check,
+    .needs_target = true,
+    .facts = kFacts};
+
+}  // namespace smurf::rules

@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The verdicts of smurf-lint on damaged SMURF models and scenes, held against what SMURF's own readers did.
+
+usage: smurf_verdicts.py SMURF-LINT [--list READER]
+       smurf_verdicts.py --record READER COMMIT COMMAND...
+
+Phobos 2 and MARS 1 are in no package, so smurf_executed.tsv is made by hand: COMMAND reads paths of main files from standard
+input, in their order, and prints a line of JSON for each, {"file": ..., "verdict": "takes", "refuses" or "crashes"}. Of Phobos
+that is phobos_smurf.py. Of MARS it is a program around its loaders SMURFLoader.cpp, smurf.cpp and primitives.cpp, whose managers
+print what they are told to create; it ends where they would: a collision mesh that is not there, a camera without its node.
+
+Counted are false all-clears (the reader refuses, we print that it takes the file, with losses or without) and false alarms;
+both may not become more than BOUNDS. "Not known" agrees with nothing and counts with the all-clears where the reader refuses.
+"""
+import argparse
+import concurrent.futures
+import datetime
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import smurf_damage
+
+TABLE = pathlib.Path(__file__).resolve().parent / "smurf_executed.tsv"
+READERS = ("phobos", "mars")
+# All-clears and alarms at most; they may only become less.
+BOUNDS = {"phobos": (29, 24), "mars": (35, 14)}
+LEAST_AGREEMENT = 0.97
+
+
+def read_table():
+    """(what stands above, {name: {reader: cell}})"""
+    lines = TABLE.read_text(encoding="utf-8").splitlines() if TABLE.exists() else []
+    heads = [line for line in lines if line.startswith("#")]
+    rows = (line.split("\t") for line in lines if not line.startswith(("#", "case\t")))
+    return heads, {row[0]: dict(zip(READERS, row[1:])) for row in rows}
+
+
+def write_table(heads, rows):
+    lines = [*heads, "\t".join(("case", *READERS))]
+    lines += ["\t".join((name, *(cells.get(reader, "-") for reader in READERS))) for name, cells in rows.items()]
+    TABLE.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def record(reader, commit, command):
+    cases = smurf_damage.all_cases()
+    with tempfile.TemporaryDirectory() as folder:
+        paths = smurf_damage.write(cases, pathlib.Path(folder).resolve())
+        done = subprocess.run(command, input="".join(f"{path}\n" for path in paths.values()), stdout=subprocess.PIPE,
+                              text=True, check=True)
+    said = {answer["file"]: answer["verdict"] for answer in map(json.loads, done.stdout.splitlines())}
+    heads, rows = read_table()
+    heads = [line for line in heads if not line.startswith(f"# {reader} ")]
+    heads = sorted([*heads, f"# {reader} {commit}, run by hand on {datetime.date.today().isoformat()}"])
+    write_table(heads, {name: {**rows.get(name, {}), reader: said[str(paths[name])]} for name in cases})
+
+
+def lint(tool, path):
+    done = subprocess.run([tool, "--target", ",".join(READERS), "--format", "json", path.name], cwd=path.parent,
+                          capture_output=True, check=False)
+    return {reader: verdict["verdict"] for reader, verdict in json.loads(done.stdout)["targets"].items()}
+
+
+def lint_all(tool, cases):
+    with tempfile.TemporaryDirectory() as folder:
+        paths = smurf_damage.write(cases, pathlib.Path(folder).resolve())
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            return dict(zip(paths, pool.map(lambda path: lint(tool, path), paths.values())))
+
+
+def check(reader, rows, verdicts, is_listed):
+    refused = {name for name, cells in rows.items() if cells[reader] != "takes"}
+    printed = {name for name, verdict in verdicts.items() if verdict[reader] == "refuses"}
+    clears, alarms = refused - printed, printed - refused
+    agreement = 1 - (len(clears) + len(alarms)) / len(rows)
+    print(f"{reader}: {len(clears)} all-clears, {len(alarms)} alarms of {len(rows)}, agrees on {agreement:.2%}")
+    if is_listed:
+        print("\n".join(f"  {rows[name][reader]}, we print {verdicts[name][reader]}: {name}"
+                        for name in rows if name in clears or name in alarms))
+    most = BOUNDS[reader]
+    for number, bound in zip((len(clears), len(alarms)), most):
+        if number < bound:
+            print(f"  {number}: make the bound of {bound} smaller")
+    return len(clears) <= most[0] and len(alarms) <= most[1] and agreement >= LEAST_AGREEMENT
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("tool", type=pathlib.Path, nargs="?")
+    parser.add_argument("--list", metavar="READER")
+    parser.add_argument("--record", nargs=argparse.REMAINDER, metavar="READER COMMIT COMMAND")
+    options = parser.parse_args()
+    if options.record:
+        return record(options.record[0], options.record[1], options.record[2:])
+    cases = smurf_damage.all_cases()
+    heads, rows = read_table()
+    if list(rows) != list(cases) or not all(re.search(r" [0-9a-f]{7}, run by hand on ", head) for head in heads[1:]):
+        sys.exit("smurf_executed.tsv is not of these cases: see --record")
+    verdicts = lint_all(options.tool.resolve(), cases)
+    return 0 if all([check(reader, rows, verdicts, options.list == reader) for reader in READERS]) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
