@@ -19,7 +19,8 @@ file(RELATIVE_PATH SMURF_PC_TO_PREFIX
 configure_file(cmake/smurf.pc.in ${CMAKE_CURRENT_BINARY_DIR}/smurf.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/smurf.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(DIRECTORY schemas/ DESTINATION ${CMAKE_INSTALL_DATADIR}/smurf/schemas)
-install(FILES LICENSE README.md CHANGELOG.md docs/integrations.md docs/python.md docs/rules.md docs/readers.md
+install(DIRECTORY docs/editors DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CHANGELOG.md docs/editors.md docs/integrations.md docs/python.md docs/rules.md docs/readers.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # `cpack` in the build folder writes a .deb and a .tar.gz.
