@@ -187,6 +187,28 @@ def names_that_grow_when_they_are_written(write):
         f'- {{name: "{chr(39) * 897}{100 + i}", type: urdf, file: r.urdf, position: [{i}, 0, 0]}}\n' for i in range(12)))
 
 
+@folder(("smurfs-flatten", "-q", "--format", "sdf", "-o", "o.sdf", "s.smurfs"))
+def elements_of_gazebo_for_many_shapes(write):
+    shapes = "<collision><geometry><box size=\"1 1 1\"/></geometry></collision>" * 4000
+    write("r.urdf", f'<robot name="r"><link name="b">{shapes}</link><gazebo reference="b">{"<kp/>" * 44000}</gazebo></robot>')
+    write("s.smurfs", "entities:\n- {name: e, type: urdf, file: r.urdf}\n")
+
+
+@folder(("smurfs-flatten", "-q", "--format", "sdf", "-o", "o.sdf", "s.smurfs"))
+def texts_of_gazebo_for_many_shapes(write):
+    shapes = "<visual><geometry><box size=\"1 1 1\"/></geometry></visual>" * 2000
+    text = "<visual><x>" + "a" * 200_000 + "</x></visual>"
+    write("r.urdf", f'<robot name="r"><link name="b">{shapes}</link><gazebo reference="b">{text}</gazebo></robot>')
+    write("s.smurfs", "entities:\n- {name: e, type: urdf, file: r.urdf}\n")
+
+
+@folder(("smurfs-flatten", "-q", "--format", "sdf", "-o", "o.sdf", "s.smurfs"))
+def a_long_name_in_many_shapes(write):
+    shapes = "<visual><geometry><box size=\"1 1 1\"/></geometry></visual>" * 2000
+    write("r.urdf", f'<robot name="r"><link name="{"b" * 128_000}">{shapes}</link></robot>')
+    write("s.smurfs", "entities:\n- {name: e, type: urdf, file: r.urdf}\n")
+
+
 def faults(tools, make, command):
     with tempfile.TemporaryDirectory(prefix="smurf-folder-cost-") as name:
         place = pathlib.Path(name)

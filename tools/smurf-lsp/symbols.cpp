@@ -174,9 +174,12 @@ Json workspace_symbols(Context& context, const Json& params) {
   const std::string query = path::to_lower(text_at(params, {"query"}));
   const Workspace::Definitions found = context.workspace.definitions();
   const Positions positions(*found.sources, context.client.encoding);
+  std::set<std::pair<std::string_view, std::uint32_t>> seen;
   std::set<Json> symbols;  // a model that a scene loads may be loaded alone as well
   for (const Workspace::Definition& one : found.list) {
     if (!holds_letters(one.name, query)) continue;
+    // Models that share a file have its names each.
+    if (!seen.emplace(one.path, one.span.begin).second) continue;
     Json symbol = {
         {"name", one.name},
         {"kind", kind_of(one.kind)},

@@ -3,11 +3,15 @@
 #include <algorithm>
 
 #include "base/counted.hpp"
+#include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/rules.hpp"
 #include "common/converter.hpp"
+#include "common/file_set.hpp"
 #include "common/process.hpp"
 #include "render/printable.hpp"
 #include "smurf/dialect.hpp"
+#include "smurf/repository.hpp"
 #include "smurf/result_losses.hpp"
 #include "smurf/write_scene.hpp"
 #include "smurfs-flatten/assets.hpp"
@@ -261,15 +265,25 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
   if (!options.assets.empty()) {
     result.copies = redirect_assets(flat, options.assets, flattening, conversion.files());
   }
-  result.text = format.write({.flat = flat,
-                              .scene = scene,
-                              .sources = *loaded.sources,
-                              .losses = loaded.found,
-                              .links = options.links,
-                              .form = form,
-                              .names_copies = !options.assets.empty(),
-                              .meshes = mesh_source(flattening, result.copies, conversion.files(),
-                                                    options.common.limits)});
+  result.text = format.write(
+      {.flat = flat,
+       .scene = scene,
+       .sources = *loaded.sources,
+       .losses = loaded.found,
+       .links = options.links,
+       .form = form,
+       .names_copies = !options.assets.empty(),
+       .meshes = mesh_source(flattening, result.copies, conversion.files(), options.common.limits),
+       .most_bytes = options.common.limits.scene_bytes});
+  if (result.text.size() > options.common.limits.scene_bytes) {
+    const Span place{scene.scenes.front().source, 0, 0};
+    loaded.found
+        .report(rules::sml5022_too_many_instances, place,
+                "the result has more than " + std::to_string(options.common.limits.scene_bytes) +
+                    " bytes")
+        .help = raise_limit("scene-bytes");
+    return {};
+  }
   result.is_complete = !has_losses(loaded.found);
   if (!is_documented) {
     scene.instances = std::move(documented);
@@ -294,6 +308,10 @@ bool write_result(const SceneFormat& format, const Options& options, const std::
   if (name.empty() || options.compare_dialects || output.empty() || output == "-")
     return write_output(kTool, output, text);
   const std::string beside = path::join(path::parent(output), name);
+  if (const std::string link = link_out_of_repository(beside); !link.empty()) {
+    complain(kTool, "cannot write '" + beside + "': " + reason_of_link(link));
+    return false;
+  }
   const FileContent there = DiskFiles().read(beside, options.common.limits.file_bytes);
   if (there.status == ReadStatus::ok && there.text == content) {
     return write_output(kTool, output, text);

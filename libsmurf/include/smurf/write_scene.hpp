@@ -38,6 +38,8 @@ struct SceneExport {
   SceneForm form = SceneForm::expand;
   bool names_copies = false;  ///< the files of models in `flat` are copies that will be made
   MeshSource meshes = {};     ///< for previews; when there is none, meshes are lost
+  /// Of the text. What is larger is of no use and may end anywhere.
+  std::uint64_t most_bytes = Limits{}.scene_bytes;
 };
 
 /// A format is one file in src/write that defines one of these, and its line in

@@ -87,24 +87,26 @@ GazeboElements::GazeboElements(const LinkedModel& model, std::string_view source
     if (gazebo.name() != "gazebo") continue;
     for (const xml::View child : gazebo) {
       if (!is_taken_by_gazebo(model, child)) continue;
-      by_reference_[std::string(attribute_of(gazebo, "reference"))].push_back(child);
+      Part& part = by_reference_[std::string(attribute_of(gazebo, "reference"))];
+      part.elements.push_back(child);
+      part.values[child.name()] = value_of(child);
+      if (child.name() == "visual") part.visuals.push_back(child);
+      if (child.name() == "collision") part.collisions.push_back(child);
+      part.has_material |= child.name() == "visual" && child.child("material");
     }
   }
 }
 
-const std::vector<xml::View>& GazeboElements::of(std::string_view reference) const {
-  static const std::vector<xml::View> kNone;
+const GazeboElements::Part& GazeboElements::part_of(std::string_view reference) const {
+  static const Part kNone;
   const auto found = by_reference_.find(reference);
   return found == by_reference_.end() ? kNone : found->second;
 }
 
-/// The last counts, as in libsdformat.
 std::string_view GazeboElements::value(std::string_view reference, std::string_view name) const {
-  std::string_view found;
-  for (const xml::View element : of(reference)) {
-    if (element.name() == name) found = value_of(element);
-  }
-  return found;
+  const auto& values = part_of(reference).values;
+  const auto found = values.find(name);
+  return found == values.end() ? std::string_view() : found->second;
 }
 
 bool GazeboElements::has_any(std::string_view reference,
@@ -151,7 +153,7 @@ void GazeboElements::add_raw(XmlText& xml, xml::View element, std::string_view f
       edits.push_back({pose.text_span(), text(X_BL * *X_LS)});
     }
   }
-  xml.raw(raw_xml(element, source_, std::move(edits)) + "\n");
+  if (!xml.is_full()) xml.raw(raw_xml(element, source_, std::move(edits)) + "\n");
 }
 
 void GazeboElements::add_to_model(XmlText& xml) const {
@@ -179,11 +181,15 @@ void GazeboElements::add_to_link(XmlText& xml, std::string_view part, std::strin
   xml.close();
 }
 
-void GazeboElements::add_to_collision(XmlText& xml, std::string_view link) const {
-  for (const xml::View blob : of(link)) {
-    if (blob.name() != "collision") continue;
-    for (const xml::View child : blob) xml.raw(raw_xml(child, source_) + "\n");
+void GazeboElements::add_children(XmlText& xml, xml::View blob) const {
+  for (const xml::View child : blob) {
+    if (xml.is_full()) return;
+    xml.raw(raw_xml(child, source_) + "\n");
   }
+}
+
+void GazeboElements::add_to_collision(XmlText& xml, std::string_view link) const {
+  for (const xml::View blob : part_of(link).collisions) add_children(xml, blob);
   leaf(xml, link, "laserRetro", "laser_retro");
   leaf(xml, link, "maxContacts", "max_contacts");
 }
@@ -204,18 +210,12 @@ void GazeboElements::add_friction(XmlText& xml, std::string_view link) const {
 }
 
 void GazeboElements::add_to_visual(XmlText& xml, std::string_view link) const {
-  for (const xml::View blob : of(link)) {
-    if (blob.name() != "visual") continue;
-    for (const xml::View child : blob) xml.raw(raw_xml(child, source_) + "\n");
-  }
+  for (const xml::View blob : part_of(link).visuals) add_children(xml, blob);
   leaf(xml, link, "laserRetro", "laser_retro");
 }
 
 bool GazeboElements::has_own_material(std::string_view link) const {
-  const std::vector<xml::View>& elements = of(link);
-  return std::any_of(elements.begin(), elements.end(), [](xml::View element) {
-    return element.name() == "visual" && bool(element.child("material"));
-  });
+  return part_of(link).has_material;
 }
 
 void GazeboElements::add_to_dynamics(XmlText& xml, std::string_view joint) const {

@@ -53,9 +53,22 @@ class GazeboElements {
   void add_to_joint(XmlText& xml, std::string_view joint, UniqueNames& names) const;
 
  private:
-  const std::vector<xml::View>& of(std::string_view reference) const;
+  /// What is said of one link or joint, or of the model.
+  struct Part {
+    std::vector<xml::View> elements;
+    /// By name of the element. The last counts, as in libsdformat.
+    std::map<std::string_view, std::string_view> values;
+    std::vector<xml::View> visuals, collisions;
+    bool has_material = false;
+  };
+
+  const Part& part_of(std::string_view reference) const;
+  const std::vector<xml::View>& of(std::string_view reference) const {
+    return part_of(reference).elements;
+  }
   std::string_view value(std::string_view reference, std::string_view name) const;
   bool has_any(std::string_view reference, std::initializer_list<std::string_view> names) const;
+  void add_children(XmlText& xml, xml::View blob) const;
   void leaf(XmlText& xml, std::string_view reference, std::string_view name,
             std::string_view written_as) const;
   void add_raw(XmlText& xml, xml::View element, std::string_view frame, const Pose& X_BL,
@@ -63,7 +76,7 @@ class GazeboElements {
 
   const LinkedModel& model_;
   std::string_view source_;
-  std::map<std::string, std::vector<xml::View>, std::less<>> by_reference_;  ///< "": the model
+  std::map<std::string, Part, std::less<>> by_reference_;  ///< "": the model
 };
 
 }  // namespace smurf

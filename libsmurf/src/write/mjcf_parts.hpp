@@ -60,7 +60,7 @@ class MjcfParts {
   const SceneExport& scene_;
   SceneLosses losses_;
   LinkFrames frames_;
-  XmlText xml_;
+  XmlText xml_{scene_.most_bytes};
   std::string start_;                          ///< qpos
   std::string commands_;                       ///< ctrl
   std::map<std::string, std::string> meshes_;  ///< mesh_key -> name of those that are declared

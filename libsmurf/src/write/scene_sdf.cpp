@@ -269,6 +269,7 @@ class SdfWriter {
     const GazeboElements& gazebo = parts_of(model).gazebo;
     const std::string_view link_name = link.name ? std::string_view(*link.name) : "";
     for (const urdf::Visual& visual : link.visuals) {
+      if (xml_.is_full()) return;
       const auto geometry = to_flat(visual.geometry, flat_model);
       if (!geometry || !can_say(*geometry, visual.span)) continue;
       const auto index = static_cast<std::size_t>(&visual - link.visuals.data());
@@ -284,6 +285,7 @@ class SdfWriter {
       xml_.close();
     }
     for (const urdf::Collision& collision : link.collisions) {
+      if (xml_.is_full()) return;
       const auto geometry = to_flat(collision.geometry, flat_model);
       if (!geometry || !can_say(*geometry, collision.span)) continue;
       const auto index = static_cast<std::size_t>(&collision - link.collisions.data());
@@ -336,7 +338,11 @@ class SdfWriter {
   /// Links and joints share one name space here, in a URDF they do not.
   static std::string joint_name(const LinkedModel& model, const urdf::Joint& joint) {
     std::string name = *joint.name;
-    while (model.link_names.contains(name)) name += "_joint";
+    const auto is_taken = [&](const std::string& one) {
+      return model.link_names.contains(one) ||
+             (one != *joint.name && model.joint_names.contains(one));
+    };
+    while (is_taken(name)) name += "_joint";
     return name;
   }
 
@@ -431,7 +437,7 @@ class SdfWriter {
   /// By model that another is anchored to: the bodies of its links.
   std::map<const LinkedModel*, std::vector<std::size_t>> bodies_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;
-  XmlText xml_;
+  XmlText xml_{scene_.most_bytes};
 };
 
 }  // namespace

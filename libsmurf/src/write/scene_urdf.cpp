@@ -303,7 +303,7 @@ class UrdfMerger {
   std::vector<std::size_t> groups_ = anchor_groups(scene_.scene);
   std::map<std::string, std::string, std::less<>> namespaces_;  ///< what prefixes mean
   LinkFrames frames_;
-  XmlText xml_;
+  XmlText xml_{scene_.most_bytes};
 };
 
 }  // namespace

@@ -9,15 +9,16 @@
 
 namespace smurf {
 
-void XmlText::indent() {
+void XmlText::indent(std::size_t depth) {
   make_room(out_);
   // Bodies of MuJoCo lie in each other: a long chain would be mostly blanks.
   constexpr std::size_t kDeepest = 50;
-  out_.append(2 * std::min(open_.size(), kDeepest), ' ');
+  out_.append(2 * std::min(depth, kDeepest), ' ');
 }
 
-void XmlText::start(std::string_view name, std::span<const Attribute> attributes) {
-  indent();
+void XmlText::start(std::string_view name, std::span<const Attribute> attributes,
+                    std::size_t depth) {
+  indent(depth);
   out_ += '<';
   out_ += name;
   for (const auto& [key, value] : attributes) {
@@ -28,30 +29,35 @@ void XmlText::start(std::string_view name, std::span<const Attribute> attributes
 }
 
 void XmlText::open(std::string_view name, Attributes attributes) {
-  start(name, {attributes.begin(), attributes.size()});
-  out_ += ">\n";
   open_.emplace_back(name);
+  if (is_full()) return;
+  start(name, {attributes.begin(), attributes.size()}, open_.size() - 1);
+  out_ += ">\n";
 }
 
 void XmlText::close() {
   const std::string name = std::move(open_.back());
   open_.pop_back();
-  indent();
+  if (is_full()) return;
+  indent(open_.size());
   out_ += "</" + name + ">\n";
 }
 
 void XmlText::empty(std::string_view name, Attributes attributes) {
-  start(name, {attributes.begin(), attributes.size()});
+  if (is_full()) return;
+  start(name, {attributes.begin(), attributes.size()}, open_.size());
   out_ += "/>\n";
 }
 
 void XmlText::empty(std::string_view name, const std::vector<Attribute>& attributes) {
-  start(name, attributes);
+  if (is_full()) return;
+  start(name, attributes, open_.size());
   out_ += "/>\n";
 }
 
 void XmlText::leaf(std::string_view name, std::string_view text, Attributes attributes) {
-  start(name, {attributes.begin(), attributes.size()});
+  if (is_full()) return;
+  start(name, {attributes.begin(), attributes.size()}, open_.size());
   out_ += ">" + escape_xml(text) + "</" + std::string(name) + ">\n";
 }
 

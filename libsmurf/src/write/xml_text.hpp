@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Indented XML, built element by element.
+// Indented XML, built element by element. Once it is larger than it may be, nothing is added.
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -18,7 +19,7 @@ class XmlText {
   using Attribute = std::pair<std::string_view, std::string>;
   using Attributes = std::initializer_list<Attribute>;
 
-  explicit XmlText() : out_("<?xml version=\"1.0\"?>\n") {}
+  explicit XmlText(std::uint64_t most) : most_(most), out_("<?xml version=\"1.0\"?>\n") {}
 
   void open(std::string_view name, Attributes attributes = {});
   void close();
@@ -27,14 +28,18 @@ class XmlText {
   void leaf(std::string_view name, std::string_view text, Attributes attributes = {});
   void leaf(std::string_view name, double value);
   /// Text that is XML already, on lines of its own.
-  void raw(std::string_view text) { out_ += text; }
+  void raw(std::string_view text) {
+    if (!is_full()) out_ += text;
+  }
+  bool is_full() const { return out_.size() > most_; }
   /// Closes what is open.
   std::string finish();
 
  private:
-  void indent();
-  void start(std::string_view name, std::span<const Attribute> attributes);
+  void indent(std::size_t depth);
+  void start(std::string_view name, std::span<const Attribute> attributes, std::size_t depth);
 
+  std::uint64_t most_;
   std::string out_;
   std::vector<std::string> open_;
 };
