@@ -157,6 +157,9 @@ class Options(ExportTest):
         done = self.run_tool("p.urdf", "--preset", "mujoco", "-o", "mujoco.urdf")
         self.assertEqual(done.returncode, 1)
         self.assertIn("takes `package://` for a part of the path", done.stderr)
+        self.write("d.urdf", self.read("r.urdf").replace("m.dae", "nothing/m.stl").replace(
+            "<link", '<mujoco><compiler meshdir="nothing"/></mujoco><link'))
+        self.assertEqual(self.run_tool("d.urdf", "--preset", "mujoco", "-o", "mujoco.urdf").returncode, 1)
         done = self.run_tool("r.urdf", "--preset", "mujoco", "--force", "-o", "mujoco.urdf")
         self.assertEqual(done.returncode, 0)
 

@@ -53,9 +53,8 @@ std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const Link
   const bool are_found =
       std::all_of(model.meshes.begin(), model.meshes.end(),
                   [](const MeshReference& mesh) { return mesh.exists || mesh.is_texture; });
-  const bool is_relative = wanted.mesh_uri == MeshUri::relative;
-  if (finding.rule->id == "SML1912" && is_relative && are_found) return std::nullopt;
-  if (finding.rule->id == "SML1647") return std::nullopt;
+  const bool is_about_paths = finding.rule->id == "SML1912" || finding.rule->id == "SML1647";
+  if (is_about_paths && wanted.mesh_uri == MeshUri::relative && are_found) return std::nullopt;
   return "MuJoCo " + std::string(fact->makes);
 }
 
