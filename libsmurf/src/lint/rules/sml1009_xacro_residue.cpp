@@ -29,7 +29,6 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::breaks,
      "reports an error and drops the visuals and collisions of the link that follow",
      "urdfdom link.cpp:415-486, run", "/link/"},
-    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run", "/@"},
     {&readers::pybullet, Effect::loses,
      "ignores the element, and what it would have become is missing", kRun, "/xacro:"},
     {&readers::pybullet, Effect::changes, "uses the text literally", kRun, "/@filename/"},

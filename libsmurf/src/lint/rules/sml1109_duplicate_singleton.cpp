@@ -13,7 +13,6 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::changes, "uses one of them", kRun, "/inertial/mass/"},
     {&readers::phobos, Effect::refuses, "stops with an assertion", kRun},
     {&readers::urdf, Effect::changes, "uses the first one", "urdfdom, Bullet, run"},
-    {&readers::phobos, Effect::refuses, "stops with an AssertionError", "Phobos a613e31, run"},
     {&readers::mujoco, Effect::refuses, "refuses a repeated element", kRun},
 };
 

@@ -6,7 +6,6 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::changes, "reads a vector of zeros and warns",
      "Bullet UrdfParser.cpp:49-78, run"},
 };
