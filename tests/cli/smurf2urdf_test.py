@@ -156,7 +156,7 @@ class Options(ExportTest):
         self.write("p.urdf", self.read("r.urdf").replace("m.dae", "package://nowhere/m.stl"))
         done = self.run_tool("p.urdf", "--preset", "mujoco", "-o", "mujoco.urdf")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("takes `package://` for a part of the path", done.stderr)
+        self.assertIn("treats `package://` as a part of the path", done.stderr)
         self.write("d.urdf", self.read("r.urdf").replace("m.dae", "nothing/m.stl").replace(
             "<link", '<mujoco><compiler meshdir="nothing"/></mujoco><link'))
         self.assertEqual(self.run_tool("d.urdf", "--preset", "mujoco", "-o", "mujoco.urdf").returncode, 1)

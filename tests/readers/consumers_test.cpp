@@ -153,8 +153,8 @@ bool check(const std::vector<Case>& cases, const Column& column) {
   for (const Case& one : cases) {
     const std::string verdict = did(one, column.heading);
     const std::string printed = check_for(one.file, *find_target(column.target)).verdict;
-    const bool is_all_clear = is_refusal(verdict) && printed.starts_with("takes");
-    const bool is_alarm = is_taken(verdict) && printed.starts_with("refuses");
+    const bool is_all_clear = is_refusal(verdict) && printed.starts_with("loads");
+    const bool is_alarm = is_taken(verdict) && printed.starts_with("fails to load");
     const bool is_unknown = printed.starts_with("not known");
     found.all_clears += is_all_clear ? 1 : 0;
     found.alarms += is_alarm ? 1 : 0;
@@ -230,7 +230,7 @@ bool check_drake(const std::vector<Case>& cases) {
       const std::vector<std::string> names = own_names(did(one, "text"));
       const bool is_about_it = is_named(checked, names);
       ++own;
-      const bool is_refused = checked.verdict.starts_with("refuses");
+      const bool is_refused = checked.verdict.starts_with("fails to load");
       refused += is_refused ? 1 : 0;
       nameable += names.empty() ? 0 : 1;
       named += is_about_it ? 1 : 0;

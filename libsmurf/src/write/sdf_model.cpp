@@ -43,9 +43,9 @@ void SdfModel::add_sensors(XmlText& xml, std::string_view carrier, std::string_v
     if (document == nullptr) continue;
     std::string text = passes::gazebo_sensor(*document, sensor, names.add(*sensor.name));
     constexpr std::string_view kEnd = "</collision>";
-    for (std::size_t at = text.find(kEnd); at != std::string::npos; at = text.find(kEnd, at)) {
-      text.insert(at, "_collision");  // what collisions are called here
-      at += kEnd.size() + std::string_view("_collision").size();
+    for (std::size_t end = text.find(kEnd); end != std::string::npos; end = text.find(kEnd, end)) {
+      text.insert(end, "_collision");  // what collisions are called here
+      end += kEnd.size() + std::string_view("_collision").size();
     }
     if (!frame.empty()) {
       const std::string relative = "<pose relative_to=\"" + escape_xml(frame) + "\">";

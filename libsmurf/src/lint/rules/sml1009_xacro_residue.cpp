@@ -9,7 +9,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "/origin/@"},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "/axis/@"},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "/child/@"},
-    {&readers::phobos, Effect::changes, "takes it for a part of the robot", kRun},
+    {&readers::phobos, Effect::changes, "treats it as a part of the robot", kRun},
     {&readers::urdf, Effect::loses, "ignores the element, and what it would have become is missing",
      "urdfdom, sdformat, MuJoCo, Bullet, run", "/xacro:"},
     {&readers::urdf, Effect::changes, "uses the text literally", "no URDF reader expands xacro",

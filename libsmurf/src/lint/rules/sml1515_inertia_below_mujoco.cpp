@@ -87,8 +87,7 @@ extern constinit const Rule sml1515_inertia_below_mujoco{
     .name = "inertia-below-mujoco",
     .severity = Severity::warning,
     .summary = "A moment of inertia is smaller than MuJoCo accepts.",
-    .why =
-        "Hexadecimal entries, which other readers refuse, are judged by the value that MuJoCo reads.",
+    .why = "Hexadecimal entries are judged by their value.",
     .remedy = "Write the real inertia, or remove the inertial of a link that is only a frame.",
     .sources = "176 inertials of the Tola/Corke dataset.",
     .check_model = check,

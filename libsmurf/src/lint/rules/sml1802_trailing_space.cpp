@@ -19,7 +19,7 @@ extern constinit const Rule sml1802_trailing_space{
     .severity = Severity::error,
     .summary = "A blank follows a single number.",
     .why =
-        "A mass written like this loses all visuals and collisions of its link while urdfdom reports success.",
+        "A mass written like this can cost all visuals and collisions of its link without a message.",
     .remedy = "Delete the blank.",
     .facts = kFacts};
 

@@ -24,7 +24,7 @@ constexpr Fact kFacts[] = {
      "envire_smurf_loader Model.cpp:94-97"},
     {&readers::envire, Effect::changes, "names what it loads by it",
      "rock-cpp/smurf Robot.cpp:33-39"},
-    {&readers::phobos, Effect::takes, "takes it as it is", kRun, "/modelname/"},
+    {&readers::phobos, Effect::takes, "uses it as it is", kRun, "/modelname/"},
     {&readers::phobos, Effect::refuses, "stops with a KeyError", "Phobos io/smurfrobot.py:166"},
 };
 

@@ -49,7 +49,7 @@ extern constinit const Rule sml4107_sensor_without_targets{
     .name = "sensor-without-targets",
     .severity = Severity::warning,
     .summary = "A sensor that measures things by name names none.",
-    .why = "MARS does not use `link` and `joint` as targets.",
+    .why = "`link` and `joint` are not targets.",
     .remedy = "List what is measured in `id`.",
     .check_model = check,
     .facts = kFacts};

@@ -116,7 +116,7 @@ void check(const LinkedModel& model, Findings& findings) {
   }
 }
 
-constexpr std::string_view kTakes = "takes it";
+constexpr std::string_view kTakes = "accepts it";
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::takes, kTakes, kRun},
