@@ -165,12 +165,13 @@ class Hooks:
 
     def test_fixes(self):
         mount = '<joint name="pedestal_mount" type="fixed">'
-        self.change("arm/urdf/arm.urdf", mount, mount + "<dynamics/>")
+        unused = '<limit effort="1" velocity="1"/>'
+        self.change("arm/urdf/arm.urdf", mount, mount + "<dynamics/>" + unused)
         self.git(self.robots, "add", "-A")
         done = self.hook("smurf-lint-fix", "--hook-stage", "manual")
         self.assertIn("fixed 1 finding", done.stdout)
-        # To delete it is no safe fix.
-        self.assertIn("<dynamics/>", (self.robots / "arm/urdf/arm.urdf").read_text())
+        fixed = (self.robots / "arm/urdf/arm.urdf").read_text()
+        self.assertTrue(mount + unused in fixed, "deletes `<dynamics/>`; to delete the limit is no safe fix")
 
     def test_names_are_no_options(self):
         """A folder of the repository that is called like an option, with a path outside in it."""

@@ -103,7 +103,7 @@ def compare(one, other, folder):
         attributes.pop("name", None)
     if "filename" in one.attrib and one.attrib["filename"] != attributes.get("filename"):
         paths = [one.attrib["filename"], attributes.pop("filename")]
-        same("G1: mesh files", *[os.path.normpath(folder / path) for path in paths])
+        same("G1: mesh files", *[os.path.normpath(folder / path.removeprefix("file://")) for path in paths])
         attributes["filename"] = one.attrib["filename"]
     same("G1: attributes", one.attrib, attributes)
     same("G1: numbers of children", len(one), len(other))
