@@ -120,7 +120,7 @@ std::string example_of(const Rule& rule) {
   const std::string lines = new_lines(bad, good);
   if (bad.empty() || lines.empty()) return text;
   const bool is_xml = file.ends_with(".urdf") || file.ends_with(".svg");
-  return text + "\nWithout a finding:\n\n```" + (is_xml ? "xml" : "yaml") + "\n" + lines + "```\n";
+  return text + "\nNot reported:\n\n```" + (is_xml ? "xml" : "yaml") + "\n" + lines + "```\n";
 }
 
 void write_rule(std::ostream& page, const Rule& rule) {

@@ -258,7 +258,7 @@ void tell(const Conversion& conversion, const std::string& folder, std::size_t f
   conversion.tell_written(text);
 }
 
-/// Mesh paths that MARS does not open, as it knows no packages.
+/// Counts the mesh paths that MARS cannot open, because it does not resolve `package://`.
 std::size_t count_uris(const LinkedModel& model, const Options& options,
                        const AssetCopies& copies) {
   if (!copies.empty()) return 0;

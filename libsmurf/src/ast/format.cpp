@@ -54,7 +54,7 @@ FormatPart part_of(std::string_view name, std::string_view doc, std::span<const 
 std::string_view form_of(const SectionSpec& section) {
   switch (section.form) {
   case SectionForm::list: return "a list of entries";
-  case SectionForm::list_or_mapping: return "a list of entries, or one entry";
+  case SectionForm::list_or_mapping: return "a list of entries or a single entry";
   case SectionForm::named: return "a mapping from names to entries";
   }
   return "";

@@ -18,12 +18,11 @@ bool KeyRenames::has(std::string_view name) {
 void KeyRenames::offer(std::vector<Fix>& fixes, yaml::View key, std::string_view name) {
   // Without dashes in front, a directive above would have no document to belong to.
   if (key.key().starts_with("---") || !is_free(name)) return;
-  const Span span = key.key_span();
-  const std::size_t around = span.end - span.begin - key.key().size();
-  if (around != 0 && around != 2) return;  // neither plain nor in quotes: a block, or escapes
+  const auto place = within_quotes(key.key_span(), key.key());
+  if (!place) return;
   offered_.insert(name);
   fixes.push_back({Applicability::unsafe,
-                   {{without_quotes(span, key.key()), std::string(name)}},
+                   {{*place, std::string(name)}},
                    Fix::NewName{mapping_.span(), std::string(name)}});
 }
 

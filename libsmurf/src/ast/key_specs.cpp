@@ -57,10 +57,11 @@ Span within_quotes(yaml::View value) {
   return is_quoted && !own.is_alias() ? Span{span.source, span.begin + 1, span.end - 1} : span;
 }
 
-/// Unquoted keys have no quotes to strip.
-Span without_quotes(Span key, std::string_view text) {
-  const bool is_quoted = key.end - key.begin >= text.size() + 2;
-  return is_quoted ? Span{key.source, key.begin + 1, key.end - 1} : key;
+std::optional<Span> within_quotes(Span scalar, std::string_view text) {
+  const std::size_t around = scalar.end - scalar.begin - text.size();
+  if (around == 0) return scalar;
+  if (around == 2) return Span{scalar.source, scalar.begin + 1, scalar.end - 1};
+  return std::nullopt;
 }
 
 std::string_view describe(ValueType type) {

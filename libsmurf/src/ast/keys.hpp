@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -153,8 +154,9 @@ Span place_to_add(yaml::View entry, std::string_view key);
 
 /// The bytes of a scalar within its quotes, if it has any, so that an edit keeps them (JSON).
 Span within_quotes(yaml::View value);
-/// Same, for a key that reads `text`.
-Span without_quotes(Span key, std::string_view text);
+/// Same, for a scalar that reads `text`; none where it is written otherwise: as a block or with
+/// escapes.
+std::optional<Span> within_quotes(Span scalar, std::string_view text);
 
 /// "a number", "a list of names": for messages.
 std::string_view describe(ValueType type);

@@ -16,7 +16,7 @@ namespace smurf {
 /// What the value of a section is.
 enum class SectionForm : std::uint8_t {
   list,             ///< a list of entries
-  list_or_mapping,  ///< a list of entries, or one entry
+  list_or_mapping,  ///< a list of entries or a single entry
   named             ///< a mapping from names to entries
 };
 

@@ -14,20 +14,36 @@ namespace {
 
 constexpr std::size_t kBlock = 256;  // bytes, of which a finding looks through a dozen
 
-/// Before each block.
-void count_characters(std::string_view text, std::vector<std::uint32_t>& counts) {
-  counts.reserve(text.size() / kBlock + 1);
-  std::uint32_t characters = 0;
-  for (std::size_t at = 0; at <= text.size(); at += kBlock) {
-    counts.push_back(characters);
-    characters += static_cast<std::uint32_t>(utf8::count_code_points(text.substr(at, kBlock)));
-  }
+std::uint32_t line_ends(std::string_view text) {
+  return static_cast<std::uint32_t>(count_of(text, '\n'));
 }
 
-bool is_wide(char lead) { return static_cast<unsigned char>(lead) >= 0xF0; }
+std::uint32_t characters(std::string_view text) {
+  return static_cast<std::uint32_t>(utf8::count_code_points(text));
+}
 
-std::uint32_t count_wide(std::string_view text) {
+/// Those which UTF-16 writes as two units.
+std::uint32_t wide(std::string_view text) {
+  const auto is_wide = [](char lead) { return static_cast<unsigned char>(lead) >= 0xF0; };
   return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), is_wide));
+}
+
+using Counter = std::uint32_t (*)(std::string_view);
+
+/// What `count` finds before each block of the text; the last entry is for the block of its end.
+std::vector<std::uint32_t> count_before_blocks(std::string_view text, Counter count) {
+  std::vector<std::uint32_t> counts{0};
+  counts.reserve(text.size() / kBlock + 1);
+  for (std::size_t end = kBlock; end <= text.size(); end += kBlock) {
+    counts.push_back(counts.back() + count(text.substr(end - kBlock, kBlock)));
+  }
+  return counts;
+}
+
+std::uint32_t count_before(std::string_view text, const std::vector<std::uint32_t>& before_blocks,
+                           Counter count, std::size_t offset) {
+  const std::size_t block = offset / kBlock;
+  return before_blocks[block] + count(text.substr(block * kBlock, offset - block * kBlock));
 }
 
 }  // namespace
@@ -37,22 +53,13 @@ SourceId SourceMap::add(std::string path, std::string text) {
   source.path = std::move(path);
   source.text = std::move(text);
   source.is_ascii = utf8::ascii_prefix(source.text) == source.text.size();
-  std::vector<std::uint32_t>& counts = source.line_ends_before;
-  counts.reserve(source.text.size() / kBlock + 1);
   const std::string_view whole = source.text;
-  std::uint32_t line_ends = 0;
-  for (std::size_t at = 0; at <= whole.size(); at += kBlock) {
-    counts.push_back(line_ends);
-    line_ends += static_cast<std::uint32_t>(count_of(whole.substr(at, kBlock), '\n'));
-  }
-  source.line_count = line_ends + 1;
-  if (!source.is_ascii) count_characters(source.text, source.characters_before);
-  if (!source.is_ascii && std::any_of(whole.begin(), whole.end(), is_wide)) {
-    std::uint32_t wide = 0;
-    for (std::size_t at = 0; at <= whole.size(); at += kBlock) {
-      source.wide_before.push_back(wide);
-      wide += count_wide(whole.substr(at, kBlock));
-    }
+  source.line_ends_before = count_before_blocks(whole, line_ends);
+  source.line_count = count_before(whole, source.line_ends_before, line_ends, whole.size()) + 1;
+  if (!source.is_ascii) {
+    source.characters_before = count_before_blocks(whole, characters);
+    source.wide_before = count_before_blocks(whole, wide);
+    if (count_before(whole, source.wide_before, wide, whole.size()) == 0) source.wide_before = {};
   }
   return keep(std::move(source));
 }
@@ -88,10 +95,7 @@ std::uint32_t SourceMap::wide_characters(Span span) const {
   const Source& source = at(span.source);
   if (source.wide_before.empty()) return 0;
   const auto before = [&](std::uint32_t offset) {
-    const std::size_t block = offset / kBlock;
-    const std::string_view inside =
-        std::string_view(source.text).substr(block * kBlock, offset - block * kBlock);
-    return source.wide_before[block] + count_wide(inside);
+    return count_before(source.text, source.wide_before, wide, offset);
   };
   return before(span.end) - before(span.begin);
 }
@@ -102,11 +106,7 @@ std::string_view SourceMap::text(Span span) const {
 
 std::uint32_t SourceMap::line_of(SourceId id, std::uint32_t offset) const {
   const Source& source = at(id);
-  const std::size_t block = offset / kBlock;
-  const auto begin = source.text.begin() + static_cast<std::ptrdiff_t>(block * kBlock);
-  const auto end = source.text.begin() + static_cast<std::ptrdiff_t>(offset);
-  return source.line_ends_before[block] + static_cast<std::uint32_t>(std::count(begin, end, '\n')) +
-         1;
+  return count_before(source.text, source.line_ends_before, line_ends, offset) + 1;
 }
 
 std::uint32_t SourceMap::line_start(const Source& source, std::uint32_t line) {
@@ -124,11 +124,7 @@ std::uint32_t SourceMap::line_start(const Source& source, std::uint32_t line) {
 }
 
 std::uint32_t SourceMap::characters_before(const Source& source, std::uint32_t offset) {
-  const std::size_t block = offset / kBlock;
-  const std::string_view inside =
-      std::string_view(source.text).substr(block * kBlock, offset - block * kBlock);
-  return source.characters_before[block] +
-         static_cast<std::uint32_t>(utf8::count_code_points(inside));
+  return count_before(source.text, source.characters_before, characters, offset);
 }
 
 Position SourceMap::position(SourceId id, std::uint32_t offset) const {

@@ -284,10 +284,9 @@ class ConfigReader {
     const auto near = sink_.suggest(text, known);
     if (!near) return;
     diagnostic.help = "did you mean " + quoted(*near) + "?";
-    const std::size_t around = place.end - place.begin - text.size();
-    if (around != 0 && around != 2) return;  // a block, or escapes in quotes
-    diagnostic.fixes.push_back(
-        {Applicability::unsafe, {{without_quotes(place, text), std::string(*near)}}});
+    const auto word = within_quotes(place, text);
+    if (!word) return;
+    diagnostic.fixes.push_back({Applicability::unsafe, {{*word, std::string(*near)}}});
   }
 
   Diagnostic& wrong(yaml::View value, std::string message) {

@@ -28,13 +28,6 @@ const yaml::Node& node_of(yaml::View view) {
   return view.document().nodes[static_cast<std::size_t>(view.id())];
 }
 
-Span without_quotes(const yaml::Node& scalar) {
-  const bool is_quoted =
-      scalar.style == yaml::Style::single_quoted || scalar.style == yaml::Style::double_quoted;
-  const Span span = scalar.span;
-  return is_quoted ? Span{span.source, span.begin + 1, span.end - 1} : span;
-}
-
 template <class Entries, class Has>
 NameTable table_of(const Entries& entries, Has has) {
   NameTable table;
@@ -50,7 +43,7 @@ NamePlace place_of_name(yaml::View scalar) {
   const yaml::Node& own = node_of(scalar);
   const auto place = static_cast<std::uint32_t>(scalar.id());
   if (!own.is_alias()) {
-    return {Reference::Notation::yaml, place, without_quotes(own), own.span};
+    return {Reference::Notation::yaml, place, within_quotes(scalar), own.span};
   }
   const auto target = static_cast<std::size_t>(own.target());
   return {Reference::Notation::yaml, place, own.span, scalar.document().nodes[target].span};
@@ -58,8 +51,9 @@ NamePlace place_of_name(yaml::View scalar) {
 
 NamePlace place_of_key(yaml::View member) {
   const Span key = member.key_span();
+  const Span with_escapes{key.source, key.begin + 1, key.end - 1};  // which only quotes permit
   return {Reference::Notation::yaml_key, static_cast<std::uint32_t>(member.id()),
-          without_quotes(key, member.key()), key};
+          within_quotes(key, member.key()).value_or(with_escapes), key};
 }
 
 NamePlace part_of(NamePlace place, std::size_t offset, std::size_t size) {

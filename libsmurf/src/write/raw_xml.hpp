@@ -11,12 +11,12 @@
 
 namespace smurf {
 
-/// The edits by which the children of a robot that use the prefix of one of its declarations
-/// declare it themselves.
+/// Adds the edits that move a namespace declaration of the robot element into those of its
+/// children that use the prefix.
 void declare_prefix(xml::View robot, const xml::Attribute& declaration, std::vector<Edit>& edits);
 
-/// Its text, with the edits, and with the prefixes that it uses declared. `source` is the text of
-/// its document.
+/// The text of an element after the edits, with a declaration of every namespace prefix that it
+/// uses. `source` is the text of the whole document.
 std::string raw_xml(xml::View element, std::string_view source, std::vector<Edit> edits = {});
 
 }  // namespace smurf

@@ -52,7 +52,7 @@ void read(yaml::View entry, Span section, Annotations& out, DiagnosticSink& sink
 
 constinit const SectionSpec graphics{.name = "graphics",
                                      .entry = "graphics entry",
-                                     .doc = "Settings of the display, for the whole scene.",
+                                     .doc = "Display settings for the whole scene.",
                                      .read_by = "MARS 1",
                                      .form = SectionForm::list_or_mapping,
                                      .filtered_keys = keys,

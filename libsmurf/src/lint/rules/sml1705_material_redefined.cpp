@@ -38,7 +38,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_new) return;
     const bool is_color = is_other(material.rgba, first.rgba);
     const bool is_changed = is_color || is_other(material.texture, first.texture);
-    // Two at robot level are SML1704.
+    // Duplicate materials at robot level are reported as SML1704.
     const bool is_global =
         xml::View(model.robot->document, material.element).parent().name() == "robot";
     if (!is_changed || is_global || !reported.insert(*material.name).second) return;
