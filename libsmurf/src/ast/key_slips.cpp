@@ -63,7 +63,9 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
                                           : mapping.span();
   Diagnostic& diagnostic = sink.report(rules::sml4004_missing_key, place,
                                        "this " + std::string(what) + " has no " + name);
-  if (!near && !key) {
+  const bool is_empty = key && !near;
+  diagnostic.construct.append(spec.name).append(is_empty ? "-empty" : "");
+  if (!key) {
     diagnostic.labels.push_back({place_to_add(mapping, spec.name), "add it after this"});
   }
   if (!near) return {};

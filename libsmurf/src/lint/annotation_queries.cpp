@@ -43,6 +43,17 @@ bool has_misspelt(yaml::View mapping, std::string_view key) {
                      [&](yaml::View value) { return nearest(value.key(), known).has_value(); });
 }
 
+bool is_slip(yaml::View mapping, std::string_view key, Findings& findings) {
+  const std::string_view known[] = {key};
+  bool is_found = false;
+  for (const yaml::View member : mapping) {
+    if (!nearest(member.key(), known)) continue;
+    findings.add_consequence(member.key_span());
+    is_found = true;
+  }
+  return is_found;
+}
+
 std::vector<TopLevelKey> top_level_keys(const LinkedModel& model) {
   std::vector<TopLevelKey> keys;
   for (const ModelFile& file : model.files) {

@@ -23,6 +23,9 @@ NameList texts_at(yaml::View mapping, std::string_view key);
 
 /// True when an unknown key of the mapping is a misspelling of `key`, which is then reported.
 bool has_misspelt(yaml::View mapping, std::string_view key);
+/// Same, for a rule that reports nothing then. To readers the key is missing, so the misspelling is
+/// marked as a fault of this rule, too.
+bool is_slip(yaml::View mapping, std::string_view key, Findings& findings);
 
 /// A top-level key of the main file or of an annotation file.
 struct TopLevelKey {

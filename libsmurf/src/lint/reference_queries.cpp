@@ -38,8 +38,13 @@ bool is_first(yaml::View entry) {
   return entry.document().nodes[static_cast<std::size_t>(entry.id())].position() == 0;
 }
 
-/// What readers make of an unknown name depends on the motor or sensor that names it.
-std::string_view construct_of(const AnnotationPlace& place) {
+/// What readers make of an unknown name depends on the entry that has it.
+std::string_view construct_of(const LinkedModel& model, const AnnotationPlace& place) {
+  if (place.section == "collision" && place.key == "link") {
+    const yaml::View name = place.entry.find("name");
+    const bool is_known = name && names(model, NameKind::collision).contains(name.text());
+    return is_known ? "known-collision" : "";
+  }
   if (place.section == "motors" && place.key == "joint") {
     return is_first(place.entry) ? "" : "later-motor";
   }
@@ -115,7 +120,7 @@ Diagnostic* report_unknown(const LinkedModel& model, const Reference& reference,
   const std::string subject = subject_of(place);
   Diagnostic* diagnostic = check_reference(model, reference.kind, reference.name,
                                            place_of(reference), subject.c_str(), findings);
-  if (diagnostic != nullptr) diagnostic->construct += construct_of(place);
+  if (diagnostic != nullptr) diagnostic->construct += construct_of(model, place);
   return diagnostic;
 }
 

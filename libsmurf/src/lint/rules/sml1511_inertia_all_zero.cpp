@@ -33,6 +33,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the zeros", kRun},
     {&readers::mars, Effect::breaks, "hands ODE an inertia that it reports as wrong",
      "ODE dMassCheck, run"},
+    {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
     {&readers::pybullet, Effect::ignores, "computes the inertia from the collisions",
      "BulletUrdfImporter.cpp:374-411"},
     {&readers::dart, Effect::changes, "goes on with a mass matrix that is singular", kRun,

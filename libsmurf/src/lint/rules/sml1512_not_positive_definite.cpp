@@ -54,6 +54,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the numbers", kRun},
     {&readers::mars, Effect::breaks, "hands ODE an inertia that it reports as wrong",
      "ODE dMassCheck, run"},
+    {&readers::phobos, Effect::takes, "keeps the numbers", kRun},
     {&readers::pybullet, Effect::ignores,
      "computes the inertia from the collisions, unless told otherwise",
      "BulletUrdfImporter.cpp:374-411"},

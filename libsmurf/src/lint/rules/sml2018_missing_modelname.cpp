@@ -9,7 +9,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.has_main || model.files.empty() || !model.files.front().document) return;
   const yaml::View root = model.files.front().document->view();
   if (!root || !root.is_mapping() || root.size() == 0) return;
-  if (has_misspelt(root, "modelname")) return;
+  if (is_slip(root, "modelname", findings)) return;
   const Field<std::string>& name = model.main.modelname;
   if (name.written && (!name || !name->empty())) return;
   const yaml::View written = root.find("modelname");

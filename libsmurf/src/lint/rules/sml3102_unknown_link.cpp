@@ -32,6 +32,9 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::ignores, "does not look for it", kRun, "/sensors/link/#of-others"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
      "/sensors/"},
+    {&readers::phobos, Effect::ignores, "keeps the link of the URDF", kRun, "#known-collision"},
+    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, "/collision/link/"},
+    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, "/collisions/link/"},
 };
 
 }  // namespace

@@ -11,7 +11,16 @@ constexpr std::string_view kEnds = "ends with an uncaught exception";
 constexpr std::string_view kRaises = "raises an exception";
 
 constexpr Fact kFacts[] = {
+    {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#section-text"},
+    {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#section-blank"},
+    {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#entry-nothing"},
+    {&readers::mars, refuses, kEnds, kRun, "#names-nothing"},
     {&readers::mars, ignores, "does not read the section", kRun, "/submechanisms/"},
+    {&readers::mars, ignores, "does not read it", kRun, "/date/"},
+    {&readers::mars, ignores, "does not read it", kRun, "/SMURF version/"},
+    {&readers::mars, ignores, "keeps its own value", kRun, "/background/#mapping-text"},
+    {&readers::mars, ignores, "keeps its own value", kRun, "/fog/#mapping-text"},
+    {&readers::mars, ignores, "keeps its own value", kRun, "/fog/color/#mapping-text"},
     {&readers::mars, ignores, "does not read it", kRun, "/modelname/"},
     {&readers::mars, ignores, "does not read it", kRun, "/collision/link/"},
     {&readers::mars, ignores, "does not read it", kRun, "/visuals/link/"},
@@ -20,7 +29,6 @@ constexpr Fact kFacts[] = {
     {&readers::mars, ignores, "does not read it", kRun, "/springStiffness/"},
     {&readers::mars, refuses, kEnds, kRun, "#entity-"},
     {&readers::mars, loses, "finds no entry in it", kRun, "#section-mapping"},
-    {&readers::mars, ignores, "finds no pose of this name", kRun, "/poses/#entry-"},
     {&readers::mars, refuses, kEnds, kRun, "#section-"},
     {&readers::mars, refuses, kEnds, kRun, "#entry-"},
     {&readers::mars, ignores, "reads the joints of the pose that is asked for only", kRun,
@@ -33,7 +41,6 @@ constexpr Fact kFacts[] = {
     {&readers::mars, breaks, "reads uninitialised memory", "configmaps ConfigAtom.hpp:83-91, run",
      "#value-"},
     {&readers::mars, refuses, kEnds, kRun, "#names-mapping"},
-    {&readers::mars, refuses, kEnds, kRun, "#names-nothing"},
     {&readers::mars, changes, "takes what it finds for the only name", kRun, "#names-"},
     {&readers::mars, breaks, "reads as many numbers as it wants", kRun, "#numbers-list"},
     {&readers::mars, breaks, "reads as many numbers as it wants", kRun, "#numbers-single"},

@@ -5,11 +5,17 @@
 namespace smurf::rules {
 namespace {
 
+constexpr std::string_view kNameless = "keeps an entry without a name";
+
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "has no URDF without `files`, and dereferences the null model", "MARS smurf.cpp:988-998, run",
-     "/files/"},
+     "#files"},
     {&readers::mars, Effect::changes, "reads 0 or an empty text", "configmaps, run"},
+    {&readers::phobos, Effect::breaks, kNameless, kRun, "/materials/name/#name-empty"},
+    {&readers::phobos, Effect::breaks, kNameless, kRun, "/joint/name/#name-empty"},
+    {&readers::phobos, Effect::breaks, kNameless, kRun, "/visuals/name/#name-empty"},
+    {&readers::phobos, Effect::breaks, kNameless, kRun, "/submechanisms/name/#name-empty"},
     {&readers::phobos, Effect::refuses, "stops with a KeyError", "Phobos smurfrobot.py"},
 };
 

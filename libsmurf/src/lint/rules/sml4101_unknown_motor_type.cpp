@@ -49,6 +49,7 @@ constexpr Fact kFacts[] = {
      "envire_smurf_loader Model.cpp"},
     {&readers::envire, Effect::changes, "treats it as a position controller",
      "MARS MotorData.cpp:126-135"},
+    {&readers::phobos, Effect::takes, "keeps the word", kRun},
 };
 
 }  // namespace

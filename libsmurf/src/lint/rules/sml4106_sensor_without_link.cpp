@@ -18,9 +18,11 @@ void check(const LinkedModel& model, Findings& findings) {
     if (std::find(std::begin(kTypes), std::end(kTypes), *sensor.type) == std::end(kTypes)) continue;
     const yaml::View mapping = mapping_of(model, sensor);
     if (!mapping || mapping.find("URI") || mapping.find("URIs")) continue;
-    if (!mapping.find("links") && has_misspelt(mapping, "link")) continue;
-    findings.report(sensor.type.span, subject("sensor", sensor) + " has no `link`")
-        .labels.push_back({place_to_add(mapping, "link"), "add it after this"});
+    if (!mapping.find("links") && is_slip(mapping, "link", findings)) continue;
+    Diagnostic& diagnostic =
+        findings.report(sensor.type.span, subject("sensor", sensor) + " has no `link`");
+    diagnostic.construct = *sensor.type;
+    diagnostic.labels.push_back({place_to_add(mapping, "link"), "add it after this"});
   }
 }
 
@@ -28,6 +30,7 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
      "looks up node 0: a camera ends the program with an assertion, Joint6DOF dereferences a null pointer",
      "MARS smurf.cpp:272-283, CameraSensor.cpp"},
+    {&readers::phobos, Effect::refuses, "stops with an assertion", kRun, "#CameraSensor"},
     {&readers::phobos, Effect::breaks,
      "stops with an assertion at a camera, and keeps other sensors without a link", kRun},
     {&readers::mars2, Effect::crashes, "ends with an uncaught exception",

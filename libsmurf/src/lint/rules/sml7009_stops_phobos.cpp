@@ -107,8 +107,48 @@ void check_sections(const LinkedModel& model, Findings& findings) {
   }
 }
 
+/// It takes mappings only, as it writes them.
+void check_dependencies(const LinkedModel& model, Findings& findings) {
+  for (const TopLevelKey& section : top_level_keys(model)) {
+    if (section.value.key() != "submechanisms" || !section.value.is_sequence()) continue;
+    for (const yaml::View entry : section.value) {
+      const yaml::View joints =
+          entry.is_mapping() ? entry.find("multi_joint_dependencies") : yaml::View();
+      if (!joints || !joints.is_sequence()) continue;
+      for (const yaml::View joint : joints) {
+        const yaml::View leaders = joint.is_mapping() ? joint.find("depends_on") : yaml::View();
+        if (!leaders || !leaders.is_sequence() || leaders.size() == 0) continue;
+        if ((*leaders.begin()).is_mapping()) continue;
+        findings.report(leaders.key_span(), "Phobos wants mappings in `depends_on`, not names")
+            .help = "write `{joint: NAME, multiplier: 1, offset: 0}`";
+      }
+    }
+  }
+}
+
+void check_main_file(const LinkedModel& model, Findings& findings) {
+  if (!model.has_main || !model.files.front().document) return;
+  const yaml::View root = model.files.front().document->view();
+  const yaml::View files = root && root.is_mapping() ? root.find("files") : yaml::View();
+  if (!files || !files.is_scalar() || files.text().empty()) return;
+  findings.report(files.place(), "Phobos wants a list of `files`").help =
+      "make it an item: `- FILE`";
+}
+
+void check_robot(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  const xml::View robot = model.robot->document.view();
+  const xml::View sensor = robot ? robot.child("sensor") : xml::View();
+  if (!sensor) return;
+  findings.report(sensor.name_span(), "Phobos takes no `sensor` beside the links").help =
+      "keep sensors in a `sensors` section";
+}
+
 void check(const LinkedModel& model, Findings& findings) {
+  check_main_file(model, findings);
+  check_robot(model, findings);
   check_sections(model, findings);
+  check_dependencies(model, findings);
   for (const Sensor& sensor : model.annotations.sensors) {
     if (const yaml::View mapping = mapping_of(model, sensor)) {
       check_sensor(sensor, mapping, findings);
@@ -131,7 +171,7 @@ extern constinit const Rule sml7009_stops_phobos{
     .id = "SML7009",
     .name = "stops-phobos",
     .severity = Severity::error,
-    .summary = "An annotation is written in a way that stops Phobos 2.",
+    .summary = "A model is written in a way that stops Phobos 2.",
     .remedy = "Write it as the message says, or keep it out of what Phobos loads.",
     .check_model = check,
     .needs_target = true,
