@@ -115,6 +115,13 @@ std::vector<std::string> type_names(ValueType type) {
   return {};
 }
 
+/// Mappings, or names for them.
+Json items_of(const KeySpec& spec) {
+  Json item = object_of(pointers(spec.members.keys()));
+  if (!spec.names.kinds.empty()) item["type"] = {"object", "string", "number", "boolean"};
+  return item;
+}
+
 /// The parts beside `type`. Keywords for lists say nothing about mappings, and the reverse.
 Json value_parts(const KeySpec& spec) {
   switch (spec.type) {
@@ -131,7 +138,7 @@ Json value_parts(const KeySpec& spec) {
     return object_of(pointers(spec.members.keys()));
   case ValueType::list:
     if (spec.members.size == 0) return Json::object();
-    return {{"items", object_of(pointers(spec.members.keys()))}};
+    return {{"items", items_of(spec)}};
   default: return Json::object();
   }
 }

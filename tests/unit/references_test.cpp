@@ -66,7 +66,7 @@ poses:
   joints: {elbow: 1, 'wrist': 0}
 submechanisms:
 - {name: serial, contextual_name: s, jointnames: [elbow, unheard_of],
-   loop_constraints: [{cut_joint: wrist, predecessor_body: tip, successor_body: base}]}
+   loop_constraints: [{cut_joint: wrist, predecessor_body: tip, successor_body: base}], multi_joint_dependencies: [{name: wrist, depends_on: [elbow, {joint: elbow}]}]}
 interfaces:
 - {name: flange, parent: tip}
 submodels:
@@ -124,13 +124,14 @@ using Places = std::vector<std::string>;
 TEST_CASE("every place that names a thing is in the table") {
   const OneModel one;
   CHECK(one.places(NameKind::joint, "elbow") ==
-        Places{"r_all.yml:2", "r_all.yml:6", "r_all.yml:23", "r_all.yml:30", "r_all.yml:37",
-               "r.urdf:9", "r.urdf:11", "r.urdf:13", "r.urdf:16", "r.urdf:19"});
+        Places{"r_all.yml:2", "r_all.yml:6", "r_all.yml:23", "r_all.yml:30", "r_all.yml:31",
+               "r_all.yml:31", "r_all.yml:37", "r.urdf:9", "r.urdf:11", "r.urdf:13", "r.urdf:16",
+               "r.urdf:19"});
   CHECK(one.places(NameKind::motor, "elbow") ==
         Places{"r_all.yml:2", "r_all.yml:3", "r_all.yml:10", "r_all.yml:23", "r_all.yml:28"});
   CHECK(one.places(NameKind::joint, "wrist") ==
         Places{"r_all.yml:3", "r_all.yml:4", "r_all.yml:4", "r_all.yml:6", "r_all.yml:23",
-               "r_all.yml:28", "r_all.yml:31", "r.urdf:10", "r.urdf:19"});
+               "r_all.yml:28", "r_all.yml:31", "r_all.yml:31", "r.urdf:10", "r.urdf:19"});
   CHECK(one.places(NameKind::link, "tip") ==
         Places{"r_all.yml:8", "r_all.yml:18", "r_all.yml:18", "r_all.yml:20", "r_all.yml:21",
                "r_all.yml:21", "r_all.yml:31", "r_all.yml:33", "r_all.yml:35", "r.urdf:8",

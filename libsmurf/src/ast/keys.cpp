@@ -373,10 +373,11 @@ void check_list(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
     return;
   }
   if (spec.members.size == 0) return;
+  const bool takes_names = !spec.names.kinds.empty();
   for (const yaml::View item : value) {
     if (item.is_mapping()) {
       check_keys(spec.members.keys(), item, spec.name, sink);
-    } else {
+    } else if (!takes_names || !item.is_scalar() || item.is_null()) {
       report_type(spec, wanted::mapping, item, "a list of mappings", sink);
     }
   }

@@ -155,7 +155,8 @@ bool ReferenceFinder::add_known(NameKinds kinds, std::string_view name, const Na
 
 void ReferenceFinder::read_key(const KeySpec& row, yaml::View value, yaml::View entry) {
   const Naming naming = row.names_in != nullptr ? row.names_in(entry) : row.names;
-  if (naming.kinds.empty()) return read_members(row.members, value);
+  read_members(row.members, value);
+  if (naming.kinds.empty()) return;
   const bool is_map = row.type == ValueType::number_map;
   if (value.is_scalar() && !is_map) {
     add(naming, value.text(), place_of_name(value));

@@ -66,6 +66,19 @@ constexpr KeySpec kLoopKeys[] = {
      .members = kAxisKeys},
 };
 
+constexpr KeySpec kLeaderKeys[] = {
+    {.name = "joint",
+     .type = text,
+     .doc = "Joint that is followed.",
+     .names = may_name(NameKind::joint)},
+    {.name = "multiplier", .type = number, .doc = "Factor of its position.", .fallback = "1"},
+    {.name = "offset",
+     .type = number,
+     .doc = "Added to its position times the factor.",
+     .unit = "rad or m",
+     .fallback = "0"},
+};
+
 constexpr KeySpec kDependencyKeys[] = {
     {.name = "name",
      .type = text,
@@ -73,7 +86,8 @@ constexpr KeySpec kDependencyKeys[] = {
      .names = may_name(NameKind::joint)},
     {.name = "depends_on",
      .type = list,
-     .doc = "Joints that it follows.",
+     .doc = "Joints that it follows: their names, or for Phobos mappings.",
+     .members = kLeaderKeys,
      .names = may_name(NameKind::joint)},
 };
 

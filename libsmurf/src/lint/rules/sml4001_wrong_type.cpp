@@ -8,15 +8,20 @@ namespace {
 using enum Effect;
 
 constexpr std::string_view kEnds = "ends with an uncaught exception";
+constexpr std::string_view kUnread = "does not read the section";
 constexpr std::string_view kRaises = "raises an exception";
 
 constexpr Fact kFacts[] = {
     {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#section-text"},
     {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#section-blank"},
-    {&readers::mars, refuses, kEnds, kRun, "/submechanisms/#entry-nothing"},
+    {&readers::mars, refuses, kEnds, kRun, "#entry-nothing"},
     {&readers::mars, refuses, kEnds, kRun, "#names-nothing"},
-    {&readers::mars, ignores, "does not read the section", kRun, "/submechanisms/"},
+    {&readers::mars, ignores, kUnread, kRun, "/submechanisms/"},
+    {&readers::mars, ignores, kUnread, kRun, "/links/#entry-"},
+    {&readers::mars, ignores, kUnread, kRun, "/joints/#entry-"},
+    {&readers::mars, ignores, kUnread, kRun, "/collisions/#entry-"},
     {&readers::mars, ignores, "does not read it", kRun, "/date/"},
+    {&readers::mars, ignores, "does not read it", kRun, "/description/"},
     {&readers::mars, ignores, "does not read it", kRun, "/SMURF version/"},
     {&readers::mars, ignores, "keeps its own value", kRun, "/background/#mapping-text"},
     {&readers::mars, ignores, "keeps its own value", kRun, "/fog/#mapping-text"},
