@@ -103,12 +103,12 @@ class XmlComparison {
   }
 
   void same_attributes(xml::View ours, const tinyxml2::XMLAttribute* theirs) {
-    for (const xml::Attribute* one = ours.attributes_begin(); one != ours.attributes_end(); ++one) {
-      if (theirs == nullptr || one->name() != theirs->Name()) {
-        return note("attribute", one->span());
+    for (const xml::Attribute& one : ours.attributes()) {
+      if (theirs == nullptr || one.name() != theirs->Name()) {
+        return note("attribute", one.span());
       }
-      if (one->value() != theirs->Value() && is_compared(one->value_span())) {
-        note("value", one->span());
+      if (one.value() != theirs->Value() && is_compared(one.value_span())) {
+        note("value", one.span());
       }
       theirs = theirs->Next();
     }

@@ -55,10 +55,10 @@ void add_lines(const SourceMap& sources, const xml::View& view, Lines& lines) {
       line.append(" = ").append(visible(view.text()));
   }
   lines.push_back(std::move(line));
-  for (const auto* a = view.attributes_begin(); a != view.attributes_end(); ++a) {
-    line = "  @" + std::string(a->name()) + " " + slice(sources, a->name_span()) + " " +
-           slice(sources, a->value_span()) + " in " + slice(sources, a->span());
-    if (a->value() != sources.text(a->value_span())) line.append(" = ").append(visible(a->value()));
+  for (const xml::Attribute& a : view.attributes()) {
+    line = "  @" + std::string(a.name()) + " " + slice(sources, a.name_span()) + " " +
+           slice(sources, a.value_span()) + " in " + slice(sources, a.span());
+    if (a.value() != sources.text(a.value_span())) line.append(" = ").append(visible(a.value()));
     lines.push_back(std::move(line));
   }
   for (const xml::View child : view) add_lines(sources, child, lines);

@@ -115,13 +115,13 @@ std::optional<Said> xml_key_at(const Context&, const PlaceView& place) {
     lines.insert(lines.end(), pose.begin(), pose.end());
     return Said{element.name_span(), std::move(lines)};
   }
-  for (const auto* one = element.attributes_begin(); one != element.attributes_end(); ++one) {
-    if (!holds(one->span(), place.offset)) continue;
+  for (const xml::Attribute& one : element.attributes()) {
+    if (!holds(one.span(), place.offset)) continue;
     for (const KeyHelp& key : help->attributes) {
-      if (key.name != one->name()) continue;
+      if (key.name != one.name()) continue;
       Lines lines = describe(key);
       lines.insert(lines.end(), pose.begin(), pose.end());
-      return Said{one->span(), std::move(lines)};
+      return Said{one.span(), std::move(lines)};
     }
   }
   return std::nullopt;

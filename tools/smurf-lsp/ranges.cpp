@@ -37,9 +37,9 @@ std::vector<Span> around(const FileView& view, std::uint32_t offset) {
     }
   } else if (view.xml != nullptr) {
     for (xml::View at(*view.xml, xml::element_at(*view.xml, offset)); at; at = at.parent()) {
-      for (const auto* one = at.attributes_begin(); one != at.attributes_end(); ++one) {
-        spans.push_back(one->value_span());
-        spans.push_back(one->span());
+      for (const xml::Attribute& one : at.attributes()) {
+        spans.push_back(one.value_span());
+        spans.push_back(one.span());
       }
       spans.push_back(at.tag_span());
       spans.push_back(at.span());

@@ -134,6 +134,15 @@ struct LinkedModel {
 
   const urdf::Link& link(LinkIndex index) const { return robot->links[to_size(index)]; }
   const urdf::Joint& joint(JointIndex index) const { return robot->joints[to_size(index)]; }
+  /// The first of this name; null when there is none. Valid as long as the model.
+  const urdf::Link* find_link(std::string_view name) const;
+  const urdf::Joint* find_joint(std::string_view name) const;
+  const Motor* find_motor(std::string_view name) const;
+  const Sensor* find_sensor(std::string_view name) const;
+  /// Same, as an index of the tree and of forward_kinematics().
+  std::optional<LinkIndex> link_index(std::string_view name) const;
+  std::optional<JointIndex> joint_index(std::string_view name) const;
+
   /// The YAML document a span lies in; null when it is XML or unread.
   const yaml::Document* document(SourceId source) const;
   /// The table of a kind; null for kinds without one.

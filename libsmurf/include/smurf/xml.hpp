@@ -6,6 +6,7 @@
 #include <deque>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -150,11 +151,10 @@ class View {
   }
 
   const Attribute* attribute(std::string_view name) const;
-  /// Begin and end pointers of the attributes, in document order.
-  const Attribute* attributes_begin() const {
-    return document_->attributes.data() + element().first_attribute;
+  /// In document order.
+  std::span<const Attribute> attributes() const {
+    return {document_->attributes.data() + element().first_attribute, element().attribute_count};
   }
-  const Attribute* attributes_end() const { return attributes_begin() + element().attribute_count; }
   /// First child element of this name.
   View child(std::string_view name) const;
   View parent() const { return document_ ? View(*document_, element().parent) : View(); }

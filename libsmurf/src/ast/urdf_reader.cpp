@@ -330,10 +330,10 @@ void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
       dropped.insert(element.id());
       continue;
     }
-    for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
-      if (!is_xacro(at->value())) continue;
+    for (const xml::Attribute& at : element.attributes()) {
+      if (!is_xacro(at.value())) continue;
       const bool is_in_joint = element.parent() && element.parent().name() == "joint";
-      (is_in_joint ? in_joints : elsewhere).add(at->value_span(), at->value(), kExpression);
+      (is_in_joint ? in_joints : elsewhere).add(at.value_span(), at.value(), kExpression);
     }
   }
   for (const XacroTrace* trace : {&elements, &in_joints, &elsewhere}) trace->report(sink);

@@ -87,8 +87,8 @@ class ShapeChecker {
   static bool has_what_it_needs(View element, const ElementSpec& spec) {
     std::ptrdiff_t required = 0;  // of those that are there; none is twice
     std::size_t next = 0;
-    for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
-      const std::size_t i = index_of(spec.attributes, at->name(), next);
+    for (const xml::Attribute& at : element.attributes()) {
+      const std::size_t i = index_of(spec.attributes, at.name(), next);
       if (i == spec.attributes.size()) return false;
       required += spec.attributes[i].required ? 1 : 0;
       next = i + 1;
@@ -104,9 +104,8 @@ class ShapeChecker {
       if (element.attribute(known.name) == nullptr) absent.push_back(known.name);
     }
     std::vector<const xml::Attribute*> foreign;
-    for (const auto* attribute = element.attributes_begin(); attribute != element.attributes_end();
-         ++attribute) {
-      const std::string_view name = attribute->name();
+    for (const xml::Attribute& attribute : element.attributes()) {
+      const std::string_view name = attribute.name();
       const bool is_known = std::any_of(spec.attributes.begin(), spec.attributes.end(),
                                         [&](const AttributeSpec& a) { return a.name == name; });
       // A prefix marks another vocabulary (drake:..., xmlns:...).
@@ -115,11 +114,11 @@ class ShapeChecker {
         continue;
       }
       if (const auto meant = urdf::meant_name(name, absent)) {
-        misspelt_attribute(element, *attribute, *meant, is_required(spec, *meant));
+        misspelt_attribute(element, attribute, *meant, is_required(spec, *meant));
         // One cause, one finding: what was meant is not missing as well.
         std::erase(absent, *meant);
       } else {
-        foreign.push_back(attribute);
+        foreign.push_back(&attribute);
       }
     }
     if (required_attributes(element, spec, absent, foreign)) return;
@@ -192,7 +191,7 @@ class ShapeChecker {
   /// as such, whatever else it holds.
   void text(View element) {
     const Span place = element.text_span();
-    const bool is_empty = element.attributes_begin() == element.attributes_end();
+    const bool is_empty = element.attributes().empty();
     if (place.empty() || (is_empty && needs_attributes(element.name()))) return;
     Diagnostic& diagnostic =
         sink_.report(rules::sml1119_stray_text, place,

@@ -45,18 +45,14 @@ bool AnnotationValues::says_texture(const MaterialAnnotation& entry) const {
 
 const urdf::Joint* AnnotationValues::joint_of(const Motor& motor) const {
   if (!motor.joint) return nullptr;
-  const auto index = model_.joint_names.find(*motor.joint);
-  if (!index || !model_.robot->joints[*index].has_one_axis()) return nullptr;
-  return &model_.robot->joints[*index];
+  const urdf::Joint* joint = model_.find_joint(*motor.joint);
+  return joint != nullptr && joint->has_one_axis() ? joint : nullptr;
 }
 
 const urdf::Joint* AnnotationValues::leader_of(const Motor& motor) const {
   if (!motor.mimic_motor) return nullptr;
-  if (const auto leader = model_.motor_names.find(*motor.mimic_motor)) {
-    return joint_of(model_.annotations.motors[*leader]);
-  }
-  const auto joint = model_.joint_names.find(*motor.mimic_motor);  // as Phobos writes it
-  return joint ? &model_.robot->joints[*joint] : nullptr;
+  if (const Motor* leader = model_.find_motor(*motor.mimic_motor)) return joint_of(*leader);
+  return model_.find_joint(*motor.mimic_motor);  // as Phobos writes it
 }
 
 bool AnnotationValues::says_limit(const Motor& motor, std::string_view key) const {
@@ -87,8 +83,7 @@ bool AnnotationValues::says_mimic(const Motor& motor) const {
 }
 
 const urdf::Joint* AnnotationValues::joint_of(const JointAnnotation& entry) const {
-  const auto index = entry.name ? model_.joint_names.find(*entry.name) : std::nullopt;
-  return index ? &model_.robot->joints[*index] : nullptr;
+  return entry.name ? model_.find_joint(*entry.name) : nullptr;
 }
 
 std::optional<bool> AnnotationValues::says_dynamics(const JointAnnotation& entry,

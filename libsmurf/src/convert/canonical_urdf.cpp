@@ -73,9 +73,8 @@ class CanonicalWriter {
 
   void open(xml::View element, int depth, std::string_view end) {
     std::vector<const xml::Attribute*> attributes;
-    for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
-         ++one) {
-      attributes.push_back(one);
+    for (const xml::Attribute& one : element.attributes()) {
+      attributes.push_back(&one);
     }
     std::sort(attributes.begin(), attributes.end(),
               [](const xml::Attribute* a, const xml::Attribute* b) {

@@ -82,9 +82,9 @@ class SensorMaker {
   }
 
   void joint_states(xml::View element) {
-    const auto index = context_.model.joint_names.find(attribute_of(element, "name"));
-    if (!index || !context_.robot().joints[*index].has_one_axis()) return;
-    const urdf::Joint& joint = context_.robot().joints[*index];
+    const urdf::Joint* found = context_.model.find_joint(attribute_of(element, "name"));
+    if (found == nullptr || !found->has_one_axis()) return;
+    const urdf::Joint& joint = *found;
     for (const xml::View child : element) {
       if (child.name() != "state_interface") continue;
       for (JointQuantity& quantity : quantities_) {

@@ -18,9 +18,8 @@ std::string_view attribute_of(xml::View element, std::string_view name) {
 /// Equal texts mean equal elements, whatever their layout.
 std::string signature(xml::View element) {
   std::vector<std::string> attributes;
-  for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
-       ++one) {
-    attributes.push_back(std::string(one->name()) + "=" + std::string(one->value()) + "\n");
+  for (const xml::Attribute& one : element.attributes()) {
+    attributes.push_back(std::string(one.name()) + "=" + std::string(one.value()) + "\n");
   }
   std::sort(attributes.begin(), attributes.end());
   std::string text = "<" + std::string(element.name()) + "\n";
@@ -79,7 +78,7 @@ void LinkReferences::read_gazebo(xml::View gazebo, std::string_view link) {
   gazebo_[link].push_back(gazebo);
   for (const xml::View child : gazebo) {
     const xml::View pose = child.child("pose");
-    const bool is_simple_pose = !pose || pose.attributes_begin() == pose.attributes_end();
+    const bool is_simple_pose = !pose || pose.attributes().empty();
     // A contact sensor names a collision by what Gazebo makes of the link's name.
     const bool is_movable = child.name() == "sensor" && is_simple_pose && !child.child("contact");
     if (child.name() == "plugin" || (child.name() == "sensor" && !is_movable)) {
@@ -106,9 +105,8 @@ void LinkReferences::read_names(xml::View element) {
   const auto add = [&](std::string_view text) {
     if (model_.link_names.contains(text) || model_.joint_names.contains(text)) needed_.insert(text);
   };
-  for (const xml::Attribute* one = element.attributes_begin(); one != element.attributes_end();
-       ++one) {
-    add(one->value());
+  for (const xml::Attribute& one : element.attributes()) {
+    add(one.value());
   }
   add(trimmed(element.text()));
   for (const xml::View child : element) read_names(child);

@@ -54,9 +54,7 @@ void XmlEdits::set_attribute(xml::View element, std::string_view name, std::stri
     return;
   }
   Span place = element.name_span();
-  if (element.attributes_begin() != element.attributes_end()) {
-    place = (element.attributes_end() - 1)->span();
-  }
+  if (!element.attributes().empty()) place = element.attributes().back().span();
   place.begin = place.end;
   replace(place, " " + std::string(name) + "=\"" + escape_xml(value) + "\"");
 }

@@ -16,9 +16,8 @@ namespace {
 /// Elements by their names, attributes first; an element without elements is its text.
 Value to_value(xml::View element) {
   Value::Object object;
-  for (const xml::Attribute* attribute = element.attributes_begin();
-       attribute != element.attributes_end(); ++attribute) {
-    object.push_back({std::string(attribute->name()), {std::string(attribute->value())}});
+  for (const xml::Attribute& attribute : element.attributes()) {
+    object.push_back({std::string(attribute.name()), {std::string(attribute.value())}});
   }
   for (const xml::View child : element) {
     object.push_back({std::string(child.name()), to_value(child)});

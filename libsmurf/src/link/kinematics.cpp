@@ -141,9 +141,9 @@ JointPositions to_joint_positions(const LinkedModel& model, const JointPoseSet& 
     if (!entry.position || !is_quantity(*entry.position)) continue;
     // MARS moves the joint of the motor with this name (SimEntity.cpp:505-511); Phobos writes
     // joint names. A motor named like another joint is a motor.
-    const auto motor = model.motor_names.find(entry.name.value);
-    const Field<std::string>* joint = motor ? &model.annotations.motors[*motor].joint : nullptr;
-    positions[joint != nullptr && *joint ? **joint : entry.name.value] = *entry.position;
+    const Motor* motor = model.find_motor(entry.name.value);
+    const bool drives = motor != nullptr && motor->joint;
+    positions[drives ? *motor->joint : entry.name.value] = *entry.position;
   }
   return positions;
 }

@@ -79,6 +79,41 @@ const yaml::Document* LinkedModel::document(SourceId source) const {
 
 namespace {
 
+template <class Thing>
+const Thing* thing_at(const std::vector<Thing>& things, std::optional<std::uint32_t> index) {
+  return index ? &things[*index] : nullptr;
+}
+
+}  // namespace
+
+const urdf::Link* LinkedModel::find_link(std::string_view name) const {
+  return robot ? thing_at(robot->links, link_names.find(name)) : nullptr;
+}
+
+const urdf::Joint* LinkedModel::find_joint(std::string_view name) const {
+  return robot ? thing_at(robot->joints, joint_names.find(name)) : nullptr;
+}
+
+const Motor* LinkedModel::find_motor(std::string_view name) const {
+  return thing_at(annotations.motors, motor_names.find(name));
+}
+
+const Sensor* LinkedModel::find_sensor(std::string_view name) const {
+  return thing_at(annotations.sensors, sensor_names.find(name));
+}
+
+std::optional<LinkIndex> LinkedModel::link_index(std::string_view name) const {
+  const auto index = link_names.find(name);
+  return index ? std::optional(LinkIndex{*index}) : std::nullopt;
+}
+
+std::optional<JointIndex> LinkedModel::joint_index(std::string_view name) const {
+  const auto index = joint_names.find(name);
+  return index ? std::optional(JointIndex{*index}) : std::nullopt;
+}
+
+namespace {
+
 constexpr std::pair<NameKind, std::string_view> kKinds[] = {
     {NameKind::motor, "motor"},         {NameKind::link, "link"},
     {NameKind::joint, "joint"},         {NameKind::visual, "visual"},

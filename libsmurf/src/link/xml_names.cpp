@@ -185,15 +185,15 @@ void ReferenceFinder::read_inner(xml::View element) {
 }
 
 void ReferenceFinder::read_attributes(xml::View element) {
-  for (const auto* one = element.attributes_begin(); one != element.attributes_end(); ++one) {
-    const std::string_view value = one->value();
+  for (const xml::Attribute& one : element.attributes()) {
+    const std::string_view value = one.value();
     if (value.empty()) continue;
-    const AttributeNames* row = find_row(element, one->name());
+    const AttributeNames* row = find_row(element, one.name());
     if (row != nullptr && (row->is_needed || row->names.defines)) {
-      add(row->names, value, place_of_value(element, *one));
+      add(row->names, value, place_of_value(element, one));
     } else if (keeps_all()) {
-      const NameKinds kinds = row != nullptr ? row->names.kinds : kinds_of(element, one->name());
-      add_known(kinds, value, place_of_value(element, *one));
+      const NameKinds kinds = row != nullptr ? row->names.kinds : kinds_of(element, one.name());
+      add_known(kinds, value, place_of_value(element, one));
     }
   }
 }

@@ -113,18 +113,14 @@ MotorControl control_in_mars(const Motor& motor) {
   return MotorControl::position;
 }
 
-const urdf::Joint* find_joint(const LinkedModel& model, std::string_view name) {
-  const auto index = model.joint_names.find(name);
-  return index ? &model.robot->joints[*index] : nullptr;
-}
-
-const urdf::Link* find_link(const LinkedModel& model, std::string_view name) {
-  const auto index = model.link_names.find(name);
-  return index ? &model.robot->links[*index] : nullptr;
-}
-
 const urdf::Joint* joint_of(const LinkedModel& model, const Motor& motor) {
-  return motor.joint ? find_joint(model, *motor.joint) : nullptr;
+  return motor.joint ? model.find_joint(*motor.joint) : nullptr;
+}
+
+const urdf::Joint* joint_of(const LinkedModel& model, const JointPoseSet::Entry& entry) {
+  if (const urdf::Joint* joint = model.find_joint(entry.name.value)) return joint;
+  const Motor* motor = model.find_motor(entry.name.value);
+  return motor != nullptr ? joint_of(model, *motor) : nullptr;
 }
 
 const Field<double>& lower_bound(const Motor& motor) {

@@ -51,9 +51,9 @@ MotorControl control_in_mars(const Motor& motor);
 
 /// The joint that a motor drives; null when it is unknown.
 const urdf::Joint* joint_of(const LinkedModel& model, const Motor& motor);
-/// The joint of a name; null when it is unknown.
-const urdf::Joint* find_joint(const LinkedModel& model, std::string_view name);
-const urdf::Link* find_link(const LinkedModel& model, std::string_view name);
+/// The joint that an entry of a pose names, or the joint of the motor that it names; null when it
+/// is unknown.
+const urdf::Joint* joint_of(const LinkedModel& model, const JointPoseSet::Entry& entry);
 
 /// Bounds of the commanded position as MARS reads them: the newer names win.
 const Field<double>& lower_bound(const Motor& motor);

@@ -20,13 +20,10 @@ std::string pointer_in(const xml::Document& document, xml::XPaths& paths, Span s
   if (id == xml::kNoElement) return {};
   std::string path = paths.find(id);
   const xml::View element(document, id);
-  const auto* attribute = std::find_if(
-      element.attributes_begin(), element.attributes_end(), [&](const xml::Attribute& a) {
-        return a.span().begin <= span.begin && span.end <= a.span().end;
-      });
-  if (attribute != element.attributes_end()) {
+  for (const xml::Attribute& attribute : element.attributes()) {
+    if (span.begin < attribute.span().begin || attribute.span().end < span.end) continue;
     constexpr std::size_t kLongestName = 200;
-    path += "/@" + shortened(attribute->name(), kLongestName);
+    return path + "/@" + shortened(attribute.name(), kLongestName);
   }
   return path;
 }

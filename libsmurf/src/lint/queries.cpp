@@ -35,8 +35,8 @@ Span visual_or_collision(const LinkedModel& model, NameKind kind, std::string_vi
 Span find_slip(const LinkedModel& model, xml::ElementId element, std::string_view name) {
   const xml::View view(model.robot->document, element);
   const std::string_view known[] = {name};
-  for (const auto* at = view.attributes_begin(); at != view.attributes_end(); ++at) {
-    if (urdf::meant_name(at->name(), known)) return at->name_span();
+  for (const xml::Attribute& at : view.attributes()) {
+    if (urdf::meant_name(at.name(), known)) return at.name_span();
   }
   for (const xml::View child : view) {
     if (urdf::meant_name(child.name(), known)) return child.name_span();

@@ -62,8 +62,7 @@ class DriveReader {
   }
 
   const urdf::Joint* joint_named(xml::View element) const {
-    const auto index = model_.joint_names.find(import::attribute_of(element, "name"));
-    return index ? &model_.robot->joints[*index] : nullptr;
+    return model_.find_joint(import::attribute_of(element, "name"));
   }
 
   void of_motor(const Motor& motor, const urdf::Joint* joint) {

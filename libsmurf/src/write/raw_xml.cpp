@@ -18,8 +18,9 @@ bool uses(xml::View top, std::string_view prefix) {
        i < elements.size() && elements[i].span.begin < top.span().end; ++i) {
     const xml::View view(top.document(), xml::ElementId{static_cast<std::uint32_t>(i)});
     if (view.name().starts_with(prefix)) return true;
-    const auto is_such = [&](const xml::Attribute& at) { return at.name().starts_with(prefix); };
-    if (std::any_of(view.attributes_begin(), view.attributes_end(), is_such)) return true;
+    for (const xml::Attribute& attribute : view.attributes()) {
+      if (attribute.name().starts_with(prefix)) return true;
+    }
   }
   return false;
 }
@@ -42,9 +43,9 @@ void declare_prefix(xml::View robot, const xml::Attribute& declaration, std::vec
 std::string raw_xml(xml::View element, std::string_view source, std::vector<Edit> edits) {
   std::set<std::string_view> declared;  // the nearest counts
   for (xml::View at = element.parent(); at; at = at.parent()) {
-    for (const auto* each = at.attributes_begin(); each != at.attributes_end(); ++each) {
-      const bool is_such = each->name().starts_with(kDeclaration);
-      if (is_such && declared.insert(each->name()).second) declare(element, *each, edits);
+    for (const xml::Attribute& each : at.attributes()) {
+      const bool is_such = each.name().starts_with(kDeclaration);
+      if (is_such && declared.insert(each.name()).second) declare(element, each, edits);
     }
   }
   const Span span = element.span();

@@ -155,10 +155,10 @@ class UrdfMerger {
   /// declared once; where another means something else, each of its elements declares it. URDF has
   /// no default namespace.
   void keep_namespaces(xml::View root, std::vector<Edit>& edits) {
-    for (const auto* at = root.attributes_begin(); at != root.attributes_end(); ++at) {
-      if (!at->name().starts_with("xmlns:")) continue;
-      const auto [known, is_new] = namespaces_.emplace(at->name(), at->value());
-      if (known->second != at->value()) declare_prefix(root, *at, edits);
+    for (const xml::Attribute& at : root.attributes()) {
+      if (!at.name().starts_with("xmlns:")) continue;
+      const auto [known, is_new] = namespaces_.emplace(at.name(), at.value());
+      if (known->second != at.value()) declare_prefix(root, at, edits);
     }
   }
 

@@ -177,7 +177,7 @@ class EntityReader {
       return model.joint_names.contains(entry) ? std::optional(entry) : std::nullopt;
     });
     for (auto& [name, position] : read) {
-      const urdf::Joint& joint = model.robot->joints[*model.joint_names.find(name)];
+      const urdf::Joint& joint = *model.find_joint(name);
       const double lower = joint.limit ? joint.limit->lower.value_or(0) : 0;
       const double upper = joint.limit ? joint.limit->upper.value_or(0) : 0;
       if (lower != 0 && upper != 0 && lower < upper) position = std::clamp(position, lower, upper);

@@ -11,14 +11,14 @@ namespace {
 /// meaning.
 void check_slip(xml::View gazebo, Findings& findings) {
   constexpr std::string_view kKnown[] = {"reference"};
-  for (const auto* one = gazebo.attributes_begin(); one != gazebo.attributes_end(); ++one) {
-    if (!nearest(one->name(), kKnown)) continue;
+  for (const xml::Attribute& one : gazebo.attributes()) {
+    if (!nearest(one.name(), kKnown)) continue;
     Diagnostic& diagnostic =
-        findings.report(one->name_span(), quoted(one->name()) + " is no attribute of `gazebo`");
+        findings.report(one.name_span(), quoted(one.name()) + " is no attribute of `gazebo`");
     diagnostic.notes.push_back("Gazebo applies this element to the whole model");
     diagnostic.help = "did you mean `reference`?";
     diagnostic.fixes.push_back({Applicability::unsafe,
-                                {{one->name_span(), "reference"}},
+                                {{one.name_span(), "reference"}},
                                 Fix::NewName{gazebo.tag_span(), "reference"}});
   }
 }

@@ -68,10 +68,10 @@ void check(const LinkedModel& model, Findings& findings) {
   if (const xml::View mujoco = root.child("mujoco")) check_repeated(mujoco, "compiler", findings);
   const xml::View compiler = mujoco_compiler(model);
   if (!compiler) return;
-  for (const auto* at = compiler.attributes_begin(); at != compiler.attributes_end(); ++at) {
-    if (is_readable(at->name(), at->value()) || is_xacro(at->value())) continue;
-    findings.report(at->span(),
-                    "MuJoCo cannot read " + quoted(at->value()) + " as " + quoted(at->name()));
+  for (const xml::Attribute& at : compiler.attributes()) {
+    if (is_readable(at.name(), at.value()) || is_xacro(at.value())) continue;
+    findings.report(at.span(),
+                    "MuJoCo cannot read " + quoted(at.value()) + " as " + quoted(at.name()));
   }
 }
 

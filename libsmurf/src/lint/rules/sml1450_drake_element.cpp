@@ -142,11 +142,11 @@ class Checker {
       names += (names.empty() ? " has no " : " and no ") + quoted(name);
     }
     Diagnostic& diagnostic = findings_.report(element.name_span(), quoted(element.name()) + names);
-    for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
+    for (const xml::Attribute& at : element.attributes()) {
       const bool is_known = std::ranges::any_of(
-          spec.attributes, [&](const AttributeSpec& one) { return one.name == at->name(); });
-      if (!is_known && nearest(at->name(), absent)) {
-        diagnostic.labels.push_back({at->name_span(), "this one is misspelt"});
+          spec.attributes, [&](const AttributeSpec& one) { return one.name == at.name(); });
+      if (!is_known && nearest(at.name(), absent)) {
+        diagnostic.labels.push_back({at.name_span(), "this one is misspelt"});
       }
     }
   }

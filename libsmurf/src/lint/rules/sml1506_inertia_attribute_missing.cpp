@@ -11,10 +11,10 @@ namespace {
 /// The place of a misspelt `name`, which is reported there; empty when there is none.
 Span find_misspelt(const xml::View element, std::string_view name) {
   const std::string_view known[] = {name};
-  for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
-    const bool is_other_entry = at->name().size() == 3 && at->name().starts_with('i');
-    if (!is_other_entry && (nearest(at->name(), known) || path::to_lower(at->name()) == name))
-      return at->name_span();
+  for (const xml::Attribute& at : element.attributes()) {
+    const bool is_other_entry = at.name().size() == 3 && at.name().starts_with('i');
+    if (!is_other_entry && (nearest(at.name(), known) || path::to_lower(at.name()) == name))
+      return at.name_span();
   }
   return {};
 }
@@ -44,7 +44,7 @@ void check(const LinkedModel& model, Findings& findings) {
         "urdfdom reads all six as 0 and drops the visuals and collisions of this link");
     if (!is_diagonal_whole) return;
     diagnostic.help = "write 0 where there is no product of inertia";
-    const std::uint32_t end = (inertia.attributes_end() - 1)->span().end;
+    const std::uint32_t end = inertia.attributes().back().span().end;
     diagnostic.fixes.push_back({Applicability::safe, {{{inertia.span().source, end, end}, zeros}}});
   });
 }

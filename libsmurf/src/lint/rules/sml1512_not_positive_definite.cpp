@@ -16,8 +16,8 @@ namespace {
 std::optional<Span> find_underflow(const LinkedModel& model, const urdf::Inertial& inertial) {
   const xml::View element = xml::View(model.robot->document, inertial.element).child("inertia");
   if (!element) return std::nullopt;
-  for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
-    if (is_underflow(at->value())) return at->value_span();
+  for (const xml::Attribute& at : element.attributes()) {
+    if (is_underflow(at.value())) return at.value_span();
   }
   return std::nullopt;
 }

@@ -11,10 +11,10 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const Sensor& sensor : model.annotations.sensors) {
     if (!sensor.type || *sensor.type != "Joint6DOF" || !sensor.link || !sensor.joint) continue;
     const auto link = model.link_names.find(*sensor.link);
-    const auto joint = model.joint_names.find(*sensor.joint);
-    if (!link || !joint || !model.tree.parent_joint[*link]) continue;
+    const urdf::Joint* joint = model.find_joint(*sensor.joint);
+    if (!link || joint == nullptr || !model.tree.parent_joint[*link]) continue;
     const urdf::Joint& measured = model.joint(*model.tree.parent_joint[*link]);
-    if (&measured == &model.robot->joints[*joint]) continue;
+    if (&measured == joint) continue;
     Diagnostic& diagnostic = findings.report(
         sensor.joint.span, subject("sensor", sensor) + " measures " + title(measured) +
                                " in MARS, which leads to " + quoted(*sensor.link) + ", but " +

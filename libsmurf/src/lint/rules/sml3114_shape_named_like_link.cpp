@@ -9,9 +9,9 @@ constexpr std::string_view kInertial = "inertial_";
 
 /// "the link `a`" when MARS calls it or its inertial so.
 const urdf::Link* namesake(const LinkedModel& model, std::string_view name) {
-  if (const urdf::Link* link = find_link(model, name)) return link;
+  if (const urdf::Link* link = model.find_link(name)) return link;
   if (!name.starts_with(kInertial)) return nullptr;
-  const urdf::Link* link = find_link(model, name.substr(kInertial.size()));
+  const urdf::Link* link = model.find_link(name.substr(kInertial.size()));
   return link != nullptr && link->inertial ? link : nullptr;
 }
 

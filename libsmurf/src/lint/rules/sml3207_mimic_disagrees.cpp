@@ -9,10 +9,9 @@ namespace {
 /// True when the leader of the motor drives the joint that the URDF names, or is that joint.
 bool is_same_leader(const LinkedModel& model, const std::string& leader, const std::string& joint) {
   if (leader == joint) return true;
-  const auto index = model.motor_names.find(leader);
-  if (!index) return true;  // reported as unknown
-  const Motor& motor = model.annotations.motors[*index];
-  return !motor.joint || *motor.joint == joint;
+  const Motor* motor = model.find_motor(leader);
+  if (motor == nullptr) return true;  // reported as unknown
+  return !motor->joint || *motor->joint == joint;
 }
 
 void check_number(const Motor& motor, const Field<double>& of_motor, const Field<double>& of_joint,

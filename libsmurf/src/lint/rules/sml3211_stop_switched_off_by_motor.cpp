@@ -13,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (motor.joint) motors.emplace(*motor.joint, &motor);
   }
   for (const JointAnnotation& entry : model.annotations.joints) {
-    const urdf::Joint* joint = entry.name ? find_joint(model, *entry.name) : nullptr;
+    const urdf::Joint* joint = entry.name ? model.find_joint(*entry.name) : nullptr;
     const auto motor = entry.name ? motors.find(*entry.name) : motors.end();
     if (joint == nullptr || motor == motors.end()) continue;
     const bool is_hinge =

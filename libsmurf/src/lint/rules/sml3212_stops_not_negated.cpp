@@ -8,7 +8,7 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const JointAnnotation& entry : model.annotations.joints) {
-    const urdf::Joint* joint = entry.name ? find_joint(model, *entry.name) : nullptr;
+    const urdf::Joint* joint = entry.name ? model.find_joint(*entry.name) : nullptr;
     if (joint == nullptr || !joint->limit || !entry.low_stop || !entry.high_stop) continue;
     const Field<double>& lower = joint->limit->lower;
     const Field<double>& upper = joint->limit->upper;

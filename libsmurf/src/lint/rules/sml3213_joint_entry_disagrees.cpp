@@ -24,7 +24,7 @@ bool is_other_kind(std::string_view type, urdf::JointType in_urdf) {
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const JointAnnotation& entry : model.annotations.joints) {
-    const urdf::Joint* joint = entry.name ? find_joint(model, *entry.name) : nullptr;
+    const urdf::Joint* joint = entry.name ? model.find_joint(*entry.name) : nullptr;
     if (joint == nullptr) continue;
     const yaml::View mapping = mapping_of(model, entry);
     const auto parent = text_at(mapping, "parent");

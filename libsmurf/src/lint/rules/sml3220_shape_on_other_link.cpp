@@ -37,7 +37,7 @@ void check_entries(const LinkedModel& model, const Entries& entries, NameKind ki
   for (const auto& entry : entries) {
     if (!entry.name || !entry.link) continue;
     const auto owner = names(model, kind).find(*entry.name);
-    const urdf::Link* link = find_link(model, *entry.link);
+    const urdf::Link* link = model.find_link(*entry.link);
     if (!owner || link == nullptr || shapes.has(*link, *entry.name)) continue;
     const urdf::Link& other = model.robot->links[*owner];
     if (!other.name) continue;

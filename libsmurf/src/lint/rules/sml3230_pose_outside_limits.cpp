@@ -10,9 +10,7 @@ namespace smurf::rules {
 namespace {
 
 void check_entry(const LinkedModel& model, const JointPoseSet::Entry& entry, Findings& findings) {
-  const urdf::Joint* joint = find_joint(model, entry.name.value);
-  const auto motor = model.motor_names.find(entry.name.value);
-  if (joint == nullptr && motor) joint = joint_of(model, model.annotations.motors[*motor]);
+  const urdf::Joint* joint = joint_of(model, entry);
   if (joint == nullptr || !joint->limit || !entry.position) return;
   if (joint->type == urdf::JointType::continuous) return;
   const double position = *entry.position;

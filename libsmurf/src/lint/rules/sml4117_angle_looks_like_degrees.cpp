@@ -49,16 +49,14 @@ void check_motor(const LinkedModel& model, const Motor& motor, Findings& finding
 }
 
 void check_stops(const LinkedModel& model, const JointAnnotation& entry, Findings& findings) {
-  const urdf::Joint* joint = entry.name ? find_joint(model, *entry.name) : nullptr;
+  const urdf::Joint* joint = entry.name ? model.find_joint(*entry.name) : nullptr;
   if (joint == nullptr || joint->type != urdf::JointType::revolute) return;
   check_angles({&entry.low_stop, &entry.high_stop}, "a stop", subject("joint", entry), findings);
 }
 
 void check_pose(const LinkedModel& model, const JointPoseSet& pose, Findings& findings) {
   for (const JointPoseSet::Entry& entry : pose.joints) {
-    const urdf::Joint* joint = find_joint(model, entry.name.value);
-    const auto motor = model.motor_names.find(entry.name.value);
-    if (joint == nullptr && motor) joint = joint_of(model, model.annotations.motors[*motor]);
+    const urdf::Joint* joint = joint_of(model, entry);
     const bool is_angle = joint != nullptr && joint->type == urdf::JointType::revolute;
     if (is_angle) {
       check_angle(entry.position.value(), entry.position.span, "the position",
