@@ -19,12 +19,13 @@ constexpr std::string_view kTool = "smurf-diff";
 
 /// What an operand names: a file, or what an archive holds. Complains and returns none when it
 /// cannot be read or compared.
-std::optional<Version> open(const std::string& operand, const Options& options, Session& session,
-                            MemoryFiles& memory) {
+std::optional<Version> open(const std::string& operand, const Options& options,
+                            const Session& session) {
   if (operand == "-") {
+    MemoryFiles memory;
     const auto name = read_standard_input(kTool, options.stdin_filename, options.limits, memory);
     if (!name) return std::nullopt;
-    return Version{*name, *name};
+    return Version{*name, "-", *name, memory.read(*name, options.limits.file_bytes).text};
   }
   if (const auto reason = why_unreadable(operand, session.files())) {
     complain(kTool, "cannot read '" + operand + "': " + *reason);
@@ -58,10 +59,9 @@ ExitCode compare_operands(const Options& options) {
   std::ranges::replace(inputs, "-", options.stdin_filename);
   confine(disk, inputs, options.packages, options.allow_outside);
   const InputFiles files(disk);
-  MemoryFiles memory(&files);
-  Session session(memory, options.limits);
-  const auto before = open(options.operands[0], options, session, memory);
-  const auto after = open(options.operands[1], options, session, memory);
+  Session session(files, options.limits);
+  const auto before = open(options.operands[0], options, session);
+  const auto after = open(options.operands[1], options, session);
   if (!before || !after) return kFailed;
   const Compared compared = compare_versions(session, *before, *after, options);
   if (!tools::keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;

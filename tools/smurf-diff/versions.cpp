@@ -78,6 +78,7 @@ Compared compare_versions(Session& session, const Version& before, const Version
   }
   CheckSettings settings;
   settings.packages = options.packages;
+  settings.opens_meshes = false;  // their bytes are compared, where at all
   const DiffOptions how{options.tolerance, &session.files(), options.limits};
   if (is_scene(before.path)) {
     return compare_loaded(
