@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-diff/git.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "common/input.hpp"
@@ -52,6 +55,15 @@ std::string heading_of(const GitFile& before, const GitFile& after) {
   return render::escape(heading);
 }
 
+/// Colours for a terminal, and for the pager that git has started for one.
+TextStyle style_for_git(ColorChoice choice) {
+  const char* has_pager = std::getenv("GIT_PAGER_IN_USE");
+  const char* no_color = std::getenv("NO_COLOR");
+  const bool is_wanted = has_pager != nullptr && (no_color == nullptr || *no_color == '\0');
+  if (choice == ColorChoice::automatic && is_wanted) choice = ColorChoice::always;
+  return style_for(Stream::output, choice);
+}
+
 class GitDiff {
  public:
   GitDiff(const Options& options, GitFile before, GitFile after)
@@ -64,34 +76,41 @@ class GitDiff {
   }
 
   ExitCode run() {
-    const TextStyle style = style_for(Stream::output, options_.color);
+    const TextStyle style = style_for_git(options_.color);
     const std::string text = heading_of(before_, after_) + "\n" + indented(body(style));
-    return write_output(kTool, options_.output, text) ? kDone : kFailed;
+    write_output(kTool, options_.output, text);  // a pager may be left at any time
+    return kDone;
   }
 
  private:
   std::string body(const TextStyle& style) {
     if (!before_.is_regular() || !after_.is_regular()) return "no file: not compared\n";
-    if (!before_.exists() || !after_.exists()) return "as a whole\n";
-    const FileContent old_content = disk_.read(before_.file, options_.limits.file_bytes);
-    const FileContent new_content = disk_.read(after_.file, options_.limits.file_bytes);
-    for (const FileContent* one : {&old_content, &new_content}) {
-      if (one->status != ReadStatus::ok) return "cannot be read: it " + one->reason + "\n";
-    }
+    const bool is_annotation = input_kind(after_.path) == InputKind::annotation;
+    if (!is_annotation && (!before_.exists() || !after_.exists())) return "not compared\n";
+    const auto old_text = read(before_);
+    const auto new_text = read(after_);
+    if (!old_text || !new_text) return "cannot be read\n";
     const std::string model = model_of(after_.path, disk_);
     const bool is_part = model != after_.path;
-    const Version before{is_part ? model : before_.path, before_.path, before_.path,
-                         old_content.text};
-    const Version after{model, after_.path, after_.path, new_content.text};
+    const Version before{is_part ? model : before_.path, before_.path, before_.path, *old_text};
+    const Version after{model, after_.path, after_.path, *new_text};
     const Compared compared = compare_versions(session_, before, after, options_);
-    if (compared.is_known()) {
-      return render_diff(compared.differences, session_.loaded_sources(), style);
-    }
-    std::string text = "cannot be compared\n" + compared.problem;
-    for (const Diagnostic& finding : compared.trouble) {
-      text += render_concise(finding, session_.loaded_sources(), style);
+    const SourceMap& sources = session_.loaded_sources();
+    std::string text = compared.is_known() ? render_diff(compared.differences, sources, style)
+                                           : "cannot be compared\n";
+    if (!compared.problem.empty()) text += render::escape(compared.problem) + "\n";
+    for (const auto* findings : {&compared.trouble, &compared.remarks}) {
+      for (const Diagnostic& one : *findings) text += render_concise(one, sources, style);
     }
     return text;
+  }
+
+  /// An annotation file that is not there says nothing.
+  std::optional<std::string> read(const GitFile& file) const {
+    if (!file.exists()) return "";
+    FileContent content = disk_.read(file.file, options_.limits.file_bytes);
+    if (content.status != ReadStatus::ok) return std::nullopt;
+    return std::move(content.text);
   }
 
   const Options& options_;
@@ -106,7 +125,8 @@ ExitCode compare_for_git(const Options& options) {
   const std::vector<std::string>& operands = options.operands;
   if (operands.size() == 1) {
     const std::string text = render::escape(operands[0]) + "\n  not merged\n";
-    return write_output(kTool, options.output, text) ? kDone : kFailed;
+    write_output(kTool, options.output, text);
+    return kDone;
   }
   const std::string& new_path = operands.size() > 7 ? operands[7] : operands[0];
   return GitDiff(options, {operands[0], operands[1], operands[3]},

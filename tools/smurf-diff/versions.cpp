@@ -31,8 +31,13 @@ bool is_broken(const LinkedScene& scene) {
 
 /// The errors of reading, when something could not be read at all.
 template <class Loaded, class Linked>
-void find_trouble(Session& session, Loaded& loaded, const Linked& linked, Compared& result) {
+void find_trouble(Session& session, Loaded& loaded, const Linked& linked, bool for_git,
+                  Compared& result) {
   std::vector<Diagnostic> found = session.finish(loaded, loaded.found.take());
+  if (!is_broken(linked) && for_git) {
+    std::ranges::copy_if(found, std::back_inserter(result.remarks), is_about_missing_file);
+    return;
+  }
   if (!is_broken(linked) && std::ranges::none_of(found, is_about_missing_file)) return;
   std::erase_if(found, [](const Diagnostic& one) { return one.severity != Severity::error; });
   std::move(found.begin(), found.end(), std::back_inserter(result.trouble));
@@ -54,12 +59,13 @@ auto load(Session& session, const Version& version, const Load& load) {
 
 template <class Load, class Linked>
 Compared compare_loaded(Session& session, const Version& before, const Version& after,
-                        const DiffOptions& how, const Load& load_one, Linked linked) {
+                        const DiffOptions& how, bool for_git, const Load& load_one,
+                        Linked linked) {
   Compared result;
   auto old_version = load(session, before, load_one);
   auto new_version = load(session, after, load_one);
-  find_trouble(session, old_version, old_version.*linked, result);
-  find_trouble(session, new_version, new_version.*linked, result);
+  find_trouble(session, old_version, old_version.*linked, for_git, result);
+  find_trouble(session, new_version, new_version.*linked, for_git, result);
   if (!result.trouble.empty()) return result;
   result.differences =
       diff(old_version.*linked, new_version.*linked, session.loaded_sources(), how);
@@ -82,12 +88,12 @@ Compared compare_versions(Session& session, const Version& before, const Version
   const DiffOptions how{options.tolerance, &session.files(), options.limits};
   if (is_scene(before.path)) {
     return compare_loaded(
-        session, before, after, how,
+        session, before, after, how, options.for_git,
         [&](const std::string& path) { return session.load_scene(path, settings); },
         &LoadedScene::scene);
   }
   return compare_loaded(
-      session, before, after, how,
+      session, before, after, how, options.for_git,
       [&](const std::string& path) { return session.load_model(path, settings); },
       &LoadedModel::model);
 }

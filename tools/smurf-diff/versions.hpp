@@ -24,6 +24,8 @@ struct Compared {
   std::vector<Difference> differences;
   /// Findings because of which nothing could be compared.
   std::vector<Diagnostic> trouble;
+  /// Findings that leave something out: files that are missing, where that is no reason to stop.
+  std::vector<Diagnostic> remarks;
   std::string problem;  ///< in words; "": none
 
   bool is_known() const { return problem.empty() && trouble.empty(); }

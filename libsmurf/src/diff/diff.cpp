@@ -71,6 +71,7 @@ class SceneDiff {
     }
     std::vector<Difference> all =
         compare(old_things_, new_things_, matching, renames, options_, contents_);
+    tell_effects(all);
     std::move(of_models_.begin(), of_models_.end(), std::back_inserter(all));
     return all;
   }
@@ -121,6 +122,59 @@ class SceneDiff {
       renames.add(name.first, name.second, new_name, before);
     }
     std::move(found.differences.begin(), found.differences.end(), std::back_inserter(of_models_));
+  }
+
+  /// How many entities stand elsewhere because one was moved: those in it and those placed on it.
+  void tell_effects(std::vector<Difference>& differences) const {
+    std::map<std::string, Difference*> moved;
+    for (Difference& one : differences) {
+      const bool is_placed = one.property == "placement" || one.property == "parent";
+      if (one.kind == "entity" && is_placed) moved.try_emplace(one.name, &one);
+    }
+    if (moved.empty()) return;
+    const std::vector<Difference*> causes = causes_of(after_, moved);
+    std::map<Difference*, std::size_t> counts;
+    for (Difference* cause : causes) ++counts[cause];
+    for (const auto& [cause, count] : counts) {
+      const bool is_more = cause != nullptr && count > 1;
+      if (is_more) cause->detail = "moves " + std::to_string(count) + " entities";
+    }
+  }
+
+  /// The difference by which each instance stands elsewhere: its own, that of what it is placed on,
+  /// or that of a scene around it; null: none.
+  static std::vector<Difference*> causes_of(const LinkedScene& scene,
+                                            const std::map<std::string, Difference*>& moved) {
+    const auto own = [&](const std::string& path) {
+      const auto found = moved.find(path);
+      return found == moved.end() ? nullptr : found->second;
+    };
+    std::vector<Difference*> of_uses;
+    for (const SceneUse& use : scene.uses) {
+      Difference* cause = use.outer ? own(use.path) : nullptr;
+      if (cause == nullptr && use.outer) cause = of_uses[to_size(*use.outer)];
+      of_uses.push_back(cause);
+    }
+    std::vector<Difference*> causes(scene.instances.size());
+    std::vector<char> is_known(scene.instances.size());
+    for (std::size_t first = 0; first < causes.size(); ++first) {
+      std::vector<std::size_t> chain;  // from an instance to what it is placed on
+      for (std::size_t i = first; !std::exchange(is_known[i], 1);) {
+        chain.push_back(i);
+        const Attachment& parent = scene.instances[i].placement.parent;
+        if (parent.kind != Attachment::Kind::link) break;
+        i = to_size(parent.instance);
+      }
+      for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
+        const Instance& instance = scene.instances[*i];
+        const Attachment& parent = instance.placement.parent;
+        causes[*i] = own(instance.path);
+        const bool is_placed = parent.kind == Attachment::Kind::link;
+        if (causes[*i] == nullptr) causes[*i] = of_uses[to_size(instance.use)];
+        if (causes[*i] == nullptr && is_placed) causes[*i] = causes[to_size(parent.instance)];
+      }
+    }
+    return causes;
   }
 
   using Hashes = std::map<ModelIndex, std::uint64_t>;

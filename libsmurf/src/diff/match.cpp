@@ -4,6 +4,7 @@
 #include <bit>
 #include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -49,14 +50,16 @@ class Matcher {
     matching_.to_old.assign(after.all.size(), kNone);
     count_parts(before, parts_before_);
     count_parts(after, parts_after_);
+    sort_by_kind(before, kinds_before_);
+    sort_by_kind(after, kinds_after_);
   }
 
   Matching run() {
-    match_by_name(NameKind::link);
-    match_by_name(NameKind::joint);
+    match_by_name(NameKind::link, 0);
+    match_by_name(NameKind::joint, 0);
     match_by_tree();
-    match_by_content(NameKind::link);
-    match_by_content(NameKind::joint);
+    match_by_content(NameKind::link, 0);
+    match_by_content(NameKind::joint, 0);
     close(NameKind::link);
     close(NameKind::joint);
     for (const NameKind kind :
@@ -72,6 +75,9 @@ class Matcher {
  private:
   using Kind = std::optional<NameKind>;
   using Parts = std::unordered_map<std::size_t, std::vector<std::size_t>>;  ///< by the whole
+  /// By their kind and how many things they are in, so that a whole finds its counterpart before its
+  /// parts do.
+  using Kinds = std::map<std::pair<Kind, std::size_t>, std::vector<std::size_t>>;
   /// What could be each other's counterpart.
   struct Bucket {
     std::vector<std::size_t> before, after;
@@ -86,6 +92,21 @@ class Matcher {
     for (std::size_t i = 0; i < things.all.size(); ++i) {
       if (things.all[i].parent != kNone) parts[things.all[i].parent].push_back(i);
     }
+  }
+
+  static void sort_by_kind(const Things& things, Kinds& kinds) {
+    std::vector<std::size_t> depths;
+    for (std::size_t i = 0; i < things.all.size(); ++i) {
+      const Thing& thing = things.all[i];
+      depths.push_back(thing.parent == kNone ? 0 : depths[thing.parent] + 1);
+      kinds[{thing.names, depths[i]}].push_back(i);
+    }
+  }
+
+  static const std::vector<std::size_t>& of_kind(const Kinds& kinds, Kind kind, std::size_t depth) {
+    static const std::vector<std::size_t> kNothing;
+    const auto found = kinds.find({kind, depth});
+    return found == kinds.end() ? kNothing : found->second;
   }
 
   void pair(std::size_t old_thing, std::size_t new_thing) {
@@ -109,7 +130,7 @@ class Matcher {
   /// Calls `visit` with all buckets of free things of a kind, in the order of the old version.
   /// `more` gives what decides of a thing and its index; none: the thing stays free.
   template <class More, class Visit>
-  void for_each_bucket(Kind kind, const More& more, const Visit& visit) {
+  void for_each_bucket(Kind kind, std::size_t depth, const More& more, const Visit& visit) {
     std::unordered_map<std::string, std::size_t> places;
     std::vector<Bucket> buckets;
     const auto bucket_of = [&](const std::string& key) -> Bucket& {
@@ -117,18 +138,18 @@ class Matcher {
       if (is_new) buckets.emplace_back();
       return buckets[place->second];
     };
-    for (std::size_t i = 0; i < before_.all.size(); ++i) {
+    for (const std::size_t i : of_kind(kinds_before_, kind, depth)) {
       const Thing& thing = before_.all[i];
-      if (thing.names != kind || !is_free_before(i)) continue;
+      if (!is_free_before(i)) continue;
       const std::size_t parent = thing.parent == kNone ? kNone : matching_.to_new[thing.parent];
       if (parent == kNone && thing.parent != kNone) continue;
       if (const auto decides = more(thing, i, true)) {
         bucket_of(key_of(thing, parent, *decides)).before.push_back(i);
       }
     }
-    for (std::size_t i = 0; i < after_.all.size(); ++i) {
+    for (const std::size_t i : of_kind(kinds_after_, kind, depth)) {
       const Thing& thing = after_.all[i];
-      if (thing.names != kind || !is_free_after(i)) continue;
+      if (!is_free_after(i)) continue;
       if (const auto decides = more(thing, i, false)) {
         bucket_of(key_of(thing, thing.parent, *decides)).after.push_back(i);
       }
@@ -137,17 +158,20 @@ class Matcher {
   }
 
   void match_kind(Kind kind) {
-    match_by_name(kind);
-    match_by_content(kind);
+    for (auto level = kinds_before_.lower_bound({kind, 0});
+         level != kinds_before_.end() && level->first.first == kind; ++level) {
+      match_by_name(kind, level->first.second);
+      match_by_content(kind, level->first.second);
+    }
     if (kind) close(*kind);
   }
 
-  void match_by_name(Kind kind) {
+  void match_by_name(Kind kind, std::size_t depth) {
     const auto name = [&](const Thing& thing, std::size_t, bool is_before) {
       const bool is_reference = is_before && !thing.names;
       return std::optional(is_reference ? renames_.translate(thing.name, thing.place) : thing.name);
     };
-    for_each_bucket(kind, name, [&](const Bucket& bucket) { match_bucket(bucket); });
+    for_each_bucket(kind, depth, name, [&](const Bucket& bucket) { match_bucket(bucket); });
   }
 
   /// Things of one name, or without any: equal ones first, then in their order.
@@ -176,12 +200,12 @@ class Matcher {
   }
 
   /// What was renamed is still the same thing. One without content could be any.
-  void match_by_content(Kind kind) {
+  void match_by_content(Kind kind, std::size_t depth) {
     const auto content = [&](const Thing& thing, std::size_t i, bool is_before) {
       const std::uint64_t hash = is_before ? hash_before(i) : hash_after(i);
       return hash == hash_of_text(thing.kind) ? std::nullopt : std::optional(std::to_string(hash));
     };
-    for_each_bucket(kind, content, [&](const Bucket& bucket) { pair_in_order(bucket); });
+    for_each_bucket(kind, depth, content, [&](const Bucket& bucket) { pair_in_order(bucket); });
   }
 
   std::uint64_t hash_before(std::size_t i) const {
@@ -302,6 +326,7 @@ class Matcher {
   Renames names_after_;  ///< without any: to tell which names are not decided yet
   Matching matching_;
   Parts parts_before_, parts_after_;
+  Kinds kinds_before_, kinds_after_;
   std::deque<std::size_t> queue_;  ///< old links and joints whose neighbours are to be looked at
   std::unordered_map<std::size_t, std::size_t> links_before_, joints_before_, links_after_,
       joints_after_;

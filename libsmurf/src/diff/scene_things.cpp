@@ -96,6 +96,11 @@ class SceneCollector {
       thing.properties = properties_.mapping({}, {*file.document, entity.node},
                                              rows_of(all_entity_keys()), is_of_entity);
     }
+    for (Property& property : thing.properties.members) {
+      // Absent, it is what the name of the file ends in.
+      if (property.key != "type" || !entity.file) continue;
+      property.is_default = "." + property.text == path::to_lower(path::extension(*entity.file));
+    }
     const Span place = entity.position.written ? entity.position.span : entity.rotation.span;
     const Pose X_PE{entity.position.value_or({}), to_quaternion(entity.rotation)};
     add_member(thing.properties, pose_property("placement", X_PE, place.empty() ? thing.place : place));
