@@ -92,9 +92,14 @@ class GitDiff {
     if (!old_text || !new_text) return "cannot be read\n";
     const std::string model = model_of(after_.path, disk_);
     const bool is_part = model != after_.path;
-    const Version before{is_part ? model : before_.path, before_.path, before_.path, *old_text};
-    const Version after{model, after_.path, after_.path, *new_text};
-    const Compared compared = compare_versions(session_, before, after, options_);
+    Version before{is_part ? model : before_.path, before_.path, before_.path, *old_text};
+    Version after{model, after_.path, after_.path, *new_text};
+    Compared compared = compare_versions(session_, before, after, options_);
+    if (is_part && !compared.is_known()) {  // something else of the model is broken
+      before.path = before_.path;
+      after.path = after_.path;
+      compared = compare_versions(session_, before, after, options_);
+    }
     const SourceMap& sources = session_.loaded_sources();
     std::string text = compared.is_known() ? render_diff(compared.differences, sources, style)
                                            : "cannot be compared\n";

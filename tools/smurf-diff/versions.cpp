@@ -11,6 +11,9 @@ namespace {
 /// What is missing then is not only a part of what the file says.
 constexpr std::array<std::string_view, 2> kMissingFiles = {"SML0001", "SML2001"};
 
+/// What is wrong with a file that cannot be read is told; smurf-lint tells the rest.
+constexpr std::size_t kMostTrouble = 20;
+
 bool is_about_missing_file(const Diagnostic& finding) {
   return std::ranges::find(kMissingFiles, finding.rule->id) != kMissingFiles.end();
 }
@@ -29,18 +32,34 @@ bool is_broken(const LinkedScene& scene) {
   });
 }
 
+/// A file that both versions share has the same findings in both.
+void append_new(const Diagnostic& finding, const SourceMap& sources,
+                std::vector<Diagnostic>& findings) {
+  const bool is_known = std::ranges::any_of(findings, [&](const Diagnostic& one) {
+    return one.rule == finding.rule && one.message == finding.message &&
+           one.span.begin == finding.span.begin &&
+           sources.path(one.span.source) == sources.path(finding.span.source);
+  });
+  if (!is_known) findings.push_back(finding);
+}
+
 /// The errors of reading, when something could not be read at all.
 template <class Loaded, class Linked>
 void find_trouble(Session& session, Loaded& loaded, const Linked& linked, bool for_git,
                   Compared& result) {
   std::vector<Diagnostic> found = session.finish(loaded, loaded.found.take());
   if (!is_broken(linked) && for_git) {
-    std::ranges::copy_if(found, std::back_inserter(result.remarks), is_about_missing_file);
+    for (const Diagnostic& one : found) {
+      if (result.remarks.size() == kMostTrouble) return;
+      if (is_about_missing_file(one)) append_new(one, *loaded.sources, result.remarks);
+    }
     return;
   }
   if (!is_broken(linked) && std::ranges::none_of(found, is_about_missing_file)) return;
-  std::erase_if(found, [](const Diagnostic& one) { return one.severity != Severity::error; });
-  std::move(found.begin(), found.end(), std::back_inserter(result.trouble));
+  for (const Diagnostic& one : found) {
+    if (result.trouble.size() == kMostTrouble) return;
+    if (one.severity == Severity::error) append_new(one, *loaded.sources, result.trouble);
+  }
 }
 
 bool is_scene(std::string_view path) {
@@ -59,8 +78,7 @@ auto load(Session& session, const Version& version, const Load& load) {
 
 template <class Load, class Linked>
 Compared compare_loaded(Session& session, const Version& before, const Version& after,
-                        const DiffOptions& how, bool for_git, const Load& load_one,
-                        Linked linked) {
+                        const DiffOptions& how, bool for_git, const Load& load_one, Linked linked) {
   Compared result;
   auto old_version = load(session, before, load_one);
   auto new_version = load(session, after, load_one);

@@ -75,8 +75,8 @@ class Matcher {
  private:
   using Kind = std::optional<NameKind>;
   using Parts = std::unordered_map<std::size_t, std::vector<std::size_t>>;  ///< by the whole
-  /// By their kind and how many things they are in, so that a whole finds its counterpart before its
-  /// parts do.
+  /// By their kind and how many things they are in, so that a whole finds its counterpart before
+  /// its parts do.
   using Kinds = std::map<std::pair<Kind, std::size_t>, std::vector<std::size_t>>;
   /// What could be each other's counterpart.
   struct Bucket {

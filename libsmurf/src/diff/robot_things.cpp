@@ -260,6 +260,17 @@ class RobotCollector {
     attributes(here, urdf::find_element_spec("joint"), thing.properties);
     add_member(thing.properties, pose(joint.origin, here.name_span()));
     children(here, thing.properties, [](std::string_view name) { return name == "origin"; });
+    if (joint.has_one_axis()) choose_units(thing.properties, joint.type);
+  }
+
+  /// Of "rad or m", the one that the joint has.
+  static void choose_units(Property& property, urdf::JointType type) {
+    constexpr std::string_view kOr = " or ";
+    for (Property& member : property.members) choose_units(member, type);
+    const std::size_t at = property.unit.find(kOr);
+    if (at == std::string_view::npos) return;
+    property.unit = type == urdf::JointType::prismatic ? property.unit.substr(at + kOr.size())
+                                                       : property.unit.substr(0, at);
   }
 
   void extension(xml::View element) {

@@ -103,7 +103,8 @@ class SceneCollector {
     }
     const Span place = entity.position.written ? entity.position.span : entity.rotation.span;
     const Pose X_PE{entity.position.value_or({}), to_quaternion(entity.rotation)};
-    add_member(thing.properties, pose_property("placement", X_PE, place.empty() ? thing.place : place));
+    add_member(thing.properties,
+               pose_property("placement", X_PE, place.empty() ? thing.place : place));
     add_file(thing, entity, EntityKey{to_size(use.scene), index});
   }
 
