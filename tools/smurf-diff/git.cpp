@@ -76,7 +76,8 @@ class GitDiff {
   }
 
   ExitCode run() {
-    const TextStyle style = style_for_git(options_.color);
+    TextStyle style = style_for_git(options_.color);
+    style.width = 78;  // of 80, because the text is indented
     const std::string text = heading_of(before_, after_) + "\n" + indented(body(style));
     write_output(kTool, options_.output, text);  // a pager may be left at any time
     return kDone;

@@ -70,7 +70,8 @@ struct DiffInputs {
   double tolerance = 0;
 };
 
-/// A paragraph of at most 80 columns each, and a line that counts them.
+/// A paragraph of at most 80 columns each, or of the width of the terminal, and a line that counts
+/// them.
 std::string render_diff(std::span<const Difference> differences, const SourceMap& sources,
                         const TextStyle& style = {});
 /// The report of schemas/diff-report.schema.json.

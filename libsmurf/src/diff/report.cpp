@@ -18,7 +18,8 @@ namespace {
 
 using render::Ink;
 
-constexpr std::size_t kColumns = 80;
+constexpr int kColumns = 80;
+constexpr int kFewestColumns = 40;
 constexpr std::size_t kIndent = 4;
 constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kLongestValue = 600;
@@ -70,20 +71,22 @@ Ink ink_of(Change change) {
 }
 
 /// The place at the right edge: on the last line, else on one more.
-void append_place(std::string& lines, const std::string& place) {
+void append_place(std::string& lines, const std::string& place, std::size_t columns) {
   const std::size_t begin = lines.rfind('\n');
   const std::size_t used = render::width_of(std::string_view(lines).substr(begin + 1));
   const std::size_t width = render::width_of(place);
-  if (used + 2 + width <= kColumns) {
-    lines.append(kColumns - used - width, ' ').append(place);
+  if (used + 2 + width <= columns) {
+    lines.append(columns - used - width, ' ').append(place);
   } else {
-    lines.append("\n").append(width + kIndent > kColumns ? kIndent : kColumns - width, ' ');
+    lines.append("\n").append(width + kIndent > columns ? kIndent : columns - width, ' ');
     lines.append(place);
   }
 }
 
 std::string paragraph_of(const Difference& difference, const SourceMap& sources,
-                         const render::Painter& paint) {
+                         const TextStyle& style) {
+  const int wanted = style.width > 0 ? std::clamp(style.width, kFewestColumns, kColumns) : kColumns;
+  const auto columns = static_cast<std::size_t>(wanted);
   const bool is_renamed = difference.change == Change::renamed;
   Difference named = difference;
   if (is_renamed) named.name = difference.old_name;
@@ -93,13 +96,14 @@ std::string paragraph_of(const Difference& difference, const SourceMap& sources,
     text += difference.name.empty() ? " lost its name"
                                     : " renamed to " + shown(difference.name, kLongestName);
   }
-  std::string lines = render::wrap(text, kIndent, kColumns).substr(kIndent);
+  std::string lines = render::wrap(text, kIndent, columns).substr(kIndent);
   lines.pop_back();
   if (const std::string place = place_of(difference, sources); !place.empty()) {
-    append_place(lines, place);
+    append_place(lines, place, columns);
   }
   if (lines.starts_with(subject)) {
-    lines.replace(0, subject.size(), paint(ink_of(difference.change), subject));
+    lines.replace(0, subject.size(),
+                  render::Painter(style.color)(ink_of(difference.change), subject));
   }
   return lines + "\n";
 }
@@ -223,12 +227,11 @@ class JsonReport {
 
 std::string render_diff(std::span<const Difference> differences, const SourceMap& sources,
                         const TextStyle& style) {
-  const render::Painter paint(style.color);
   if (differences.empty()) return "no differences\n";
   std::string text;
   std::array<std::size_t, 4> counts{};
   for (const Difference& difference : differences) {
-    text += paragraph_of(difference, sources, paint);
+    text += paragraph_of(difference, sources, style);
     ++counts[static_cast<std::size_t>(difference.change)];
   }
   text += counted(differences.size(), "difference") + ":";
