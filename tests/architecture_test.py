@@ -30,7 +30,7 @@ STAGES = {
     "convert": {"base", "syntax", "ast", "link"},
     "write": {"base", "syntax", "ast", "link", "lint", "flatten", "convert"},
     "render": {"base"},
-    "diff": {"base", "syntax", "ast", "link", "convert", "write", "render"},
+    "diff": {"base", "syntax", "ast", "write", "render"},
 }
 
 # Third-party headers by their first folder or name, and the stages that know them.
