@@ -100,6 +100,13 @@ joint elbow: upper limit 1.75 -> 1.57 rad (-10.3 %)                  new.urdf:13
                   '<inertia ixx="0.02" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.03"/>')
         self.assertEqual(self.edited(inertial, turned), [])
 
+    def test_an_attribute_and_an_element_of_one_name(self):
+        extension = '<transmission name="t" type="a"><type>{}</type><x>1</x><x>{}</x></transmission>'
+        with_extension = ROBOT.replace("</robot>", extension.format("b", 2) + "</robot>")
+        self.assertEqual(self.told(with_extension, with_extension.replace("<x>1", "\n<x>1")), [])
+        self.assertEqual(self.told(with_extension, with_extension.replace("<type>b", "<type>c")), ["transmission t: type b -> c"])
+        self.assertEqual(self.told(with_extension, with_extension.replace("<x>2", "<x>3")), ["transmission t: x 2 -> 3 (+50 %)"])
+
     def test_added_removed_and_renamed(self):
         hand = '<link name="hand"/>'
         wrist = '<joint name="wrist" type="fixed"><parent link="arm"/><child link="hand"/></joint>'

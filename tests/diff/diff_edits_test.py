@@ -94,8 +94,11 @@ def try_yaml(tester, main, path, rng):
         return False
     (copies[1] / path.relative_to(root)).write_text(edit.text, encoding="utf-8")
     tester.expect_edit(path, edit, tester.diff(old, new))
-    (copies[1] / path.relative_to(root)).write_text(edits.shuffled_yaml(text, rng), encoding="utf-8")
-    tester.expect_same(f"{path}, in another order", tester.diff(old, new))
+    try:
+        (copies[1] / path.relative_to(root)).write_text(edits.shuffled_yaml(text, rng), encoding="utf-8")
+        tester.expect_same(f"{path}, in another order", tester.diff(old, new))
+    except edits.yaml.YAMLError:
+        pass  # PyYAML takes no lists as keys
     return True
 
 

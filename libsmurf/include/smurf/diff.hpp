@@ -40,19 +40,19 @@ using DiffValue = std::variant<std::monostate, bool, double, std::string, std::v
 /// One fact that differs. Names are those of the new version, of what was removed those of the old.
 struct Difference {
   Change change = Change::changed;
-  std::string kind;                         ///< "joint"; empty: the file as a whole
-  std::string name;                         ///< may be empty
-  std::string owner;                        ///< what it is part of: "link hand"; may be empty
-  std::string old_name;                     ///< of what was renamed
-  std::string property;                     ///< of what was changed: "limit.upper"
-  DiffValue before, after;                  ///< of the property
-  std::string_view fallback;                ///< what readers take where the value is absent
-  std::string_view unit;                    ///< may be empty
-  std::span<const std::string_view> parts;  ///< names of the numbers in the values; may be empty
-  std::string detail;                       ///< "moves 7 links"; may be empty
-  std::size_t number = 0;                   ///< of several without a name: which one, from 1
+  std::string kind{};                         ///< "joint"; empty: the file as a whole
+  std::string name{};                         ///< may be empty
+  std::string owner{};                        ///< what it is part of: "link hand"; may be empty
+  std::string old_name{};                     ///< of what was renamed
+  std::string property{};                     ///< of what was changed: "limit.upper"
+  DiffValue before{}, after{};                ///< of the property
+  std::string_view fallback{};                ///< what readers take where the value is absent
+  std::string_view unit{};                    ///< may be empty
+  std::span<const std::string_view> parts{};  ///< names of the numbers in the values; may be empty
+  std::string detail{};                       ///< "moves 7 links"; may be empty
+  std::size_t number = 0;                     ///< of several without a name: which one, from 1
   /// Where it is written, or would be; none where what it is about is not there.
-  std::optional<Span> old_place, new_place;
+  std::optional<Span> old_place{}, new_place{};
 };
 
 /// The differences in the order of the new version, then what was removed. Both must be loaded into

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <functional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "base/path.hpp"
+#include "base/quoted.hpp"
 
 namespace smurf {
 namespace {
@@ -25,8 +27,23 @@ bool is_list_of_values(const Property& property) {
                       [](const Property& member) { return member.has_members(); });
 }
 
+constexpr std::size_t kLongestName = 1000;
+
 /// Where something would be that is not there.
 Span beside(Span span) { return {span.source, span.begin, span.begin}; }
+
+/// Members of one key, such as an attribute and an element of one name, are told apart by their
+/// order.
+class KeyCounter {
+ public:
+  std::string unique(const std::string& key) {
+    const std::size_t number = ++counts_[key];
+    return number == 1 ? key : key + '\0' + std::to_string(number);
+  }
+
+ private:
+  std::unordered_map<std::string, std::size_t> counts_;
+};
 
 /// One thing in both versions.
 class PropertyComparer {
@@ -39,30 +56,39 @@ class PropertyComparer {
         frame_(std::move(frame)),
         out_(out) {}
 
-  void compare_members(const Property& before, const Property& after, const std::string& path) {
+  /// `is_list`: the keys are names of items.
+  void compare_members(const Property& before, const Property& after, const std::string& path,
+                       bool is_list = false) {
     std::unordered_map<std::string, const Property*> old_members;
+    KeyCounter old_keys, new_keys;
     for (const Property& member : before.members) {
-      old_members.emplace(renames_.translate(member.key, member.key_span), &member);
+      old_members.emplace(old_keys.unique(renames_.translate(member.key, member.key_span)),
+                          &member);
     }
-    std::unordered_map<const Property*, bool> seen;
+    std::unordered_set<const Property*> seen;
     for (const Property& member : after.members) {
-      const auto old_member = old_members.find(member.key);
+      const auto old_member = old_members.find(new_keys.unique(member.key));
       if (old_member == old_members.end()) {
-        compare_with_nothing(member, false, joined(path, member.key), before.span);
-      } else if (!std::exchange(seen[old_member->second], true)) {
-        compare(*old_member->second, member, joined(path, member.key));
+        compare_with_nothing(member, false, joined(path, member.key, is_list), before.span);
+      } else {
+        seen.insert(old_member->second);
+        compare(*old_member->second, member, joined(path, member.key, is_list));
       }
     }
     for (const Property& member : before.members) {
       if (seen.contains(&member)) continue;
-      compare_with_nothing(member, true, joined(path, member.key), after.span);
+      compare_with_nothing(member, true, joined(path, member.key, is_list), after.span);
     }
   }
 
  private:
-  static std::string joined(const std::string& path, const std::string& key) {
-    if (path.empty() || key.starts_with('[')) return path + key;
-    return key.empty() ? path : path + "." + key;
+  /// A path is told with every difference below it, so it must not be as long as a file.
+  static std::string joined(const std::string& path, const std::string& key, bool is_item = false) {
+    constexpr std::size_t kLongest = 300;
+    const std::string step = shortened(key, kLongest);
+    if (is_item) return shortened(path + "[" + step + "]", kLongest);
+    if (path.empty() || step.empty()) return path + step;
+    return shortened(path + "." + step, kLongest);
   }
 
   void compare(const Property& before, const Property& after, const std::string& path) {
@@ -109,7 +135,8 @@ class PropertyComparer {
   }
 
   void compare_lists(const Property& before, const Property& after, const std::string& path) {
-    if (are_named(before) && are_named(after)) return compare_named(before, after, path);
+    // Items with names are told apart by them, whatever their order.
+    if (are_named(before) && are_named(after)) return compare_members(before, after, path, true);
     const bool is_long_as_before = before.members.size() == after.members.size();
     if (is_list_of_values(before) && is_list_of_values(after)) {
       const bool is_equal =
@@ -131,15 +158,6 @@ class PropertyComparer {
     return std::all_of(list.members.begin(), list.members.end(), [&](const Property& member) {
       return !member.key.empty() && !std::exchange(seen[member.key], true);
     });
-  }
-
-  /// Items with names are told apart by them, whatever their order.
-  void compare_named(const Property& before, const Property& after, const std::string& path) {
-    const auto with_brackets = [](Property list) {
-      for (Property& member : list.members) member.key = "[" + member.key + "]";
-      return list;
-    };
-    compare_members(with_brackets(before), with_brackets(after), path);
   }
 
   Difference& add(const std::string& path, const Property& property) {
@@ -220,19 +238,21 @@ class Comparison {
     return numbers;
   }
 
+  /// Told with every difference of the thing, so it must not be as long as a file.
   static std::string shown_name(const Thing& thing) {
-    return thing.path.empty() ? thing.name : thing.path;
+    return shortened(thing.path.empty() ? thing.name : thing.path, kLongestName);
   }
+  static std::string shown_kind(const Thing& thing) { return shortened(thing.kind, kLongestName); }
 
   Difference frame_of(const Things& things, std::size_t i) const {
     const Thing& thing = things.all[i];
     Difference frame;
-    frame.kind = thing.kind;
+    frame.kind = shown_kind(thing);
     frame.name = shown_name(thing);
     frame.number = (&things == &before_ ? numbers_before_ : numbers_after_)[i];
     if (thing.parent != kNone && thing.path.empty()) {
       const Thing& owner = things.all[thing.parent];
-      frame.owner = owner.kind + (owner.name.empty() ? "" : " " + shown_name(owner));
+      frame.owner = shown_kind(owner) + (owner.name.empty() ? "" : " " + shown_name(owner));
     }
     return frame;
   }

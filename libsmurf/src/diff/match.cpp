@@ -57,9 +57,12 @@ class Matcher {
   Matching run() {
     match_by_name(NameKind::link, 0);
     match_by_name(NameKind::joint, 0);
-    match_by_tree();
+    match_roots();
+    follow_tree();
     match_by_content(NameKind::link, 0);
+    follow_tree();
     match_by_content(NameKind::joint, 0);
+    follow_tree();
     close(NameKind::link);
     close(NameKind::joint);
     for (const NameKind kind :
@@ -112,6 +115,8 @@ class Matcher {
   void pair(std::size_t old_thing, std::size_t new_thing) {
     matching_.to_new[old_thing] = new_thing;
     matching_.to_old[new_thing] = old_thing;
+    const std::optional<NameKind> kind = before_.all[old_thing].names;
+    if (kind == NameKind::link || kind == NameKind::joint) queue_.push_back(old_thing);
     const Thing& before = before_.all[old_thing];
     const Thing& after = after_.all[new_thing];
     if (before.names && before.name != after.name && !before.name.empty() && !after.name.empty()) {
@@ -245,17 +250,13 @@ class Matcher {
 
   /// A link that the same joint leads to, or that carries the same joint, is the same link; so is a
   /// joint between the same links. Goes on from all pairs until there are no more.
-  void match_by_tree() {
-    if (before_.tree == nullptr || after_.tree == nullptr) return;
-    links_before_ = numbers_of(before_.links);
-    joints_before_ = numbers_of(before_.joints);
-    links_after_ = numbers_of(after_.links);
-    joints_after_ = numbers_of(after_.joints);
-    match_roots();
-    for (const auto* things : {&before_.joints, &before_.links}) {
-      for (const std::size_t i : *things) {
-        if (!is_free_before(i)) queue_.push_back(i);
-      }
+  void follow_tree() {
+    if (before_.tree == nullptr || after_.tree == nullptr) return queue_.clear();
+    if (links_before_.empty()) {
+      links_before_ = numbers_of(before_.links);
+      joints_before_ = numbers_of(before_.joints);
+      links_after_ = numbers_of(after_.links);
+      joints_after_ = numbers_of(after_.joints);
     }
     while (!queue_.empty()) {
       const std::size_t next = queue_.front();
@@ -272,10 +273,10 @@ class Matcher {
     if (old_thing == kNone || new_thing == kNone) return;
     if (!is_free_before(old_thing) || !is_free_after(new_thing)) return;
     pair(old_thing, new_thing);
-    queue_.push_back(old_thing);
   }
 
   void match_roots() {
+    if (before_.tree == nullptr || after_.tree == nullptr) return;
     if (before_.tree->roots.size() != 1 || after_.tree->roots.size() != 1) return;
     const std::size_t old_root = before_.links[to_size(before_.tree->roots[0])];
     const std::size_t new_root = after_.links[to_size(after_.tree->roots[0])];

@@ -169,7 +169,6 @@ class RobotCollector {
       }
       const std::size_t number = ++counts[property.key];
       if (number > 1 && is_single(spec, child.name())) continue;
-      if (number > 1) property.key += "#" + std::to_string(number);
       add_member(group, std::move(property));
     }
   }
