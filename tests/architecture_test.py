@@ -14,7 +14,7 @@ PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
 
 # Each stage and the stages it may include besides itself. An include points left only:
 # base < {archive, syntax}; syntax < {ast, mesh} < link < {lint, flatten, convert} < write; base < render;
-# ast < {schema, config}; lint < check.
+# ast < {schema, config}; lint < check; {write, render} < diff.
 STAGES = {
     "base": set(),
     "archive": {"base"},
@@ -30,6 +30,7 @@ STAGES = {
     "convert": {"base", "syntax", "ast", "link"},
     "write": {"base", "syntax", "ast", "link", "lint", "flatten", "convert"},
     "render": {"base"},
+    "diff": {"base", "syntax", "ast", "write", "render"},
 }
 
 # Third-party headers by their first folder or name, and the stages that know them.

@@ -29,6 +29,7 @@ TOOLS = {
     "smurf2urdf": lambda path, out: [path, "--force", "-o", out],
     "urdf2smurf": lambda path, out: [path, "--dry-run", "-o", out],
     "smurfs-flatten": lambda path, out: [path, "--links", "-o", out],
+    "smurf-diff": lambda path, out: [path, path],
     "smurf-load-check": lambda path, out: [path, "--time", "0.01", "--time-limit", "60"],
 }
 KINDS = {"smurf2urdf": (".smurf",), "urdf2smurf": (".urdf",)}

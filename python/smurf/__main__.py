@@ -6,6 +6,7 @@
     to-urdf     smurf2urdf: exports the URDF of a model
     from-urdf   urdf2smurf: makes a model around a URDF
     flatten     smurfs-flatten: expands a scene
+    diff        smurf-diff: tells what differs between two versions
     load-check  smurf-load-check: builds models and scenes in a physics engine
     try-all     runs smurf2urdf or smurfs-flatten on every model or scene, and keeps nothing; for hooks
 """
@@ -22,6 +23,7 @@ PROGRAMS = {
     "to-urdf": "smurf2urdf",
     "from-urdf": "urdf2smurf",
     "flatten": "smurfs-flatten",
+    "diff": "smurf-diff",
     "load-check": "smurf-load-check",
 }
 

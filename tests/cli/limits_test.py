@@ -21,6 +21,7 @@ COMMANDS = {
     "smurf2urdf": ["robot.smurf"],
     "urdf2smurf": ["robot.urdf", "-o", "model", "--dry-run"],
     "smurfs-flatten": ["scene.smurfs"],
+    "smurf-diff": ["robot.urdf", "robot.urdf"],
     "smurf-load-check": ["robot.urdf", "--time", "0.01"],
 }
 

@@ -160,6 +160,7 @@ class Names(PlainOutputTest):
             if (self.folder / "plot").exists():
                 PARSERS["svg"]((self.folder / "plot").read_bytes().decode())
                 self.check_people((self.folder / "trace").read_bytes().replace(b"\r\n", b"\n"), "trace")
+        self.check_differences(scene, model, robot)
         self.people("urdf2smurf", "--force", "--dry-run", "-o", "out", "--", robot)
         for options in ([], ["--canonical"], ["--prefix", "p_"], ["--apply", "all", "--sensors", "gazebo"]):
             with self.subTest(options=options):
@@ -171,6 +172,18 @@ class Names(PlainOutputTest):
             self.run_tool("smurf2urdf", "--force", "--loss-report", "lost", "--", model)
             if (self.folder / "lost").exists():
                 json.loads((self.folder / "lost").read_bytes().decode())
+
+    def check_differences(self, *names):
+        """Of each file and one in which everything is called differently, in both directions."""
+        self.write("other.urdf", urdf("y " + IN_XML))
+        self.write("other.smurf", f"modelname: {yaml_text('y' + NASTY)}\nfiles: [other.urdf]\n")
+        self.write("other.smurfs", f"entities:\n- {{name: {yaml_text('y ::error::b ' * 20)}, type: smurf, file: other.smurf}}\n")
+        for name in names:
+            for pair in ((name, "other" + pathlib.PurePath(name).suffix), ("other" + pathlib.PurePath(name).suffix, name)):
+                done = self.people("smurf-diff", "--color", "never", "--", *pair)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                json.loads(self.data("smurf-diff", "--format", "json", "--", *pair))
+                self.people("smurf-diff", "--git", "--", name, pair[0], "0", "100644", pair[1], "0", "100644")
 
     def test_content(self):
         self.check_all("r")

@@ -62,6 +62,6 @@ print(len(arm.motors), 'motors,', len(arm.check()), 'findings')" ${MODEL})
   run(${python} -m smurf lint ${MODEL})
 endif()
 
-foreach(tool smurf-lint smurf-lsp smurf2urdf urdf2smurf smurfs-flatten)
+foreach(tool smurf-lint smurf-lsp smurf2urdf urdf2smurf smurfs-flatten smurf-diff)
   run(${WORK}/prefix/bin/${tool} --version)
 endforeach()

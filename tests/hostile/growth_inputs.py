@@ -458,3 +458,76 @@ def models_to_load(n, write):
     for i in range(n):
         write(f"m{i}.urdf", model)
     write("s.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: urdf, file: m{i}.urdf}}\n" for i in range(n)))
+
+
+# Two versions in smurf-diff.
+
+
+def versions(write, old, new, ending="urdf"):
+    write(f"old.{ending}", old)
+    write(f"new.{ending}", new)
+
+
+def robot_of(links, joints=""):
+    return f'<robot name="r">{links}{joints}</robot>'
+
+
+def chain_of(n, prefix, parent_of):
+    links = "".join(f'<link name="{prefix}{i}"/>' for i in range(n))
+    return robot_of(links, "".join(
+        f'<joint name="{prefix}j{i}" type="fixed"><parent link="{prefix}{parent_of(i)}"/><child link="{prefix}{i}"/></joint>'
+        for i in range(1, n)))
+
+
+@grows(400, "smurf-diff", "-q", "old.urdf", "new.urdf")
+def renamed_chain(n, write):
+    versions(write, *(chain_of(n, prefix, lambda i: i - 1) for prefix in "ab"))
+
+
+@grows(400, "smurf-diff", "-q", "old.urdf", "new.urdf")
+def renamed_star(n, write):
+    versions(write, *(chain_of(n, prefix, lambda i: 0) for prefix in "ab"))
+
+
+@grows(1000, "smurf-diff", "old.urdf", "new.urdf")
+def visuals_without_names(n, write):
+    visual = '<visual><geometry><sphere radius="{}"/></geometry></visual>'
+    versions(write, *(robot_of('<link name="a">' + "".join(visual.format(i + first) for i in range(n)) + "</link>")
+                      for first in (1, 2 * n)))
+
+
+@grows(1000, "smurf-diff", "-q", "old.yml", "new.yml")
+def renamed_motors(n, write):
+    versions(write, *("motors:\n" + "".join(f"- {{name: {prefix}{i}, joint: j, p: 1}}\n" for i in range(n)) for prefix in "ab"), "yml")
+
+
+@grows(1000, "smurf-diff", "-q", "old.urdf", "new.urdf")
+def extensions_that_name_a_renamed_link(n, write):
+    versions(write, *(robot_of(f'<link name="{name}"/>', f'<gazebo><x>{name}</x><y link="{name}"/></gazebo>' * n) for name in "ab"))
+
+
+@grows(1000, "smurf-diff", "-q", "old.yml", "new.yml")
+def lists_of_named_items(n, write):
+    versions(write, *("s:\n" + "".join(f"- {{name: n{i * step}, v: {i}}}\n" for i in range(n)) for step in (1, 2)), "yml")
+
+
+@grows(200, "smurf-diff", "-q", "old.smurfs", "new.smurfs")
+def entities_that_change_their_models(n, write):
+    for i in range(20):
+        write(f"r{i}.urdf", robot_of("".join(f'<link name="l{i}_{k}"/>' for k in range(20))))
+    versions(write, *("entities:\n" + "".join(f"- {{name: e{i}, file: r{(i * step) % 20}.urdf}}\n" for i in range(n)) for step in (1, 3)),
+             "smurfs")
+
+
+@grows(100, "smurf-diff", "-q", "old.smurfs", "new.smurfs")
+def moved_scenes_in_scenes(n, write):
+    for i in range(n):
+        inner = f", file: s{i + 1}.smurfs" if i + 1 < n else ", type: primitive"
+        write(f"s{i}.smurfs", f"entities:\n- {{name: e{inner}, position: [1, 0, 0]}}\n")
+    versions(write, *(f"entities:\n- {{name: e, file: s0.smurfs, position: [{x}, 0, 0]}}\n" for x in (1, 2)), "smurfs")
+
+
+@grows(300, "smurf-diff", "-o", "out", "old.yml", "new.yml")
+def a_long_name_with_many_keys(n, write):
+    versions(write, *(f"motors:\n- {{name: {'a' * 200 * n}, {'b' * 200 * n}: {{" + ", ".join(f"k{i}: {x}" for i in range(n)) + "}}\n"
+                      for x in (1, 2)), "yml")

@@ -28,6 +28,7 @@ COMMANDS = {
     "smurf2urdf": ["{}", "-o", "out/robot.urdf"],
     "urdf2smurf": ["{}", "-o", "out/model"],
     "smurfs-flatten": ["{}", "-o", "out/scene.json"],
+    "smurf-diff": ["{}", "{}", "-o", "out/differences"],
     "smurf-load-check": ["{}", "--time", "0.01", "--time-limit", "1"],
 }
 

@@ -9,6 +9,7 @@
 #include "schema/case_file.hpp"
 #include "schema/validator.hpp"
 #include "smurf/check.hpp"
+#include "smurf/diff.hpp"
 #include "smurf/render.hpp"
 #include "smurf/write.hpp"
 
@@ -94,6 +95,64 @@ TEST_CASE("the report of losses") {
          {"/losses/0", R"({"id": "SML3101"})"},
          {"/losses/0", R"({"pointer": null})"},
          {"/losses/0", R"({"line": 0})"}});
+}
+
+TEST_CASE("the report of differences") {
+  SourceMap sources;
+  const SourceId id = sources.add("r.urdf", "<robot/>");
+  const Span place{id, 1, 6};
+  static constexpr std::string_view kParts[] = {"ixx", "iyy"};
+  const std::vector<Difference> differences = {
+      {.kind = "joint",
+       .name = "elbow",
+       .property = "pose",
+       .before = Pose{},
+       .after = Pose{},
+       .detail = "moves 7 links",
+       .old_place = place,
+       .new_place = place},
+      {.kind = "link",
+       .property = "inertial.inertia",
+       .before = std::monostate{},
+       .after = std::vector<double>{1, 2},
+       .fallback = "0",
+       .unit = "kg m^2",
+       .parts = kParts,
+       .old_place = place,
+       .new_place = place},
+      {.kind = "node",
+       .property = "rotation",
+       .before = Quaternion{},
+       .after = std::vector<std::string>{"a"},
+       .old_place = place,
+       .new_place = place},
+      {.change = Change::renamed,
+       .kind = "link",
+       .name = "b",
+       .old_name = "a",
+       .old_place = place,
+       .new_place = place},
+      {.change = Change::added,
+       .kind = "visual",
+       .owner = "link hand",
+       .number = 2,
+       .new_place = place},
+      {.change = Change::removed, .kind = "motor", .name = "m", .old_place = place}};
+  const Json report = Json::parse(render_diff_json(
+      differences, sources, {"old.urdf", "r.urdf", 1e-9}, {"smurf-diff", "0.1.0"}));
+  check("diff-report.schema.json", report,
+        {{"", R"({"summary": null})"},
+         {"", R"({"tolerance": -1})"},
+         {"/summary", R"({"changed": null})"},
+         {"/differences/0", R"({"change": "moved"})"},
+         {"/differences/0", R"({"property": null})"},
+         {"/differences/0", R"({"new": {"position": [0, 0]}})"},
+         {"/differences/0", R"({"old_name": "x"})"},
+         {"/differences/0/new_source", R"({"line": 0})"},
+         {"/differences/3", R"({"old_name": null})"},
+         {"/differences/4", R"({"old_source": {"file": "a", "line": 1, "column": 1}})"},
+         {"/differences/4", R"({"number": 0})"},
+         {"/differences/5", R"({"old": 1})"}});
 }
 
 TEST_CASE("the flat scene") {

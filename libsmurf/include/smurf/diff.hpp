@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What differs between two versions of a model or a scene for the robot, not for its files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "smurf/file_reader.hpp"
+#include "smurf/limits.hpp"
+#include "smurf/linked.hpp"
+#include "smurf/pose.hpp"
+#include "smurf/render.hpp"
+#include "smurf/source.hpp"
+
+namespace smurf {
+
+struct DiffOptions {
+  /// Values that differ by no more are equal: in metres and radians; relative to the larger one for
+  /// masses, inertias, efforts and everything else with a unit of its own.
+  double tolerance = 1e-9;
+  /// To compare the contents of meshes, textures and other files. Null: they are equal when their
+  /// names are.
+  const FileReader* files = nullptr;
+  Limits limits = {};
+};
+
+enum class Change : std::uint8_t { added, removed, renamed, changed };
+std::string_view to_string(Change change);
+
+/// A value as it is compared; nothing where there is none.
+using DiffValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>, Pose,
+                               Quaternion, std::vector<std::string>>;
+
+/// One fact that differs. Names are those of the new version, of what was removed those of the old.
+struct Difference {
+  Change change = Change::changed;
+  std::string kind{};                         ///< "joint"; empty: the file as a whole
+  std::string name{};                         ///< may be empty
+  std::string owner{};                        ///< what it is part of: "link hand"; may be empty
+  std::string old_name{};                     ///< of what was renamed
+  std::string property{};                     ///< of what was changed: "limit.upper"
+  DiffValue before{}, after{};                ///< of the property
+  std::string_view fallback{};                ///< what readers take where the value is absent
+  std::string_view unit{};                    ///< may be empty
+  std::span<const std::string_view> parts{};  ///< names of the numbers in the values; may be empty
+  std::string detail{};                       ///< "moves 7 links"; may be empty
+  std::size_t number = 0;                     ///< of several without a name: which one, from 1
+  /// Where it is written, or would be; none where what it is about is not there.
+  std::optional<Span> old_place{}, new_place{};
+};
+
+/// The differences in the order of the new version, then what was removed. Both must be loaded into
+/// `sources`. Formatting, order, comments, and values that readers take anyway, are none. Of a
+/// model without annotations, and its counterpart with them, only the robots are compared.
+std::vector<Difference> diff(const LinkedModel& before, const LinkedModel& after,
+                             const SourceMap& sources, const DiffOptions& options = {});
+/// The same with the models that both scenes place under one name.
+std::vector<Difference> diff(const LinkedScene& before, const LinkedScene& after,
+                             const SourceMap& sources, const DiffOptions& options = {});
+
+/// The names of what is compared, for reports.
+struct DiffInputs {
+  std::string before, after;
+  double tolerance = 0;
+};
+
+/// A paragraph of at most 80 columns each, or of the width of the terminal, and a line that counts
+/// them.
+std::string render_diff(std::span<const Difference> differences, const SourceMap& sources,
+                        const TextStyle& style = {});
+/// The report of schemas/diff-report.schema.json.
+std::string render_diff_json(std::span<const Difference> differences, const SourceMap& sources,
+                             const DiffInputs& inputs, const ToolName& tool);
+
+}  // namespace smurf

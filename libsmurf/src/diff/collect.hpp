@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models and scenes as things.
+#pragma once
+
+#include "diff/properties.hpp"
+#include "diff/yaml_properties.hpp"
+#include "smurf/linked.hpp"
+
+namespace smurf {
+
+/// What of a model is compared.
+enum class Scope : std::uint8_t { all, robot };
+
+/// The things of a URDF, appended.
+void collect_robot(const LinkedModel& model, Things& things);
+/// Those of the main file and the annotations.
+void collect_annotations(const LinkedModel& model, YamlProperties& properties, Things& things);
+Things collect(const LinkedModel& model, Scope scope, YamlProperties& properties);
+
+/// Those of the scene files, each once however often it is included.
+Things collect(const LinkedScene& scene, const SourceMap& sources, YamlProperties& properties);
+
+/// By the place where the name stands, so that they are found by it.
+void sort_by_place(std::vector<Reference>& references);
+
+}  // namespace smurf

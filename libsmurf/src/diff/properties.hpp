@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is compared: things with names, and their values as a tree of properties. Every property
+// knows its bytes in the source; how it was written does not matter any more.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "smurf/diff.hpp"
+#include "smurf/names.hpp"
+#include "smurf/references.hpp"
+#include "smurf/source.hpp"
+
+namespace smurf {
+
+inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// One value, or several under their keys.
+struct Property {
+  enum class Form : std::uint8_t {
+    absent,
+    boolean,   ///< numbers[0] is 0 or 1
+    number,    ///< numbers[0]
+    text,      ///< text
+    numbers,   ///< numbers
+    rotation,  ///< numbers: w, x, y, z, of unit length
+    pose,      ///< numbers: x, y, z, then w, x, y, z
+    file,      ///< text: its name as written; path: where it is
+    list,      ///< members, in their order
+    group,     ///< members, in any order, with keys
+    choice     ///< a group of one of several types: text
+  };
+
+  std::string key;
+  Span key_span;  ///< where the key is a name that may be renamed; else empty
+  Span span;
+  Form form = Form::absent;
+  bool is_default = false;  ///< what readers take when it is absent
+  std::string_view unit;
+  std::string_view fallback;
+  std::span<const std::string_view> parts;  ///< names of `numbers`
+  std::string text;
+  std::string path;
+  std::vector<double> numbers;
+  std::vector<Property> members;
+
+  bool has_members() const {
+    return form == Form::list || form == Form::group || form == Form::choice;
+  }
+};
+
+/// A link, a motor, an entity: what is added, removed and renamed as a whole.
+struct Thing {
+  std::string kind;               ///< "link"
+  std::string name;               ///< may be empty
+  std::string path;               ///< in nested scenes the names around it as well; else empty
+  Span place;                     ///< of the name, else of the whole
+  std::optional<NameKind> names;  ///< what else refers to by its name
+  std::size_t parent = kNone;     ///< the thing that it is part of; stands before it
+  Property properties;            ///< a group
+};
+
+/// All things of a model or a scene, in the order of the files.
+struct Things {
+  std::vector<Thing> all;
+  std::vector<std::size_t> links, joints;  ///< by LinkIndex and JointIndex
+  const KinematicTree* tree = nullptr;     ///< of a model with a robot
+  std::vector<Reference> references;       ///< sorted by place
+};
+
+/// Leaves of properties.
+Property number_property(std::string_view key, double value, Span span, std::string_view unit = {});
+Property text_property(std::string_view key, std::string_view text, Span span);
+Property numbers_property(std::string_view key, std::vector<double> values, Span span,
+                          std::string_view unit = {});
+Property pose_property(std::string_view key, const Pose& pose, Span span);
+Property rotation_property(std::string_view key, const Quaternion& rotation, Span span);
+Property group_property(std::string_view key, Span span);
+
+/// Adds a member; a key that is taken gets a number.
+void add_member(Property& group, Property member);
+
+Pose pose_of(const Property& property);
+Quaternion rotation_of(const Property& property);
+DiffValue value_of(const Property& property);
+/// In one line for a person: of a group, its members; "none" when it is absent.
+std::string summary_of(const Property& property);
+
+/// Whether both mean the same; of a text, `before` is as the new version names it.
+bool is_same_leaf(const Property& before, std::string_view text_before, const Property& after,
+                  double tolerance);
+
+}  // namespace smurf

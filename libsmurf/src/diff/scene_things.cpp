@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The things of a scene: its entities with those of nested scenes, lights and the world.
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "ast/scene_keys.hpp"
+#include "ast/sections.hpp"
+#include "base/path.hpp"
+#include "diff/collect.hpp"
+
+namespace smurf {
+namespace {
+
+bool is_of_world(std::string_view key) {
+  return key != "smurfs" && key != "entities" && key != "smurfa" && key != "lights";
+}
+
+/// The pose is compared as one, and a nested scene by what is in it.
+bool is_of_entity(std::string_view key) {
+  return key != "name" && key != "position" && key != "rotation" && key != "file";
+}
+
+std::vector<const KeySpec*> rows_of(std::span<const KeySpec> table) {
+  std::vector<const KeySpec*> rows;
+  for (const KeySpec& row : table) rows.push_back(&row);
+  return rows;
+}
+
+class SceneCollector {
+ public:
+  SceneCollector(const LinkedScene& scene, const SourceMap& sources, YamlProperties& properties,
+                 Things& things)
+      : scene_(scene), sources_(sources), properties_(properties), things_(things) {
+    for (const Instance& instance : scene.instances) {
+      instances_.try_emplace({to_size(scene.use(instance).scene), instance.entity}, &instance);
+    }
+    for (const SceneUse& use : scene.uses) {
+      if (!use.outer) continue;
+      included_.emplace(to_size(scene.uses[to_size(*use.outer)].scene), use.including_entity);
+    }
+  }
+
+  void run() {
+    std::vector<char> is_done(scene_.scenes.size());
+    for (const SceneUse& use : scene_.uses) {
+      if (std::exchange(is_done[to_size(use.scene)], 1) != 0) continue;
+      std::size_t parent = kNone;
+      if (use.outer) {
+        const std::size_t outer = to_size(scene_.uses[to_size(*use.outer)].scene);
+        parent = entities_.at({outer, use.including_entity});
+      }
+      scene(use, parent);
+    }
+  }
+
+ private:
+  using EntityKey = std::pair<std::size_t, std::size_t>;  ///< scene file and entity
+
+  Thing& add(std::string_view kind, std::size_t parent, Span place) {
+    Thing& thing = things_.all.emplace_back();
+    thing.kind = kind;
+    thing.parent = parent;
+    thing.place = place;
+    return thing;
+  }
+
+  void scene(const SceneUse& use, std::size_t parent) {
+    const SceneFile& file = scene_.file(use);
+    for (std::size_t i = 0; i < file.scene.entities.size(); ++i) entity(use, i, parent);
+    if (!file.document || !file.document->view() || !file.document->view().is_mapping()) return;
+    const yaml::View root = file.document->view();
+    const Span place{file.source, root.span().begin, root.span().begin};
+    Thing& world = add("scene", parent, place);
+    world.properties = properties_.mapping({}, root, rows_of(scene_keys()), is_of_world);
+    const std::vector<const KeySpec*> rows = sections::lights.keys();
+    for (const Light& light : file.scene.lights) {
+      Thing& thing = add("light", parent, light.name ? light.name.span : light.span);
+      thing.name = light.name.value_or("");
+      thing.properties = properties_.mapping({}, {*file.document, light.node}, rows,
+                                             [](std::string_view key) { return key != "name"; });
+    }
+  }
+
+  void entity(const SceneUse& use, std::size_t index, std::size_t parent) {
+    const SceneFile& file = scene_.file(use);
+    const Entity& entity = file.scene.entities[index];
+    entities_.emplace(EntityKey{to_size(use.scene), index}, things_.all.size());
+    Thing& thing = add("entity", parent, place_of(entity));
+    thing.name = entity.name.value_or("");
+    thing.names = NameKind::entity;
+    thing.path = use.path.empty() ? thing.name : use.path + "/" + thing.name;
+    thing.properties = group_property({}, entity.span);
+    if (file.document && entity.node != yaml::kNoNode) {
+      thing.properties = properties_.mapping({}, {*file.document, entity.node},
+                                             rows_of(all_entity_keys()), is_of_entity);
+    }
+    for (Property& property : thing.properties.members) {
+      // Absent, it is what the name of the file ends in.
+      if (property.key != "type" || !entity.file) continue;
+      property.is_default = "." + property.text == path::to_lower(path::extension(*entity.file));
+    }
+    const Span place = entity.position.written ? entity.position.span : entity.rotation.span;
+    const Pose X_PE{entity.position.value_or({}), to_quaternion(entity.rotation)};
+    add_member(thing.properties,
+               pose_property("placement", X_PE, place.empty() ? thing.place : place));
+    add_file(thing, entity, EntityKey{to_size(use.scene), index});
+  }
+
+  /// The models of scenes are compared by themselves; a file that nothing else reads, byte by byte.
+  void add_file(Thing& thing, const Entity& entity, EntityKey key) {
+    if (!entity.file || included_.contains(key)) return;
+    Property file = text_property("file", *entity.file, entity.file.span);
+    const auto instance = instances_.find(key);
+    const bool is_known = instance != instances_.end();
+    const DataFile* data = is_known ? data_of(*instance->second) : nullptr;
+    if (data != nullptr && data->document.view()) {
+      if (!std::exchange(told_[data], true)) {
+        add_member(thing.properties, properties_.value("contents", data->document.view(), nullptr));
+      }
+    } else if (is_known && !instance->second->model && !instance->second->file.empty()) {
+      file.form = Property::Form::file;
+      file.path = instance->second->file;
+    }
+    add_member(thing.properties, std::move(file));
+  }
+
+  const DataFile* data_of(const Instance& instance) {
+    if (data_.empty()) {
+      for (const DataFile& file : scene_.data_files)
+        data_.emplace(sources_.path(file.source), &file);
+    }
+    const auto found = data_.find(instance.file);
+    return found == data_.end() ? nullptr : found->second;
+  }
+
+  const LinkedScene& scene_;
+  const SourceMap& sources_;
+  YamlProperties& properties_;
+  Things& things_;
+  std::map<EntityKey, const Instance*> instances_;  ///< the first one of each entity
+  std::map<EntityKey, std::size_t> entities_;       ///< things
+  std::set<EntityKey> included_;                    ///< entities that bring a scene
+  std::map<std::string, const DataFile*> data_;     ///< by path
+  std::map<const DataFile*, bool> told_;
+};
+
+}  // namespace
+
+Things collect(const LinkedScene& scene, const SourceMap& sources, YamlProperties& properties) {
+  Things things;
+  SceneCollector(scene, sources, properties, things).run();
+  things.references = references_of(scene);
+  sort_by_place(things.references);
+  return things;
+}
+
+}  // namespace smurf

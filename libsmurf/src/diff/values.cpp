@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "diff/values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.hpp"
+#include "smurf/describe.hpp"
+
+namespace smurf {
+namespace {
+
+std::string with_unit(std::string text, std::string_view unit) {
+  if (!unit.empty()) text.append(" ").append(unit);
+  return text;
+}
+
+/// Nine digits are more than any robot has; where they do not tell two numbers apart, all are
+/// shown.
+std::string short_number(double value) { return format_rounded(value, 9); }
+
+std::string numbers_text(std::span<const double> values, std::string (*show)(double)) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : " ") + show(value);
+  return text;
+}
+
+std::string in_radians(const Quaternion& rotation) {
+  const Vector3 rpy = to_rpy(rotation);
+  return numbers_text(rpy, short_number);
+}
+
+/// Old and new as texts that differ.
+struct Pair {
+  std::string before, after;
+};
+
+Pair pair_of(std::span<const double> before, std::span<const double> after) {
+  Pair pair{numbers_text(before, short_number), numbers_text(after, short_number)};
+  if (pair.before == pair.after) {
+    pair = {numbers_text(before, format_number), numbers_text(after, format_number)};
+  }
+  return pair;
+}
+
+std::string arrow(const Pair& pair) { return pair.before + " -> " + pair.after; }
+
+std::string numbers_change(const std::vector<double>& before, const std::vector<double>& after,
+                           const Difference& difference) {
+  if (difference.parts.size() != before.size() || before.size() != after.size()) {
+    return with_unit(arrow(pair_of(before, after)), difference.unit);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i] == after[i]) continue;
+    const Pair pair = pair_of(std::span(&before[i], 1), std::span(&after[i], 1));
+    text += (text.empty() ? "" : ", ") + std::string(difference.parts[i]) + " " + arrow(pair);
+  }
+  return with_unit(std::move(text), difference.unit);
+}
+
+std::string number_change(double before, double after, std::string_view unit) {
+  std::string text = with_unit(arrow(pair_of({&before, 1}, {&after, 1})), unit);
+  const double percent = 100 * (after - before) / std::fabs(before);
+  if (!std::isfinite(percent)) return text;
+  const bool is_moderate = std::fabs(percent) < 1000;
+  if (is_moderate)
+    text += " (" + std::string(percent > 0 ? "+" : "") + format_rounded(percent, 3) + " %)";
+  return text;
+}
+
+std::string pose_change(const Pose& before, const Pose& after) {
+  double distance = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    distance = std::hypot(distance, before.position[i] - after.position[i]);
+  }
+  std::string text;
+  if (distance > 0) text = "xyz " + arrow(pair_of(before.position, after.position)) + " m";
+  const double angle = angle_between(before.orientation, after.orientation);
+  if (angle > 0) {
+    text += (text.empty() ? "" : ", ") + std::string("rpy ") +
+            arrow(pair_of(to_rpy(before.orientation), to_rpy(after.orientation))) + " rad";
+  }
+  return text;
+}
+
+/// What readers take where nothing is written.
+std::string absent_text(const Difference& difference) {
+  if (difference.fallback.empty()) return "none";
+  return std::string(difference.fallback) + " (default)";
+}
+
+}  // namespace
+
+std::string label_of(std::string_view property) {
+  constexpr std::string_view kLimit = "limit.";
+  constexpr std::string_view kPlain[] = {"inertial.", "dynamics.", "material.name"};
+  if (property.starts_with(kLimit)) return std::string(property.substr(kLimit.size())) + " limit";
+  if (property == kPlain[2]) return "material";
+  for (const std::string_view plain : kPlain) {
+    if (property.starts_with(plain)) property.remove_prefix(plain.size());
+  }
+  if (property == "center_of_mass") return "center of mass";
+  std::string label(property);
+  std::replace(label.begin(), label.end(), '.', ' ');
+  return label;
+}
+
+std::string value_text(const DiffValue& value, std::string_view unit,
+                       std::span<const std::string_view> parts) {
+  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
+  if (const auto* number = std::get_if<double>(&value))
+    return with_unit(short_number(*number), unit);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* pose = std::get_if<Pose>(&value)) {
+    return "xyz " + numbers_text(pose->position, short_number) + " m rpy " +
+           in_radians(pose->orientation) + " rad";
+  }
+  if (const auto* rotation = std::get_if<Quaternion>(&value)) {
+    return "rpy " + in_radians(*rotation) + " rad";
+  }
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    if (parts.size() != numbers->size())
+      return with_unit(numbers_text(*numbers, short_number), unit);
+    std::string text;
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+      if ((*numbers)[i] == 0) continue;
+      text += (text.empty() ? "" : " ") + std::string(parts[i]) + " " + short_number((*numbers)[i]);
+    }
+    return text.empty() ? "0" : with_unit(std::move(text), unit);
+  }
+  if (const auto* items = std::get_if<std::vector<std::string>>(&value)) {
+    std::string text;
+    for (const std::string& item : *items) text += (text.empty() ? "" : ", ") + item;
+    return "[" + text + "]";
+  }
+  return "none";
+}
+
+std::string change_text(const Difference& difference) {
+  const DiffValue& before = difference.before;
+  const DiffValue& after = difference.after;
+  if (before.index() == after.index()) {
+    if (const auto* number = std::get_if<double>(&before)) {
+      return number_change(*number, std::get<double>(after), difference.unit);
+    }
+    if (const auto* numbers = std::get_if<std::vector<double>>(&before)) {
+      return numbers_change(*numbers, std::get<std::vector<double>>(after), difference);
+    }
+    if (const auto* pose = std::get_if<Pose>(&before)) {
+      return pose_change(*pose, std::get<Pose>(after));
+    }
+    if (const auto* rotation = std::get_if<Quaternion>(&before)) {
+      return pose_change({{}, *rotation}, {{}, std::get<Quaternion>(after)});
+    }
+  }
+  const auto shown = [&](const DiffValue& value) {
+    return std::holds_alternative<std::monostate>(value)
+               ? absent_text(difference)
+               : value_text(value, difference.unit, difference.parts);
+  };
+  return shown(before) + " -> " + shown(after);
+}
+
+}  // namespace smurf

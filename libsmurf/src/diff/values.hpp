@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values and properties of differences in words.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "smurf/diff.hpp"
+
+namespace smurf {
+
+/// "upper limit" of "limit.upper".
+std::string label_of(std::string_view property);
+
+/// "0.35 kg"; "none" for nothing.
+std::string value_text(const DiffValue& value, std::string_view unit,
+                       std::span<const std::string_view> parts);
+
+/// "0.35 -> 0.4 kg (+14.3 %)": of several numbers with names, those that differ alone.
+std::string change_text(const Difference& difference);
+
+}  // namespace smurf

@@ -1,0 +1,313 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""smurf-diff as people and git use it."""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cli  # noqa: E402
+
+LINKS = """
+  <link name="base"/>
+  <link name="arm">
+    <inertial><origin xyz="0 0 0.1"/><mass value="0.35"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.03"/></inertial>
+    <visual name="arm_visual"><geometry><box size="0.1 0.1 0.2"/></geometry></visual>
+    <collision><origin xyz="0 0 0.1"/><geometry><cylinder radius="0.05" length="0.2"/></geometry></collision>
+    <collision><geometry><sphere radius="0.05"/></geometry></collision>
+  </link>
+  <link name="hand"/>
+"""
+JOINTS = """
+  <joint name="elbow" type="revolute">
+    <parent link="base"/><child link="arm"/><origin xyz="0 0 0.3"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1.75" effort="10" velocity="2"/>
+  </joint>
+  <joint name="wrist" type="fixed"><parent link="arm"/><child link="hand"/></joint>
+"""
+ROBOT = f'<robot name="r">{LINKS}{JOINTS}</robot>\n'
+
+
+class Diff(cli.CliTest):
+    def told(self, old, new, *options):
+        """The differences of two URDFs, as text without places."""
+        self.write("old.urdf", old)
+        self.write("new.urdf", new)
+        done = self.expect(None, "old.urdf", "new.urdf", *options)
+        lines = done.stdout.splitlines()
+        self.assertEqual(done.returncode, 0 if lines[-1] == "no differences" else 1)
+        self.assertTrue(all(len(line) <= 80 for line in lines), lines)
+        return [line.split("   ")[0].split("  new.urdf")[0].split("  old.urdf")[0] for line in lines[:-1]]
+
+    def edited(self, old, new, *options):
+        self.assertIn(old, ROBOT)
+        return self.told(ROBOT, ROBOT.replace(old, new), *options)
+
+    def json(self, *arguments):
+        return json.loads(self.expect(None, "--format", "json", *arguments).stdout)
+
+    def copy(self, model, *names):
+        for name in names:
+            shutil.copytree(cli.FIXTURES / model, self.folder / name)
+
+    def replace(self, path, old, new):
+        text = self.read(path)
+        self.assertIn(old, text)
+        self.write(path, text.replace(old, new))
+
+
+class Robots(Diff):
+    def test_what_a_reviewer_reads(self):
+        self.write("old.urdf", ROBOT)
+        self.write("new.urdf", ROBOT.replace('upper="1.75"', 'upper="1.57"').replace('value="0.35"', 'value="0.4"'))
+        self.assertEqual(self.expect(1, "old.urdf", "new.urdf").stdout, """\
+link arm: mass 0.35 -> 0.4 kg (+14.3 %)                               new.urdf:4
+joint elbow: upper limit 1.75 -> 1.57 rad (-10.3 %)                  new.urdf:13
+2 differences: 2 changed
+""")
+
+    def test_no_differences(self):
+        for same in (ROBOT.replace("\n", "\n\n<!-- c -->"), ROBOT.replace('"', "'"), ROBOT.replace("0.35", "3.50e-1"),
+                     f'<robot name="r">{JOINTS}{LINKS}</robot>', ROBOT.replace("<axis", '<dynamics damping="0"/><axis'),
+                     ROBOT.replace('<origin xyz="0 0 0.3"/>', '<origin rpy="0 0 6.283185307179586" xyz="0 0 0.3"/>')):
+            self.assertEqual(self.told(ROBOT, same), [])
+
+    def test_values(self):
+        for old, new, told in (
+                ('xyz="0 1 0"', 'xyz="0 0 1"', "joint elbow: axis 0 1 0 -> 0 0 1"),
+                ('xyz="0 0 0.3"', 'xyz="0 0 0.4"', "joint elbow: pose xyz 0 0 0.3 -> 0 0 0.4 m, moves 2 links"),
+                ('"revolute"', '"prismatic"', "joint elbow: type revolute -> prismatic"),
+                ('ixx="0.01"', 'ixx="0.015"', "link arm: inertia ixx 0.01 -> 0.015 kg m^2"),
+                ('<origin xyz="0 0 0.1"/><mass', "<mass", "link arm: center of mass 0 0 0.1 -> 0 0 0 m"),
+                ("<sphere", '<sphere x="1"', "collision 2 of link arm: sphere x none -> 1"),
+                ('<axis xyz="0 1 0"/>', "", "joint elbow: axis 0 1 0 -> 1 0 0 (default)"),
+                ('<box size="0.1 0.1 0.2"/>', '<sphere radius="0.2"/>',
+                 "visual arm_visual of link arm: shape box size 0.1 0.1 0.2 m -> sphere radius"),
+                ('name="r"', 'name="q"', "robot: name r -> q"),
+                ("<axis", '<mimic joint="wrist" multiplier="2"/><axis',
+                 "joint elbow: mimic none -> joint wrist, multiplier 2"),
+                ("<axis", '<mimic joint="wrist"/><axis', "joint elbow: mimic joint none -> wrist"),
+                ("</robot>", '<gazebo reference="arm"><mu1>1</mu1></gazebo></robot>', "gazebo arm added")):
+            with self.subTest(new=new):
+                self.assertEqual(self.edited(old, new)[:1], [told])
+                self.assertEqual(len([line for line in self.edited(old, new) if line]), 1)
+
+    def test_the_same_body_in_another_frame(self):
+        inertial = '<origin xyz="0 0 0.1"/><mass value="0.35"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.03"/>'
+        turned = ('<origin xyz="0 0 0.1" rpy="0 0 1.5707963267948966"/><mass value="0.35"/>'
+                  '<inertia ixx="0.02" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.03"/>')
+        self.assertEqual(self.edited(inertial, turned), [])
+
+    def test_an_attribute_and_an_element_of_one_name(self):
+        extension = '<transmission name="t" type="a"><type>{}</type><x>1</x><x>{}</x></transmission>'
+        with_extension = ROBOT.replace("</robot>", extension.format("b", 2) + "</robot>")
+        self.assertEqual(self.told(with_extension, with_extension.replace("<x>1", "\n<x>1")), [])
+        self.assertEqual(self.told(with_extension, with_extension.replace("<type>b", "<type>c")), ["transmission t: type b -> c"])
+        self.assertEqual(self.told(with_extension, with_extension.replace("<x>2", "<x>3")), ["transmission t: x 2 -> 3 (+50 %)"])
+
+    def test_added_removed_and_renamed(self):
+        hand = '<link name="hand"/>'
+        wrist = '<joint name="wrist" type="fixed"><parent link="arm"/><child link="hand"/></joint>'
+        self.assertEqual(self.edited("arm", "forearm"),
+                         ["link arm renamed to forearm", "visual arm_visual of link forearm renamed to forearm_visual"])
+        self.assertEqual(self.edited('"wrist"', '"palm"'), ["joint wrist renamed to palm"])
+        self.assertEqual(self.edited('"base"', '"root"'), ["link base renamed to root"])
+        without = ROBOT.replace(hand, "").replace(wrist, "")
+        self.assertEqual(self.told(ROBOT, without), ["link hand removed", "joint wrist removed"])
+        self.assertEqual(self.told(without, ROBOT), ["link hand added", "joint wrist added"])
+        self.assertEqual(self.edited("<collision><geometry><sphere radius=\"0.05\"/></geometry></collision>", ""),
+                         ["collision 2 of link arm removed"])
+
+    def test_all_names_at_once(self):
+        new = ROBOT
+        for name in ("base", "arm", "hand", "elbow", "wrist"):
+            new = new.replace(f'"{name}"', f'"left_{name}"')
+        self.assertEqual(sorted(self.told(ROBOT, new)), sorted(
+            f"{kind} {name} renamed to left_{name}" for kind, names in (("link", ("base", "arm", "hand")), ("joint", ("elbow", "wrist")))
+            for name in names))
+
+    def test_tolerance(self):
+        self.assertEqual(self.edited("0.35", "0.3500001", "--tolerance", "1e-6"), [])
+        self.assertEqual(self.edited("0.35", "0.3500001"), ["link arm: mass 0.35 -> 0.3500001 kg (+2.86e-05 %)"])
+        self.assertEqual(self.edited('xyz="0 0 0.3"', 'xyz="0 0 0.301"', "--tolerance", "0.01"), [])
+        self.assertEqual(self.edited("0.35", "0.3500000000000001", "--tolerance", "0"),
+                         ["link arm: mass 0.35 -> 0.3500000000000001 kg (+3.17e-14 %)"])
+        self.expect_complaint("--tolerance: '-1' is no number from 0 on", "a", "b", "--tolerance=-1")
+
+    def test_meshes_are_their_content(self):
+        mesh = '<mesh filename="%s"/>'
+        old, new = (ROBOT.replace('<box size="0.1 0.1 0.2"/>', mesh % name) for name in ("a.stl", "b.stl"))
+        self.write("a.stl", "solid a\n")
+        self.write("b.stl", "solid a\n")
+        self.assertEqual(self.told(old, new), [])
+        self.write("b.stl", "solid b\n")
+        self.assertEqual(self.told(old, new), ["visual arm_visual of link arm: mesh filename a.stl -> b.stl"])
+        self.assertEqual(len(self.told(old, ROBOT.replace('<box size="0.1 0.1 0.2"/>', mesh % "c.stl"))), 1)
+
+
+class Models(Diff):
+    def test_annotations(self):
+        self.copy("models/arm", "old", "new")
+        mains = ("old/smurf/arm.smurf", "new/smurf/arm.smurf")
+        self.assertEqual(self.expect(0, *mains).stdout, "no differences\n")
+        self.replace("new/smurf/arm_motors.yml", "maxEffort: 40.0", "maxEffort: 50.0")
+        found = self.json(*mains)["differences"]
+        self.assertEqual(len(found), 1, found)
+        self.assertEqual({key: found[0][key] for key in ("change", "kind", "property", "old", "new", "unit", "default")},
+                         {"change": "changed", "kind": "motor", "property": "maxEffort", "old": 40, "new": 50,
+                          "unit": "N m or N", "default": "0"})
+        self.assertEqual(found[0]["new_source"]["file"], "new/smurf/arm_motors.yml")
+
+    def test_a_renamed_thing_is_one_difference(self):
+        lint = pathlib.Path(cli.TOOL).parent / "smurf-lint"
+        self.copy("models/arm", "old")
+        for kind, old in (("link", "forearm"), ("joint", "joint3_elbow"), ("motor", "joint4_wrist"), ("sensor", "hand_imu"),
+                          ("material", "rubber_black"), ("visual", "forearm_visual"), ("collision", "forearm_collision")):
+            shutil.rmtree(self.folder / "new", ignore_errors=True)
+            self.copy("models/arm", "new")
+            subprocess.run([lint, "--rename", f"{kind}:{old}=brand_new", "new/smurf/arm.smurf"], cwd=self.folder, check=True,
+                           capture_output=True)
+            found = self.json("old/smurf/arm.smurf", "new/smurf/arm.smurf")["differences"]
+            with self.subTest(kind=kind):
+                self.assertEqual([(one["change"], one["old_name"], one["name"]) for one in found if one["change"] == "renamed"]
+                                 [:1], [("renamed", old, "brand_new")], found)
+                self.assertLessEqual({one["change"] for one in found}, {"renamed"}, found)
+                self.assertEqual(len(found), 1, found)
+
+    def test_a_model_and_its_urdf(self):
+        smurf2urdf = pathlib.Path(cli.TOOL).parent / "smurf2urdf"
+        self.copy("models/arm", "arm")
+        subprocess.run([smurf2urdf, "--canonical", "-q", "arm/smurf/arm.smurf", "-o", "robot.urdf"], cwd=self.folder, check=True)
+        self.assertEqual(self.expect(0, "arm/smurf/arm.smurf", "robot.urdf").stdout, "no differences\n")
+
+    def test_inputs_that_cannot_be_compared(self):
+        self.write("r.urdf", ROBOT)
+        self.write("broken.urdf", "<robot><link")
+        self.write("m.smurf", "files: [gone.yml, r.urdf]\n")
+        self.write("s.smurfs", "entities: []\n")
+        self.write("t.txt", "x")
+        self.expect_complaint("cannot read 'gone.urdf': No such file or directory", "r.urdf", "gone.urdf")
+        self.expect_complaint("'t.txt' is no model, scene, URDF or annotation file", "t.txt", "r.urdf")
+        self.expect_complaint("'s.smurfs' and 'r.urdf' are a scene and a model, which cannot be compared", "s.smurfs", "r.urdf")
+        self.expect_complaint("two inputs are compared, not 1; see --help", "r.urdf")
+        self.expect_complaint("standard input can be one of them only", "-", "-")
+        for broken, rule in (("broken.urdf", "SML1001"), ("m.smurf", "SML2001")):
+            done = self.expect(2, "r.urdf", broken)
+            self.assertEqual(done.stdout, "")
+            self.assertIn(f"error[{rule}]", done.stderr)
+
+    def test_standard_input_output_and_silence(self):
+        self.write("r.urdf", ROBOT)
+        new = ROBOT.replace("0.35", "0.4")
+        self.assertIn("mass", self.expect(1, "r.urdf", "-", "--stdin-filename", "r.urdf", stdin=new).stdout)
+        self.assertIn("0.4 -> 0.35 kg", self.expect(1, "-", "r.urdf", stdin=new).stdout)
+        self.assertEqual(self.expect(1, "-q", "r.urdf", "-", stdin=new).stdout, "")
+        self.expect(1, "r.urdf", "-", "-o", "out.txt", stdin=new)
+        self.assertIn("mass", self.read("out.txt"))
+        self.expect(2, "r.urdf", "-", "-o", "r.urdf", stdin=new)
+        self.assertEqual(self.read("r.urdf"), ROBOT)
+        self.assertIn("\x1b[", self.expect(1, "r.urdf", "-", "--color", "always", stdin=new).stdout)
+
+
+class Scenes(Diff):
+    SCENE = """\
+entities:
+- {name: a, file: r.urdf, position: [1, 0, 0]}
+- {name: b, file: r.urdf, parent: "a::hand", position: [0, 0, 1], anchor: parent}
+- {name: inner, file: inner.smurfs, position: [5, 0, 0]}
+physics: {gravity: {x: 0, y: 0, z: -9.81}}
+"""
+    INNER = "entities:\n- {name: c, file: r.urdf, rotation: [0, 0, 90]}\n- {name: d, file: r.urdf}\n"
+
+    def scenes(self, edit=None, inner=None, robot=ROBOT):
+        for folder in ("old", "new"):
+            self.write(f"{folder}/s.smurfs", self.SCENE)
+            self.write(f"{folder}/inner.smurfs", self.INNER)
+            self.write(f"{folder}/r.urdf", ROBOT)
+        for path, change in (("new/s.smurfs", edit), ("new/inner.smurfs", inner)):
+            if change:
+                self.replace(path, *change)
+        self.write("new/r.urdf", robot)
+        text = self.expect(None, "old/s.smurfs", "new/s.smurfs").stdout
+        return [line.split("  ")[0] for line in text.splitlines()[:-1] if not line.startswith("  ")]
+
+    def test_entities(self):
+        self.assertEqual(self.scenes(), [])
+        self.assertEqual(self.scenes(("[1, 0, 0]", "[1, 0, 2]")), ["entity a: placement xyz 1 0 0 -> 1 0 2 m, moves 2 entities"])
+        self.assertEqual(self.scenes(("[5, 0, 0]", "[5, 0, 2]")), ["entity inner: placement xyz 5 0 0 -> 5 0 2 m, moves 2 entities"])
+        self.assertEqual(self.scenes(inner=("[0, 0, 90]", "[90]")), [])
+        self.assertEqual(self.scenes(inner=("[0, 0, 90]", "[180]")), ["entity inner/c: placement rpy 0 0 1.57079633 -> 0 0 3.14159265 rad"])
+        self.assertEqual(self.scenes(inner=("name: d", "name: e")), ["entity inner/d renamed to inner/e"])
+        self.assertEqual(self.scenes(("- {name: b,", "- {name: new, file: r.urdf}\n- {name: b,")), ["entity new added"])
+        self.assertEqual(self.scenes(("-9.81", "-1.62")), ["scene: physics gravity 0 0 -9.81 -> 0 0 -1.62 m/s^2"])
+        self.assertEqual(self.scenes(("anchor: parent", "anchor: none")), ["entity b: anchor parent -> none"])
+        self.assertEqual(self.scenes(("name: a,", "name: a, type: urdf,")), [])
+
+    def test_models_of_a_scene(self):
+        self.assertEqual(self.scenes(robot=ROBOT.replace("0.35", "0.4")), ["link arm: mass 0.35 -> 0.4 kg (+14.3 %)"])
+        self.assertEqual(self.scenes(("hand", "palm"), robot=ROBOT.replace("hand", "palm")), ["link hand renamed to palm"])
+        self.write("new/q.urdf", ROBOT)
+        self.assertEqual(self.scenes(("a, file: r.urdf", "a, file: q.urdf")), [])
+        self.write("new/q.urdf", ROBOT.replace("0.35", "0.4"))
+        self.assertEqual(self.scenes(("a, file: r.urdf", "a, file: q.urdf")), ["entity a: file r.urdf -> q.urdf"])
+
+
+@unittest.skipIf(shutil.which("git") is None, "git is not installed")
+class Git(Diff):
+    def git(self, *arguments):
+        return subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *arguments], cwd=self.folder, check=True,
+                              capture_output=True, text=True).stdout
+
+    def setUp(self):
+        super().setUp()
+        self.git("init", "-q", ".")
+        self.git("config", "diff.smurf.command", f"'{cli.TOOL}' --git")
+        self.write(".gitattributes", "".join(f"*.{name} diff=smurf\n" for name in ("urdf", "smurf", "smurfs", "yml")))
+        self.copy("models/arm", "arm")
+        self.git("add", ".")
+        self.git("commit", "-qm", "one")
+
+    def test_git_diff(self):
+        self.replace("arm/urdf/arm.urdf", 'mass value="0.6"', 'mass value="0.66"')
+        self.replace("arm/smurf/arm_motors.yml", "maxEffort: 40.0", "maxEffort: 50.0")
+        text = self.git("diff")
+        self.assertRegex(text, r"(?s)^arm/smurf/arm_motors.yml\n  motor \w+: maxEffort 40 -> 50 N m or N \(\+25 %\)"
+                               r".*\narm/urdf/arm.urdf\n  link forearm: mass 0.6 -> 0.66 kg \(\+10 %\)")
+        self.git("commit", "-qam", "two")
+        self.assertEqual(self.git("diff", "HEAD~1", "HEAD"), text)
+        self.assertIn(text, self.git("log", "-p", "--ext-diff", "-1"))
+
+    def test_files_that_come_and_go(self):
+        self.git("rm", "-q", "arm/smurf/arm_lights.yml")
+        self.replace("arm/smurf/arm.smurf", "- arm_lights.yml\n", "")
+        self.git("mv", "arm/smurf/arm_poses.yml", "arm/smurf/poses.yml")
+        self.replace("arm/smurf/arm.smurf", "arm_poses.yml", "poses.yml")
+        self.write("arm/urdf/other.urdf", ROBOT)
+        self.git("add", ".")
+        text = self.git("diff", "--cached")
+        self.assertIn("arm/smurf/arm_lights.yml (deleted)\n  light work_lamp removed", text)
+        self.assertIn("arm/smurf/arm_poses.yml -> arm/smurf/poses.yml\n  no differences\n", text)
+        self.assertIn("arm/urdf/other.urdf (new)\n", text)
+        self.assertIn("error[SML2001] there is no file `arm/smurf/arm_lights.yml`", text)
+
+    def test_what_cannot_be_compared_does_not_stop_git(self):
+        self.write("arm/urdf/arm.urdf", "<robot><link")
+        self.replace("arm/smurf/arm_motors.yml", "maxEffort: 40.0", "maxEffort: 50.0")
+        text = self.git("diff")
+        self.assertIn("arm/urdf/arm.urdf\n  cannot be compared\n", text)
+        self.assertIn("error[SML1001]", text)
+        self.assertIn("maxEffort 40 -> 50", text)
+
+
+class Plain(Diff):
+    def test_names_are_escaped(self):
+        nasty = "x&#10;\u202e::error::\u009b2J"
+        text = "\n".join(self.told(ROBOT, ROBOT.replace('"hand"', f'"{nasty}"')))
+        self.assertNotRegex(text, "[\u202e\u009b]")
+        self.assertIn("renamed to x", text)
+
+
+if __name__ == "__main__":
+    cli.main()

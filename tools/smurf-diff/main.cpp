@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// smurf-diff: what differs for the robot between two versions of a model or scene.
+#include <algorithm>
+
+#include "common/input.hpp"
+#include "common/output.hpp"
+#include "common/process.hpp"
+#include "smurf-diff/git.hpp"
+#include "smurf-diff/options.hpp"
+#include "smurf-diff/versions.hpp"
+#include "smurf/confine.hpp"
+
+using namespace smurf;
+using namespace smurf::tools;
+
+namespace {
+
+constexpr std::string_view kTool = "smurf-diff";
+
+/// What an operand names: a file, or what an archive holds. Complains and returns none when it
+/// cannot be read or compared.
+std::optional<Version> open(const std::string& operand, const Options& options,
+                            const Session& session) {
+  if (operand == "-") {
+    MemoryFiles memory;
+    const auto name = read_standard_input(kTool, options.stdin_filename, options.limits, memory);
+    if (!name) return std::nullopt;
+    return Version{*name, "-", *name, memory.read(*name, options.limits.file_bytes).text};
+  }
+  if (const auto reason = why_unreadable(operand, session.files())) {
+    complain(kTool, "cannot read '" + operand + "': " + *reason);
+    return std::nullopt;
+  }
+  const auto path = find_main_file(kTool, operand, session.files());
+  if (!path) return std::nullopt;
+  const InputKind kind = input_kind(*path);
+  if (kind == InputKind::resource || kind == InputKind::other) {
+    complain(kTool, "'" + operand + "' is no model, scene, URDF or annotation file");
+    return std::nullopt;
+  }
+  return Version{*path, operand};
+}
+
+std::string render(const Compared& compared, const Session& session, const Options& options) {
+  const SourceMap& sources = session.loaded_sources();
+  if (options.format == DiffFormat::json) {
+    return render_diff_json(compared.differences, sources,
+                            {options.operands[0], options.operands[1], options.tolerance},
+                            {kTool, kVersion});
+  }
+  const bool is_for_people = options.output.empty() || options.output == "-";
+  const TextStyle style = is_for_people ? style_for(Stream::output, options.color) : TextStyle{};
+  return render_diff(compared.differences, sources, style);
+}
+
+ExitCode compare_operands(const Options& options) {
+  ConfinedFiles disk;
+  std::vector<std::string> inputs = options.operands;
+  std::ranges::replace(inputs, "-", options.stdin_filename);
+  confine(disk, inputs, options.packages, options.allow_outside);
+  const InputFiles files(disk);
+  Session session(files, options.limits);
+  const auto before = open(options.operands[0], options, session);
+  const auto after = open(options.operands[1], options, session);
+  if (!before || !after) return kFailed;
+  const Compared compared = compare_versions(session, *before, *after, options);
+  if (!tools::keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;
+  for (const Diagnostic& finding : compared.trouble) {
+    write_error(
+        render_full(finding, session.loaded_sources(), style_for(Stream::error, options.color)));
+  }
+  if (!compared.problem.empty()) complain(kTool, compared.problem);
+  if (!compared.is_known()) return kFailed;
+  if (!options.quiet && !write_output(kTool, options.output, render(compared, session, options))) {
+    return kFailed;
+  }
+  return compared.differences.empty() ? kDone : kFindings;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  prepare_process();
+  Options options;
+  if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
+  if (const std::string problem = problem_of(options); !problem.empty()) {
+    complain(kTool, problem);
+    return kFailed;
+  }
+  return options.for_git ? compare_for_git(options) : compare_operands(options);
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line of smurf-diff.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/command.hpp"
+#include "common/output.hpp"
+#include "smurf/limits.hpp"
+
+namespace smurf::tools {
+
+enum class DiffFormat { text, json };
+
+struct Options {
+  std::vector<std::string> operands;
+  DiffFormat format = DiffFormat::text;
+  double tolerance = 1e-9;
+  bool for_git = false;
+  bool quiet = false;
+  std::string output;
+  std::string stdin_filename;
+  std::map<std::string, std::string> packages;
+  bool allow_outside = false;
+  Limits limits;
+  ColorChoice color = ColorChoice::automatic;
+};
+
+Command make_command(Options& options);
+/// What is wrong with the options together; "" when nothing is.
+std::string problem_of(const Options& options);
+
+}  // namespace smurf::tools

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-diff/versions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace smurf::tools {
+namespace {
+
+/// What is missing then is not only a part of what the file says.
+constexpr std::array<std::string_view, 2> kMissingFiles = {"SML0001", "SML2001"};
+
+/// What is wrong with a file that cannot be read is told; smurf-lint tells the rest.
+constexpr std::size_t kMostTrouble = 20;
+
+bool is_about_missing_file(const Diagnostic& finding) {
+  return std::ranges::find(kMissingFiles, finding.rule->id) != kMissingFiles.end();
+}
+
+/// A file of it could not be read.
+bool is_broken(const LinkedModel& model) {
+  if (!model.urdf_path.empty() && !model.robot) return true;
+  if (model.files.empty()) return true;
+  return std::ranges::any_of(model.files, [](const ModelFile& file) {
+    return file.kind != ModelFile::Kind::urdf && !file.document;
+  });
+}
+bool is_broken(const LinkedScene& scene) {
+  return !scene.is_complete || std::ranges::any_of(scene.models, [](const LinkedModel& model) {
+    return is_broken(model);
+  });
+}
+
+/// A file that both versions share has the same findings in both.
+void append_new(const Diagnostic& finding, const SourceMap& sources,
+                std::vector<Diagnostic>& findings) {
+  const bool is_known = std::ranges::any_of(findings, [&](const Diagnostic& one) {
+    return one.rule == finding.rule && one.message == finding.message &&
+           one.span.begin == finding.span.begin &&
+           sources.path(one.span.source) == sources.path(finding.span.source);
+  });
+  if (!is_known) findings.push_back(finding);
+}
+
+/// The errors of reading, when something could not be read at all.
+template <class Loaded, class Linked>
+void find_trouble(Session& session, Loaded& loaded, const Linked& linked, bool for_git,
+                  Compared& result) {
+  std::vector<Diagnostic> found = session.finish(loaded, loaded.found.take());
+  if (!is_broken(linked) && for_git) {
+    for (const Diagnostic& one : found) {
+      if (result.remarks.size() == kMostTrouble) return;
+      if (is_about_missing_file(one)) append_new(one, *loaded.sources, result.remarks);
+    }
+    return;
+  }
+  if (!is_broken(linked) && std::ranges::none_of(found, is_about_missing_file)) return;
+  for (const Diagnostic& one : found) {
+    if (result.trouble.size() == kMostTrouble) return;
+    if (one.severity == Severity::error) append_new(one, *loaded.sources, result.trouble);
+  }
+}
+
+bool is_scene(std::string_view path) {
+  const InputKind kind = input_kind(path);
+  return kind == InputKind::scene || kind == InputKind::drawing;
+}
+
+/// Loads a version, in the place of which others may be loaded later.
+template <class Load>
+auto load(Session& session, const Version& version, const Load& load) {
+  if (!version.replaced.empty()) session.set_text(version.replaced, version.text);
+  auto loaded = load(version.path);
+  if (!version.replaced.empty()) session.clear_text(version.replaced);
+  return loaded;
+}
+
+template <class Load, class Linked>
+Compared compare_loaded(Session& session, const Version& before, const Version& after,
+                        const DiffOptions& how, bool for_git, const Load& load_one, Linked linked) {
+  Compared result;
+  auto old_version = load(session, before, load_one);
+  auto new_version = load(session, after, load_one);
+  find_trouble(session, old_version, old_version.*linked, for_git, result);
+  find_trouble(session, new_version, new_version.*linked, for_git, result);
+  if (!result.trouble.empty()) return result;
+  result.differences =
+      diff(old_version.*linked, new_version.*linked, session.loaded_sources(), how);
+  return result;
+}
+
+}  // namespace
+
+Compared compare_versions(Session& session, const Version& before, const Version& after,
+                          const Options& options) {
+  Compared result;
+  if (is_scene(before.path) != is_scene(after.path)) {
+    result.problem = "'" + before.shown + "' and '" + after.shown +
+                     "' are a scene and a model, which cannot be compared";
+    return result;
+  }
+  CheckSettings settings;
+  settings.packages = options.packages;
+  settings.opens_meshes = false;  // their bytes are compared, where at all
+  const DiffOptions how{options.tolerance, &session.files(), options.limits};
+  if (is_scene(before.path)) {
+    return compare_loaded(
+        session, before, after, how, options.for_git,
+        [&](const std::string& path) { return session.load_scene(path, settings); },
+        &LoadedScene::scene);
+  }
+  return compare_loaded(
+      session, before, after, how, options.for_git,
+      [&](const std::string& path) { return session.load_model(path, settings); },
+      &LoadedModel::model);
+}
+
+}  // namespace smurf::tools
