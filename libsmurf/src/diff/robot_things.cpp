@@ -121,10 +121,10 @@ class RobotCollector {
   /// All but the name.
   void attributes(xml::View element, const ElementSpec* spec, Property& group) {
     const bool is_thing = group.key.empty();
-    for (const auto* at = element.attributes_begin(); at != element.attributes_end(); ++at) {
-      if (is_thing && at->name() == "name" && element.name() != "robot") continue;
-      Property property = property_of(*at, find_attribute(spec, at->name()));
-      if (const auto file = files_.find(at->value_span().begin); file != files_.end()) {
+    for (const xml::Attribute& at : element.attributes()) {
+      if (is_thing && at.name() == "name" && element.name() != "robot") continue;
+      Property property = property_of(at, find_attribute(spec, at.name()));
+      if (const auto file = files_.find(at.value_span().begin); file != files_.end()) {
         property.form = Property::Form::file;
         property.path = file->second->path;
       }
@@ -222,9 +222,9 @@ class RobotCollector {
     inertia.parts = kInertia;
     add_member(group, std::move(inertia));
     const ElementSpec* spec = urdf::find_element_spec("inertia");
-    for (const auto* at = tensor.attributes_begin(); at != tensor.attributes_end(); ++at) {
-      const bool is_read = find_attribute(spec, at->name()) != nullptr;
-      Property other = property_of(*at, nullptr);
+    for (const xml::Attribute& at : tensor.attributes()) {
+      const bool is_read = find_attribute(spec, at.name()) != nullptr;
+      Property other = property_of(at, nullptr);
       if (!is_read || other.form != Property::Form::number) add_member(group, std::move(other));
     }
     return group;
