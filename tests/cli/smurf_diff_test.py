@@ -182,6 +182,12 @@ class Models(Diff):
         subprocess.run([smurf2urdf, "--canonical", "-q", "arm/smurf/arm.smurf", "-o", "robot.urdf"], cwd=self.folder, check=True)
         self.assertEqual(self.expect(0, "arm/smurf/arm.smurf", "robot.urdf").stdout, "no differences\n")
 
+    def test_the_canonical_form_keeps_the_shape(self):
+        smurf2urdf = pathlib.Path(cli.TOOL).parent / "smurf2urdf"
+        self.write("r.urdf", ROBOT.replace('<sphere radius="0.05"/>', '<sphere radius="0.05"/><material name="grey"/>'))
+        subprocess.run([smurf2urdf, "--canonical", "--force", "-q", "r.urdf", "-o", "c.urdf"], cwd=self.folder, check=True)
+        self.assertEqual(self.expect(0, "r.urdf", "c.urdf").stdout, "no differences\n")
+
     def test_inputs_that_cannot_be_compared(self):
         self.write("r.urdf", ROBOT)
         self.write("broken.urdf", "<robot><link")

@@ -270,11 +270,20 @@ def numbers_in(node, path):
             yield from numbers_in(value, f"{path}[{number}]")
 
 
+def has_repeated_keys(node):
+    if isinstance(node, yaml.MappingNode):
+        keys = [key.value for key, _ in node.value if isinstance(key, yaml.ScalarNode)]
+        return len(set(keys)) < len(keys) or any(has_repeated_keys(value) for _, value in node.value)
+    return isinstance(node, yaml.SequenceNode) and any(map(has_repeated_keys, node.value))
+
+
 def yaml_edit(text, rng, around=""):
     """A number of an entry of a section or of an entity. With anchors, it may be a number of others as well."""
     if re.search(r"[&*]\w|<<:", text):
         return None
     root = yaml.compose(text)
+    if has_repeated_keys(root):
+        return None  # MARS takes the first one, PyYAML the last one
     places = []
     for key, section in root.value if isinstance(root, yaml.MappingNode) else ():
         if key.value not in ENTRIES or not isinstance(section, yaml.SequenceNode):

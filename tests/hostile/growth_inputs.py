@@ -529,5 +529,5 @@ def moved_scenes_in_scenes(n, write):
 
 @grows(300, "smurf-diff", "-o", "out", "old.yml", "new.yml")
 def a_long_name_with_many_keys(n, write):
-    versions(write, *(f"motors:\n- {{name: {'a' * 200 * n}, {'b' * 200 * n}: {{" + ", ".join(f"k{i}: {x}" for i in range(n)) + "}}\n"
-                      for x in (1, 2)), "yml")
+    versions(write, *(f"motors:\n- {{name: {'a' * 200 * n}, " + ", ".join(f"k{i}: {x}" for i in range(n)) + "}\n" for x in (1, 2)),
+             "yml")

@@ -100,9 +100,12 @@ class CanonicalWriter {
     is_written = true;
     std::vector<xml::View> children;
     for (const xml::View child : element) children.push_back(child);
-    std::stable_sort(children.begin(), children.end(), [](xml::View a, xml::View b) {
-      return rank(kChildren, a.name()) < rank(kChildren, b.name());
-    });
+    // Readers take the first child of a geometry for the shape, whatever it is.
+    if (element.name() != "geometry") {
+      std::stable_sort(children.begin(), children.end(), [](xml::View a, xml::View b) {
+        return rank(kChildren, a.name()) < rank(kChildren, b.name());
+      });
+    }
     const bool has_text = !trimmed(element.text()).empty();
     if (has_text) {  // an extension: what its blanks mean is not known here
       indent(depth);
