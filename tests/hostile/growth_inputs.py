@@ -458,3 +458,23 @@ def models_to_load(n, write):
     for i in range(n):
         write(f"m{i}.urdf", model)
     write("s.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: urdf, file: m{i}.urdf}}\n" for i in range(n)))
+
+
+# Names that many models share.
+
+
+def models_that_share(n, write):
+    write("r.urdf", star(5))
+    for i in range(n):
+        write(f"m{i}.smurf", "modelname: r\nfiles: [r.urdf]\n")
+
+
+@grows(100, "smurf-lint", "--rename", "link:b=z", "--diff", "r.urdf")
+def models_to_rename_in(n, write):
+    models_that_share(n, write)
+
+
+@grows(150, "smurf-lint", "--rename", "link:b=z", "--diff", "s.smurfs")
+def models_of_a_scene_to_rename_in(n, write):
+    models_that_share(n, write)
+    write("s.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: smurf, file: m{i}.smurf}}\n" for i in range(n)))
