@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""PYTHONPATH=python python3 -m backend FOLDER: puts the programs of a wheel into a folder, without pip."""
+"""In python/, python3 -m backend FOLDER: puts the programs of a wheel into a folder, without pip."""
 import pathlib
 import sys
 import tempfile

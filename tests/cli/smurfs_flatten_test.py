@@ -628,6 +628,54 @@ physics: {{gravity: {{x: {gravity}, y: {gravity}, z: 0}}, stepsize: {step}}}
                         self.assertEqual(numbers, [], (key, value, run, done.stdout))
 
 
+class OfGazebo(FlattenTest):
+    """Elements of <gazebo> are copied, or become other elements."""
+    BODY = ('<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+            '<collision><geometry><box size="1 1 1"/></geometry></collision>'
+            '<visual><geometry><box size="1 1 1"/></geometry></visual>')
+
+    def written(self, elements, name, reference="a"):
+        self.write("r.urdf", f'<robot name="r"><link name="a">{self.BODY}</link><link name="b">{self.BODY}</link>'
+                   '<joint name="j" type="revolute"><parent link="a"/><child link="b"/><limit lower="-1" upper="1" '
+                   f'effort="1" velocity="1"/></joint><gazebo reference="{reference}">{elements}</gazebo>'
+                   f"<gazebo>{elements}</gazebo></robot>")
+        self.write("s.smurfs", "entities:\n- {name: e, type: urdf, file: r.urdf}\n")
+        return self.run_tool("s.smurfs", "--quiet", "--format", name, "--loss-report", "lost.json")
+
+    def test_every_reader_takes_it_for_xml(self):
+        parts = {"<x>&foo; &amp; &#65;</x>": "<x>&foo; & A</x>", "<x> ]]> ]]]]>> </x>": "<x> ]]> ]]]]>> </x>",
+                 "<x>a\uffff\ufffe\ufffdb</x>": "<x>a\ufffd\ufffd\ufffdb</x>", '<x a="&b;]]>"/>': '<x a="&b;]]>" />',
+                 "<x><![CDATA[&c;<]]></x>": "<x>&c;<</x>", "<x><!-- &d; --></x>": "<x />"}
+        for part, expected in parts.items():
+            for name in ("sdf", "sdf1.6", "urdf"):
+                done = self.written(f'<plugin name="p" filename="q">{part}</plugin>', name)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                found = list(xml.etree.ElementTree.fromstring(done.stdout).iter("x"))
+                self.assertEqual(len(found), 2, done.stdout)
+                for element in found:
+                    element.tail = None
+                    text = xml.etree.ElementTree.tostring(element, encoding="unicode")
+                    self.assertEqual(text.replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">"), expected)
+
+    def test_values_of_another_type_are_lost(self):
+        for reference, elements in (
+                ("a", "<mu1>nan</mu1><mu2>inf</mu2><kp>-inf</kp><kd>Infinity</kd><maxVel>1e999</maxVel><minDepth>x</minDepth>"
+                      "<fdir1>1 nan 0</fdir1><laserRetro>nan</laserRetro><maxContacts>inf</maxContacts>"
+                      "<dampingFactor>nan</dampingFactor><selfCollide>nan</selfCollide>"),
+                ("j", "<springStiffness>nan</springStiffness><springReference>inf</springReference><stopCfm>nan</stopCfm>"
+                      "<stopErp>inf</stopErp><fudgeFactor>nan</fudgeFactor><provideFeedback>nan</provideFeedback>"
+                      "<implicitSpringDamper>inf</implicitSpringDamper><cfmDamping>nan</cfmDamping>")):
+            count = elements.count("</")
+            done = self.written(elements, "sdf", reference)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            own = done.stdout.replace(elements.replace("><", ">\n<"), "")
+            own = re.sub(r"<(mu1|mu2|kp|kd|[a-z]+[A-Z]\w*|fdir1)>[^<]*</\1>", "", own)  # of the model, as it was written
+            self.assertIsNone(re.search(r">[^<]*\b(nan|inf|Infinity|1e999|x)\b[^<]*<", own), own)
+            losses = json.loads(self.read("lost.json"))["losses"]
+            self.assertTrue(any(f"{count} elements in <gazebo>" in loss["message"] or "elements in <gazebo>" in
+                                loss["message"] for loss in losses), losses)
+
+
 class Mistakes(FlattenTest):
     def test_unreadable(self):
         self.expect_complaint("cannot read 'none.smurfs': No such file or directory",

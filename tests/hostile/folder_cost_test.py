@@ -7,8 +7,10 @@ folder_cost_test.py FOLDER_OF_TOOLS [NAME...]
 Links, and files that share others, make much of little: the cost of such a folder was once not that of its bytes, but
 the number of its files times their size.
 """
+import contextlib
 import pathlib
 import struct
+import subprocess
 import sys
 import tempfile
 import zlib
@@ -166,6 +168,49 @@ def folders_in_folders(write):
         write(f"{DEEP}r{i}.urdf", '<robot name="r"><link name="b"/></robot>')
 
 
+DEEPEST = "d/" * 1900
+
+
+@folder(LINT, ("smurf-lint", "-q", DEEPEST + "s.smurfs"), ("smurf-lint", "--rename", "link:b=c", "--diff", DEEPEST + "r.smurf"),
+        ("smurf2urdf", "-q", "-o", "o.urdf", DEEPEST + "r.urdf"), ("smurfs-flatten", "-q", "-o", "o", DEEPEST + "s.smurfs"),
+        ("smurf-load-check", "-q", "--time", "0.001", DEEPEST + "r.urdf"))
+def a_model_in_the_deepest_folder(write):
+    write(".git/HEAD", "")
+    write(DEEPEST + "r.urdf", '<robot name="r"><link name="b"/></robot>')
+    write(DEEPEST + "r.smurf", MODEL)
+    write(DEEPEST + "s.smurfs", "smurfs:\n- {name: e, type: smurf, file: r.smurf}\n")
+    for name in "abc":
+        write(name + "/" + DEEPEST + "r.urdf", '<robot name="r"><link name="b"/></robot>')
+
+
+@folder(("smurf-lint", "-q", "r.smurf"), ("smurf-lint", "--dump-model", "r.smurf"))
+def files_in_deep_folders(write):
+    """Of a path, each beginning was kept and looked up from the root."""
+    write(".git/HEAD", "")
+    names = [f"c{i}/" + "d/" * 1800 + "a.yml" for i in range(50)]
+    for name in names:
+        write(name, "motors: []\n")
+    write("r.smurf", "modelname: r\nfiles:\n" + "".join(f"- {name}\n" for name in names))
+
+
+@folder(("smurf-lint", "--rename", "link:b=c", "--diff", "."), ("smurf-lint", "--rename", "link:b=c", "--diff", "r.urdf"))
+def models_that_share_what_is_renamed(write):
+    write(".git/HEAD", "")
+    write(".smurf-lint.yaml", "ignore:\n" + "- SML9103\n" * 30_000)
+    write("r.urdf", '<robot name="r"><link name="b"/></robot>')
+    for i in range(4000):
+        write(f"m{i}.smurf", MODEL)
+
+
+@folder(("smurf-lint", "--rename", "link:b=c", "--diff", "s.smurfs"), ("smurf-lint", "--dump-model", "s.smurfs"))
+def scenes_that_name_the_next_one_twice(write):
+    for i in range(17):
+        write(f"s{i}.smurfs" if i else "s.smurfs", "smurfs:\n" + "".join(
+            f"- {{name: {name * 100}, type: smurfs, file: s{i + 1}.smurfs}}\n" for name in "ab"))
+    write("s17.smurfs", "smurfs:\n- {name: e, type: urdf, file: r.urdf}\n")
+    write("r.urdf", '<robot name="r"><link name="b"/></robot>')
+
+
 @folder(("smurf-load-check", "-q", "s.smurfs"))
 def an_image_with_packed_texts(write):
     def chunk(kind, data):
@@ -209,13 +254,32 @@ def a_long_name_in_many_shapes(write):
     write("s.smurfs", "entities:\n- {name: e, type: urdf, file: r.urdf}\n")
 
 
+def make_folder(path):
+    """With all above it, of which there may be more than Python recurses into."""
+    missing = []
+    while not path.exists():
+        missing.append(path)
+        path = path.parent
+    for one in reversed(missing):
+        one.mkdir()
+
+
+@contextlib.contextmanager
+def temporary_folder():
+    name = tempfile.mkdtemp(prefix="smurf-folder-cost-")
+    try:
+        yield name
+    finally:
+        subprocess.run(["rm", "-rf", name], check=True)  # Python recurses into folders
+
+
 def faults(tools, make, command):
-    with tempfile.TemporaryDirectory(prefix="smurf-folder-cost-") as name:
+    with temporary_folder() as name:
         place = pathlib.Path(name)
 
         def write(path, text):
             target = place / path
-            target.parent.mkdir(parents=True, exist_ok=True)
+            make_folder(target.parent)
             target.write_bytes(text if isinstance(text, bytes) else text.encode())
 
         write.link = lambda path, target: (place / path).symlink_to(target)

@@ -531,3 +531,23 @@ def moved_scenes_in_scenes(n, write):
 def a_long_name_with_many_keys(n, write):
     versions(write, *(f"motors:\n- {{name: {'a' * 200 * n}, " + ", ".join(f"k{i}: {x}" for i in range(n)) + "}\n" for x in (1, 2)),
              "yml")
+
+
+# Names that many models share.
+
+
+def models_that_share(n, write):
+    write("r.urdf", star(5))
+    for i in range(n):
+        write(f"m{i}.smurf", "modelname: r\nfiles: [r.urdf]\n")
+
+
+@grows(100, "smurf-lint", "--rename", "link:b=z", "--diff", "r.urdf")
+def models_to_rename_in(n, write):
+    models_that_share(n, write)
+
+
+@grows(150, "smurf-lint", "--rename", "link:b=z", "--diff", "s.smurfs")
+def models_of_a_scene_to_rename_in(n, write):
+    models_that_share(n, write)
+    write("s.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: smurf, file: m{i}.smurf}}\n" for i in range(n)))

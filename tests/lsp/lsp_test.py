@@ -2,11 +2,13 @@
 """Every capability of smurf-lsp over real standard streams. lsp_test.py SMURF-LSP [unittest option]..."""
 import json
 import pathlib
+import re
 import shutil
 import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import client  # noqa: E402
@@ -338,6 +340,43 @@ class Names(LspTest):
         self.assertIn("meshes/new.obj", self.applied(self.urdf, edit))
         self.assertIsNone(self.client.request("workspace/willRenameFiles", {"files": [{
             "oldUri": uri(self.folder / "nothing"), "newUri": uri(self.folder / "new")}]}))
+
+    @staticmethod
+    def said(scalar):
+        """By a scalar of YAML in a list with brackets."""
+        if scalar.startswith('"'):
+            return json.loads(scalar)
+        if scalar.startswith("'"):
+            assert "'" not in scalar[1:-1].replace("''", ""), scalar
+            return scalar[1:-1].replace("''", "'")
+        assert re.fullmatch(r"[\w.][\w./-]*", scalar), scalar
+        return scalar
+
+    def test_rename_a_file_to_a_name_of_many_signs(self):
+        model = self.folder / "r.smurf"
+        names = {"a.yml": "a.yml", "b.yml": '"b.yml"', "c.yml": "'c.yml'", "r.urdf": "r.urdf"}
+        model.write_text("modelname: r\nfiles: [" + ", ".join(names.values()) + "]\n")
+        for name in "abc":
+            (self.folder / f"{name}.yml").write_text("motors: []\n")
+        robot = self.folder / "r.urdf"
+        robot.write_text('<robot name="r"><link name="b"><visual><geometry><mesh filename="m&amp;n.stl"/></geometry>'
+                         "</visual></link></robot>")
+        (self.folder / "m&n.stl").write_text("solid\nendsolid\n")
+        self.open(model)
+        self.open(robot)
+        for new in ("x, y: z #\"'&<]\\", "- x", "x'y", 'x"y'):
+            for folder in ("", f"{new}/"):
+                for old in names:
+                    edit = self.client.request("workspace/willRenameFiles", {"files": [{
+                        "oldUri": uri(self.folder / old), "newUri": uri(self.folder / f"{folder}{new}.yml")}]})
+                    text, = {one["newText"] for one in edit["documentChanges"][0]["edits"]}
+                    self.assertEqual(self.said(text), f"{folder}{new}.yml")
+                edit = self.client.request("workspace/willRenameFiles", {"files": [{
+                    "oldUri": uri(self.folder / "m&n.stl"), "newUri": uri(self.folder / f"{folder}{new}.stl")}]})
+                mesh = xml.etree.ElementTree.fromstring(self.applied(robot, edit)).find(".//mesh")
+                self.assertEqual(mesh.get("filename"), f"{folder}{new}.stl")
+        self.assertIsNone(self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.folder / "a.yml"), "newUri": uri(self.folder / "x\nmotors: []\n/a.yml")}]}))
 
     def test_rename_to_a_name_that_is_taken(self):
         with self.assertRaisesRegex(client.RequestError, "there is a joint `joint2_shoulder` already"):
@@ -682,6 +721,21 @@ class Protocol(LspTest):
         path = self.write("r.urdf", "")
         self.open(path, '<robot name="r">' + "<link/>" * 200000 + "</robot>")
         self.assertGreater(len(self.client.published(path)), 0)
+
+    def test_many_changes_at_once(self):
+        seconds = lambda: sum(int(one) for one in pathlib.Path(  # noqa: E731
+            f"/proc/{self.client.process.pid}/stat").read_text().rsplit(")", 1)[1].split()[11:13]) / 100
+        texts = {"lines": "".join(f'<link name="l{i}"/>\n' for i in range(45000)), "line": '<link name="l"/>' * 60000}
+        for name, links in texts.items():
+            path = self.write(f"{name}.urdf", "")
+            self.open(path, f'<robot name="r">\n{links}</robot>\n')
+            self.client.published(path)
+            start = {"line": 44000, "character": 12} if name == "lines" else {"line": 1, "character": 900_012}
+            end = {**start, "character": start["character"] + 1}
+            before = seconds()
+            self.client.change(path, [{"range": {"start": start, "end": end}, "text": "x"}] * 10000)
+            self.client.published(path)
+            self.assertLess(seconds() - before, 2)
 
     def test_folders(self):
         more = self.folder / "more"

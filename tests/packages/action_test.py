@@ -64,6 +64,16 @@ class Action(unittest.TestCase):
         self.assertRegex(self.summary(), r"\n    ros +loads, with losses")
         self.assertIn("SML1604", (self.folder / "work/out.sarif").read_text())
 
+    def test_python_files_of_the_checkout(self):
+        work = self.folder / "work"
+        (work / "backend").mkdir()
+        (work / "backend/__init__.py").touch()
+        for name in ("backend/__main__.py", "hashlib.py", "pathlib.py", "sitecustomize.py", "tarfile.py"):
+            (work / name).write_text(f"open({str(self.folder / 'imported')!r}, 'a').write({name!r})\n")
+        done = self.run_action(paths="robots")
+        self.assertFalse((self.folder / "imported").exists())
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
     def test_a_corrupted_release(self):
         self.archive.write_bytes(self.archive.read_bytes() + b"\0")
         done = self.run_action()

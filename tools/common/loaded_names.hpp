@@ -2,7 +2,10 @@
 // What is planned, loaded, and the names in it: for all who ask what a name means.
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -30,18 +33,29 @@ class LoadedNames {
   const std::vector<std::vector<Reference>>& names() const { return names_; }
   /// As a model or scene, or a file of one.
   bool has_read(const std::string& path) const;
+  /// Why names are missing; "" when all are there.
+  const std::string& problem() const { return problem_; }
+
+  /// Gives up what was loaded: the names stay, with what is written for each instead of the name.
+  void release();
 
  private:
   void load_scene(const std::string& path);
   void load_model(const std::string& path);
   void note(const LinkedModel& model, Part& part) const;
-  std::vector<std::string> srdfs_of(const LinkedModel& model) const;
+  void add_srdfs(LoadedModel& loaded, Part& part, std::vector<Reference>& names);
+  const std::vector<std::string>& srdfs_in(const std::string& folder);
+  const xml::Document* srdf(const std::string& path, LoadedModel& loaded);
 
   Session& session_;
   CheckSettings settings_;
   std::deque<LoadedScene> scenes_;
   std::deque<LoadedModel> models_;
-  std::deque<xml::Document> srdfs_;
+  std::map<std::string, std::optional<xml::Document>> srdfs_;         ///< by path
+  std::map<std::string, std::vector<std::string>> folders_of_srdfs_;  ///< their paths
+  std::uint64_t repeated_bytes_ = 0;  ///< of SRDF files, whose names each model has again
+  std::string problem_;
+  std::set<std::string> read_;  ///< by any part, by identity
   std::deque<Part> parts_;
   std::vector<std::vector<Reference>> names_;
 };

@@ -29,7 +29,8 @@ std::vector<std::string> problems_of(const std::string& path, const LoadedNames&
 Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const Rename> renames,
                        Session& session, const std::string& input) {
   settings.opens_meshes = false;
-  const LoadedNames before(plan, settings, session);
+  LoadedNames before(plan, settings, session);
+  if (!before.problem().empty()) return {{}, {}, {before.problem()}};
   Renamed renamed = rename(before.names(), renames, session.loaded_sources());
   if (!renamed.problems.empty()) return renamed;
   ModelsAround around(session.files());
@@ -38,6 +39,7 @@ Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const
     renamed.problems = problems_of(file.path, before, around);
     if (!renamed.problems.empty()) return renamed;
   }
+  before.release();  // both at once would need twice the memory
   for (const FixedText& file : renamed.texts) session.set_text(file.path, file.text);
   const LoadedNames after(plan, settings, session);
   renamed.problems = changed_meanings(before.names(), after.names(), session.loaded_sources());

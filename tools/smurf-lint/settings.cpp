@@ -15,7 +15,7 @@ CheckSettings check_settings(const LintOptions& options) {
   settings.baseline = options.baseline;
   settings.jobs = static_cast<unsigned>(options.jobs.value_or(0));
   // Only fixes are checked again.
-  settings.remembers = options.fix || options.fix_only || options.diff;
+  settings.remembers = (options.fix || options.fix_only || options.diff) && options.renames.empty();
   return settings;
 }
 

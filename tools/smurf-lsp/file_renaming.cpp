@@ -3,7 +3,9 @@
 #include <optional>
 #include <set>
 
+#include "base/edits.hpp"
 #include "base/path.hpp"
+#include "base/utf8.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/uri.hpp"
 
@@ -26,17 +28,30 @@ std::set<std::string> files_of(Context& context) {
   return files;
 }
 
-/// How `text`, which names the file `from`, names it when it is `to`. None when that cannot be
+std::string_view without_quotes(std::string_view text) {
+  const bool is_quoted =
+      text.size() > 1 && text.front() == text.back() && (text[0] == '\'' || text[0] == '"');
+  return is_quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+/// How `written`, which names the file `from`, names it when it is `to`. None when that cannot be
 /// told.
-std::optional<std::string> renamed(std::string_view text, const std::string& from,
+std::optional<std::string> renamed(std::string_view written, const std::string& from,
                                    const std::string& to, std::string_view folder) {
   const std::string_view old_name = path::file_name(from);
-  if (path::parent(from) == path::parent(to) && text.ends_with(old_name)) {
+  std::string_view text = without_quotes(written);
+  const bool is_escaped = text.find_first_of("\\&'") != std::string_view::npos;
+  if (path::parent(from) == path::parent(to) && text.ends_with(old_name) && !is_escaped) {
     text.remove_suffix(old_name.size());
     return std::string(text) + std::string(path::file_name(to));
   }
   if (text.find("://") != std::string_view::npos || path::is_absolute(text)) return std::nullopt;
   return path::relative(to, std::string(folder));
+}
+
+/// As it has to be written in place of another name, whatever characters folders have.
+std::string as_written(std::string_view before, const std::string& name, const FileView& view) {
+  return view.yaml != nullptr ? yaml_like(before, name) : escape_xml(name);
 }
 
 }  // namespace
@@ -56,10 +71,10 @@ Json rename_files(Context& context, const Json& params) {
         for (const Json& one : renames) {
           const std::string from = path_of_uri(text_at(one, {"oldUri"}));
           const std::string to = path_of_uri(text_at(one, {"newUri"}));
-          if (from.empty() || to.empty() || link.path != from) continue;
+          if (from.empty() || link.path != from || !utf8::is_printable(to)) continue;
           const std::string_view text = context.workspace.loaded_sources().text(link.span);
           if (auto changed = renamed(text, from, to, path::parent(file))) {
-            edits.push_back({link.span, *std::move(changed)});
+            edits.push_back({link.span, as_written(text, *changed, view)});
           }
         }
       }

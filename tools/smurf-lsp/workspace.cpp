@@ -10,6 +10,7 @@
 #include "common/models_around.hpp"
 #include "common/planned_rename.hpp"
 #include "smurf-lint/settings.hpp"
+#include "smurf-lsp/edited_text.hpp"
 #include "smurf-lsp/uri.hpp"
 #include "smurf/config.hpp"
 
@@ -46,19 +47,6 @@ CheckSettings settings_of_check() {
   CheckSettings settings = tools::check_settings({});
   settings.remembers = true;
   return settings;
-}
-
-/// A change of a range, or of all.
-void apply(const Json& change, std::string& text, Encoding encoding) {
-  std::string inserted = text_at(change, {"text"});
-  const Json& range = at(change, {"range"});
-  if (!range.is_object()) {
-    text = std::move(inserted);
-    return;
-  }
-  const std::size_t begin = offset_in(text, at(range, {"start"}), encoding);
-  const std::size_t end = offset_in(text, at(range, {"end"}), encoding);
-  text.replace(begin, std::max(begin, end) - begin, inserted);
 }
 
 /// Adds the views of a model that was loaded alone or with a scene.
@@ -119,7 +107,9 @@ void Workspace::change(const std::string& path, std::int64_t version, const Json
   const auto document = documents_.find(path);
   if (document == documents_.end() || !changes.is_array()) return;
   document->second.version = version;
-  for (const Json& change : changes) apply(change, document->second.text, encoding);
+  EditedText text(document->second.text, encoding);
+  for (const Json& change : changes) text.apply(change);
+  document->second.text = text.text();
   touch(path);
 }
 

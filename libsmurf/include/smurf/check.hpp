@@ -159,6 +159,10 @@ class Session {
   LoadedModel load_model(const std::string& path, const CheckSettings& settings = {});
   /// Loads a scene; a .smurf or .urdf counts as one.
   LoadedScene load_scene(const std::string& path, const CheckSettings& settings = {});
+  /// Lets these files be loaded, each once. To tell of all of them first is quicker: links are
+  /// followed and a configuration is read once for all. What was loaded before stays; what is read
+  /// again of it does not count as repeated.
+  void announce(std::span<const std::string> paths, const CheckSettings& settings = {});
   /// Gives up what was loaded, none of which may be used any more.
   void forget_loaded();
   /// The texts of all that was loaded.

@@ -24,6 +24,8 @@ namespace smurf {
 struct ReadFiles {
   std::unordered_set<std::string> known;  ///< by identity
   std::uint64_t repeated = 0;             ///< bytes
+  /// Names in the folders of models, sorted: thousands of models may lie in one.
+  std::map<std::string, std::vector<std::string>> lists = {};
 };
 
 /// Everything that loading needs. All of it must outlive the result.
@@ -39,8 +41,6 @@ struct LoadContext {
   const UserSchemas* schemas = nullptr;  ///< of the user's own sections and entity types
   /// Shared by all models in memory at the same time.
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();
-  /// Names in the folders of models, sorted: thousands of models may lie in one.
-  std::map<std::string, std::vector<std::string>> lists = {};
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Reports all mistakes and returns

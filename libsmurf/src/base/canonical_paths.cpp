@@ -5,11 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
 
+#include "base/open_folder.hpp"
 #include "base/path.hpp"
 
 namespace smurf {
@@ -24,64 +24,87 @@ std::optional<std::string> looked_up(const std::string& path) {
   return canonical.string();
 }
 
-/// Can the last part be told from what is above it? Not "..": that is seen from where a link leads.
-bool has_name(const std::string& path) {
-  const std::string_view name = path::file_name(path);
-  return !name.empty() && name != "." && name != "..";
-}
-
-/// Where a link leads, as it is written; none when this is no link.
-std::optional<std::string> target_of(const std::string& path) {
-  std::array<char, path::kLongest> target;
-  const ssize_t size = ::readlink(path.c_str(), target.data(), target.size());
-  if (size < 0) return std::nullopt;
-  return std::string(target.data(), static_cast<std::size_t>(size));
+std::string inside(const std::string& folder, std::string_view name) {
+  return (folder == "/" ? folder : folder + "/") + std::string(name);
 }
 
 }  // namespace
 
-std::optional<std::string> CanonicalPaths::of(const std::string& path, int links) const {
-  {
-    const std::lock_guard lock(mutex_);
-    const auto known = known_.find(path);
-    if (known != known_.end()) return known->second;
-  }
-  auto canonical = looked_at(path, links);
+std::optional<std::string> CanonicalPaths::known(std::string_view path) const {
   const std::lock_guard lock(mutex_);
-  if (canonical) known_.emplace(path, *canonical);
+  const auto found = known_.find(path);
+  return found == known_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void CanonicalPaths::remember(const std::string& path, const std::string& canonical) const {
+  const std::lock_guard lock(mutex_);
+  known_.emplace(path, canonical);
+}
+
+std::optional<std::string> CanonicalPaths::of(const std::string& path) const {
+  if (auto found = known(path)) return found;
+  auto canonical = looked_at(path);
+  if (canonical) remember(path, *canonical);
   return canonical;
 }
 
-std::optional<std::string> CanonicalPaths::looked_at(const std::string& path, int links) const {
-  constexpr int kMostLinks = 40;  // as Linux follows
-  // The way up from a long name is not to use up the stack.
-  if (path.size() > path::kLongest || links > kMostLinks) return std::nullopt;
-  if (!has_name(path)) return looked_up(path.empty() ? "." : path);
-  const auto above = of(std::string(path::parent(path)), links);
-  if (!above) return looked_up(path);
-  std::string whole = path::join(*above, path::file_name(path));
-  const auto target = target_of(whole);
-  if (!target) return whole;
-  return follow(*above, *target, links + 1);
+/// Of the folders above, those with short names are remembered: the names of all of thousands of
+/// folders in each other would take megabytes.
+std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) const {
+  constexpr std::size_t kShort = 256;
+  if (path.size() > path::kLongest) return std::nullopt;
+  const std::string folder(path::parent(path));
+  if (!folder.empty() && folder != path && folder != "/" && folder.size() <= kShort) of(folder);
+  std::string_view start = path;
+  std::optional<std::string> at;
+  while (!at && !start.empty() && start != "/") {
+    start = path::parent(start);
+    at = known(start);
+  }
+  if (!at) at = start == "/" ? std::optional<std::string>("/") : looked_up(".");
+  if (!at) return std::nullopt;
+  if (start.empty()) remember("", *at);
+  int links = 0;
+  const std::string_view names = std::string_view(path).substr(start.size());
+  // The files of one folder come one after the other.
+  const std::string_view way = names.substr(0, names.rfind('/') + 1);
+  at = walk(*std::move(at), way, links, nullptr);
+  if (at && !folder.empty()) remember(folder, *at);
+  if (at) at = walk(*std::move(at), names.substr(way.size()), links, nullptr);
+  return at ? at : looked_up(path);
 }
 
-/// Name by name: what ".." means is seen from where the links before it lead.
-std::optional<std::string> CanonicalPaths::follow(const std::string& folder,
-                                                  const std::string& target, int links) const {
+/// Name by name from a canonical folder: what ".." means is seen from where the links before it
+/// lead. `link_in` is the folder of the link that is followed.
+std::optional<std::string> CanonicalPaths::walk(std::string at, std::string_view names, int& links,
+                                                const std::string* link_in) const {
+  constexpr int kMostLinks = 40;  // as Linux follows
   const auto may_pass = [&](const std::string& place) {
-    return !may_pass_ || may_pass_(folder, place);
+    return link_in == nullptr || !may_pass_ || may_pass_(*link_in, place);
   };
-  std::string at = target.starts_with('/') ? "/" : folder;
-  for (std::string_view rest = target; !rest.empty();) {
-    const std::size_t end = std::min(rest.find('/'), rest.size());
-    const std::string_view name = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+  OpenFolder folder(at);
+  while (!names.empty()) {
+    const std::size_t end = std::min(names.find('/'), names.size());
+    const std::string name(names.substr(0, end));
+    names.remove_prefix(std::min(end + 1, names.size()));
     if (name.empty() || name == ".") continue;
-    const std::string next = path::join(at, name);
+    const std::string next = name == ".." ? std::string(path::parent(at)) : inside(at, name);
     if (!may_pass(next)) return next;
-    auto place = name == ".." ? next : of(next, links);
-    if (!place || !may_pass(*place)) return place;
-    at = *std::move(place);
+    const auto target = name == ".." ? std::nullopt : folder.target_of(name);
+    if (target) {
+      if (++links > kMostLinks) return std::nullopt;
+      auto place = walk(target->starts_with('/') ? "/" : at, *target, links, &at);
+      if (!place || !may_pass(*place)) return place;
+      at = *std::move(place);
+      folder.open(at);
+      continue;
+    }
+    at = next;
+    if (name == ".." && !folder.is_open()) {
+      folder.open(at);
+    } else {
+      folder.enter(name);
+    }
   }
   return at;
 }

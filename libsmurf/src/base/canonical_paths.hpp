@@ -2,10 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <unordered_map>
+#include <string_view>
 #include <utility>
 
 namespace smurf {
@@ -21,19 +22,18 @@ class CanonicalPaths {
 
   /// What does not exist keeps its name, also where a link leads to it; none when it cannot be
   /// told, as in a loop of links.
-  std::optional<std::string> of(const std::string& path) const { return of(path, 0); }
+  std::optional<std::string> of(const std::string& path) const;
 
  private:
-  /// `links` are those that led here.
-  std::optional<std::string> of(const std::string& path, int links) const;
-  std::optional<std::string> looked_at(const std::string& path, int links) const;
-
-  std::optional<std::string> follow(const std::string& folder, const std::string& target,
-                                    int links) const;
+  std::optional<std::string> known(std::string_view path) const;
+  void remember(const std::string& path, const std::string& canonical) const;
+  std::optional<std::string> looked_at(const std::string& path) const;
+  std::optional<std::string> walk(std::string at, std::string_view names, int& links,
+                                  const std::string* link_in) const;
 
   MayPass may_pass_;
   mutable std::mutex mutex_;
-  mutable std::unordered_map<std::string, std::string> known_;
+  mutable std::map<std::string, std::string, std::less<>> known_;
 };
 
 /// A path that exists, with its links followed, looked at anew: with one walk of the system, where

@@ -302,8 +302,11 @@ std::vector<std::string> MemoryFiles::list(const std::string& folder) const {
     const std::string_view rest = std::string_view(path).substr(prefix.size());
     names.emplace_back(rest.substr(0, rest.find('/')));
   }
-  if (names.size() == behind) return names;  // nearly always, and sorted
-  std::sort(names.begin(), names.end());
+  if (names.size() == behind) return names;
+  // The first part is sorted, and the second is short.
+  const auto middle = names.begin() + static_cast<std::ptrdiff_t>(behind);
+  std::sort(middle, names.end());
+  std::inplace_merge(names.begin(), middle, names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }

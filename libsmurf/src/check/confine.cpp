@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/canonical_paths.hpp"
+#include "base/open_folder.hpp"
 #include "base/path.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"
@@ -19,51 +20,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has(const fs::path& folder, std::string_view name) {
-  std::error_code ignored;
-  return fs::exists(fs::symlink_status(folder / name, ignored));
+/// Of canonical folders.
+bool is_around(std::string_view around, std::string_view folder) {
+  return folder.starts_with(around) &&
+         (around.ends_with('/') || folder.size() == around.size() || folder[around.size()] == '/');
 }
 
-/// `folder` or above it?
-bool is_around(const fs::path& around, const fs::path& folder) {
-  const auto [end, other] =
-      std::mismatch(around.begin(), around.end(), folder.begin(), folder.end());
-  return end == around.end();
-}
-
-bool is_home(const fs::path& folder) {
-  const fs::path above = folder.parent_path();
+bool is_home(std::string_view folder) {
+  const std::string_view above = path::parent(folder);
   if (above == "/home" || above == "/Users" || folder == "/root") return true;
-  static const fs::path home = [] {
+  static const std::string home = [] {
     const char* variable = std::getenv("HOME");
     std::error_code error;
     const fs::path found = fs::weakly_canonical(variable == nullptr ? "" : variable, error);
-    return error ? fs::path() : found;
+    return error ? std::string() : found.string();
   }();
-  return home.has_relative_path() && is_around(folder, home);
+  return home.size() > 1 && home.starts_with('/') && is_around(folder, home);
 }
 
 /// As confine() says. What is above a shared folder is shared.
-bool is_shared(const fs::path& folder) {
-  if (!folder.has_relative_path() || is_home(folder)) return true;
-  return !folder.parent_path().has_relative_path() && !is_repository(folder);
+bool is_shared(std::string_view folder) {
+  if (folder.size() <= 1 || is_home(folder)) return true;
+  return path::parent(folder) == "/" && !is_repository(folder);
 }
 
-/// Where the project would end if no folder were shared.
-fs::path widest_project_of(const fs::path& folder) {
-  fs::path package;
-  for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
-    if (is_repository(at) && !is_home(at)) return at;
-    if (package.empty() && has(at, "package.xml")) package = at;
+/// Where the project would end if no folder were shared. From folder to folder upwards, as the way
+/// to each may be long.
+std::string_view widest_project_of(std::string_view folder) {
+  std::string_view package;
+  OpenFolder open{std::string(folder)};
+  for (std::string_view at = folder; at.size() > 1; at = path::parent(at), open.enter("..")) {
+    const bool is_top = std::ranges::any_of(
+        kHistories, [&](std::string_view history) { return open.has(history); });
+    if (is_top && !is_home(at)) return at;
+    if (package.empty() && open.has("package.xml")) package = at;
   }
-  return package.empty() ? folder.parent_path().parent_path() : package.parent_path();
+  return package.empty() ? path::parent(path::parent(folder)) : path::parent(package);
 }
 
-/// None when the folder itself is shared.
-std::optional<fs::path> project_of(const fs::path& folder) {
-  const fs::path widest = widest_project_of(folder);
-  std::optional<fs::path> project;
-  for (fs::path at = folder; !is_shared(at); at = at.parent_path()) {
+/// "" when the folder itself is shared.
+std::string_view project_of(std::string_view folder) {
+  const std::string_view widest = widest_project_of(folder);
+  std::string_view project;
+  for (std::string_view at = folder; !is_shared(at); at = path::parent(at)) {
     project = at;
     if (at == widest) break;
   }
@@ -72,14 +71,14 @@ std::optional<fs::path> project_of(const fs::path& folder) {
 
 /// Where an input is; none when that cannot be told. A link that leads out of its repository may
 /// have come with a pull request: where it leads is no project of the user.
-std::optional<fs::path> folder_of(const std::string& input) {
+std::optional<std::string> folder_of(const std::string& input) {
   std::error_code error;
   const std::string link = link_out_of_repository(input);
-  if (!link.empty()) return fs::path(link).parent_path();
+  if (!link.empty()) return std::string(path::parent(link));
   const auto there = canonical_now(input);
-  const fs::path path = there ? fs::path(*there) : fs::weakly_canonical(input, error);
+  const std::string place = there ? *there : fs::weakly_canonical(input, error).string();
   if (error) return std::nullopt;
-  return fs::is_directory(path, error) ? path : path.parent_path();
+  return fs::is_directory(place, error) ? place : std::string(path::parent(place));
 }
 
 constexpr std::array<std::string_view, 3> kRuleFiles = {".gitignore", ".smurf-lintignore",
@@ -89,17 +88,18 @@ constexpr std::array<std::string_view, 3> kRuleFiles = {".gitignore", ".smurf-li
 constexpr const char* kGitExclude = "info/exclude";
 
 /// The project around a folder and, above it, the files that say what is checked and how.
-void allow_project(ConfinedFiles& files, const fs::path& folder) {
-  const auto project = project_of(folder);
-  if (project) {
-    files.allow(project->string());
+void allow_project(ConfinedFiles& files, const std::string& folder) {
+  const std::string project(project_of(folder));
+  if (!project.empty()) {
+    files.allow(project);
   } else {
-    files.allow_files_in(folder.string());
+    files.allow_files_in(folder);
   }
-  for (fs::path at = project ? project->parent_path() : folder; at.has_relative_path();
-       at = at.parent_path()) {
+  std::string at = project.empty() ? folder : std::string(path::parent(project));
+  OpenFolder open(at);
+  for (; at.size() > 1; at = path::parent(at), open.enter("..")) {
     for (const std::string_view name : kRuleFiles) {
-      if (has(at, name)) files.allow((at / name).string());
+      if (open.has(name)) files.allow(path::join(at, name));
     }
   }
 }
@@ -113,7 +113,7 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
     files.deny_named(std::string(name), name == ".git" ? kGitExclude : "");
   }
   if (!is_shared_folder(".")) files.allow(".");
-  std::set<fs::path> folders;
+  std::set<std::string> folders;
   std::set<std::string_view> seen;  // folders of files
   std::error_code ignored;
   for (const std::string& input : inputs) {
@@ -126,7 +126,7 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
       folders.insert(*std::move(folder));
     }
   }
-  for (const fs::path& folder : folders) allow_project(files, folder);
+  for (const std::string& folder : folders) allow_project(files, folder);
   for (const auto& [name, folder] : packages) files.allow(folder);
   for (const std::string& folder : ros_package_folders()) files.allow(folder);
 }

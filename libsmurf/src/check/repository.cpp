@@ -8,24 +8,37 @@
 #include <system_error>
 
 #include "base/canonical_paths.hpp"
+#include "base/open_folder.hpp"
+#include "base/path.hpp"
 
 namespace smurf {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The repository around folders, each of which is looked at once.
+bool has_history(const OpenFolder& folder) {
+  return std::ranges::any_of(kHistories,
+                             [&](std::string_view history) { return folder.has(history); });
+}
+
+/// The repository around folders, each of which is asked for once; "": none.
 class Repositories {
  public:
-  std::optional<fs::path> above(const fs::path& folder) {
-    if (!folder.has_relative_path()) return std::nullopt;
+  const std::string& above(const std::string& folder) {
     const auto [known, is_new] = known_.try_emplace(folder);
     if (!is_new) return known->second;
-    return known->second = is_repository(folder) ? folder : above(folder.parent_path());
+    OpenFolder open(folder);
+    std::string_view at = folder;
+    while (at.size() > 1 && !has_history(open)) {
+      at = path::parent(at);
+      open.enter("..");
+    }
+    if (at.size() > 1) known->second = at;
+    return known->second;
   }
 
  private:
-  std::map<fs::path, std::optional<fs::path>> known_;
+  std::map<std::string, std::string> known_;
 };
 
 bool is_inside(const fs::path& path, const fs::path& folder) {
@@ -34,12 +47,12 @@ bool is_inside(const fs::path& path, const fs::path& folder) {
 }
 
 /// `target` is where a link leads that lies in the repository at `root`; "": nowhere.
-bool leads_out(const fs::path& target, const std::optional<fs::path>& root) {
-  if (!root) return false;
+bool leads_out(const fs::path& target, const fs::path& root) {
+  if (root.empty()) return false;
   const auto has_target = [&](std::string_view history) {
-    return is_inside(target, *root / history);
+    return is_inside(target, root / history);
   };
-  return target.empty() || !is_inside(target, *root) || std::ranges::any_of(kHistories, has_target);
+  return target.empty() || !is_inside(target, root) || std::ranges::any_of(kHistories, has_target);
 }
 
 }  // namespace
@@ -55,7 +68,8 @@ bool is_repository(const fs::path& folder) {
 RepositoryPath in_repository() {
   std::error_code error;
   const fs::path here = fs::canonical(".", error);
-  const fs::path root = Repositories().above(here).value_or(here);
+  const std::string above = Repositories().above(here.string());
+  const fs::path root = above.empty() ? here : fs::path(above);
   return [root](const std::string& path) {
     std::error_code failed;
     const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
@@ -67,8 +81,8 @@ RepositoryPath in_repository() {
 FollowedPath follow(const std::string& path) {
   std::error_code error;
   Repositories repositories;
-  // As texts: paths are copied part by part, and there may be thousands of parts.
   std::string at;  // without links
+  OpenFolder open("/");
   const std::string whole = fs::absolute(path, error).string();
   for (std::size_t begin = 0; begin < whole.size();) {
     const std::size_t end = std::min(whole.find('/', begin), whole.size());
@@ -77,14 +91,19 @@ FollowedPath follow(const std::string& path) {
     if (part.empty() || part == ".") continue;
     if (part == "..") {
       at.resize(at.empty() ? 0 : at.rfind('/'));
+      open.open(at.empty() ? "/" : at);
       continue;
     }
-    const std::size_t folder = at.size();
+    const std::string folder = at;
     at += "/" + part;
-    if (!fs::is_symlink(at, error)) continue;
+    if (!open.target_of(part)) {
+      open.enter(part);
+      continue;
+    }
     const auto target = canonical_now(at);
-    if (leads_out(target.value_or(""), repositories.above(at.substr(0, folder)))) return {at, {}};
+    if (leads_out(target.value_or(""), repositories.above(folder))) return {at, {}};
     if (target) at = *target == "/" ? "" : *target;
+    open.open(at.empty() ? "/" : at);
   }
   return {{}, at.empty() ? "/" : at};
 }

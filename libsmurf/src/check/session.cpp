@@ -7,6 +7,7 @@
 #include <ctime>
 #include <deque>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "base/path.hpp"
@@ -77,11 +78,11 @@ std::vector<std::string> ros_package_folders() {
 }
 
 struct LoadedWith {
-  CheckGroups groups;  ///< one
+  std::shared_ptr<CheckGroups> groups;  ///< one
   MeshLibrary meshes;
   std::size_t first_source = 0;
 
-  const CheckGroup& group() const { return groups.front(); }
+  const CheckGroup& group() const { return groups->front(); }
 };
 
 struct Session::State {
@@ -123,14 +124,31 @@ struct Session::State {
 
   Desk desk(std::size_t first_source = 0) const { return {*files, limits, *paths, first_source}; }
 
+  void announce(std::span<const std::string> inputs, const CheckSettings& settings) {
+    open(inputs, settings);
+    announced = {inputs.begin(), inputs.end()};
+    announced_groups.clear();
+    read = std::make_shared<ReadFiles>();
+  }
+
   /// Where a model or scene is loaded.
   Loaded prepare(const std::string& path, const CheckSettings& settings) {
-    open(std::span(&path, 1), settings);
+    const bool is_announced = announced.erase(path) > 0;
+    if (!is_announced) {
+      open(std::span(&path, 1), settings);
+      announced_groups.clear();
+      read->lists.clear();
+    }
     LoadedWith& with = loaded_with.emplace_back();
     with.first_source = loaded_sources.size();
-    with.groups =
-        read_configurations({config_for(path, settings, *files)}, settings, *files, loaded_sources);
-    merge(settings, *paths, with.groups);
+    const std::string config = config_for(path, settings, *files);
+    std::shared_ptr<CheckGroups>& groups = announced_groups[config];
+    if (groups == nullptr) {
+      groups = std::make_shared<CheckGroups>(
+          read_configurations({config}, settings, *files, loaded_sources));
+      merge(settings, *paths, *groups);
+    }
+    with.groups = groups;
     return {&loaded_sources, DiagnosticSink(limits), &with};
   }
 
@@ -151,7 +169,7 @@ struct Session::State {
   Report report(Judged&& judged, Loaded& loaded) {
     std::vector<Judged> found;
     found.push_back(std::move(judged));
-    return make_report(std::move(found), loaded.with->groups, desk(loaded.with->first_source),
+    return make_report(std::move(found), *loaded.with->groups, desk(loaded.with->first_source),
                        loaded_sources);
   }
 
@@ -175,6 +193,8 @@ struct Session::State {
   SourceMap loaded_sources;
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();  ///< into loaded_sources
   std::deque<LoadedWith> loaded_with;
+  std::set<std::string> announced;
+  std::map<std::string, std::shared_ptr<CheckGroups>> announced_groups;  ///< by configuration
 };
 
 Session::Session(const Limits& limits)
@@ -223,7 +243,13 @@ std::string Session::baseline_of(const Report& report, const std::string& path) 
   return write_baseline(report.diagnostics, state_->sources, path);
 }
 
+void Session::announce(std::span<const std::string> paths, const CheckSettings& settings) {
+  state_->announce(paths, settings);
+}
+
 void Session::forget_loaded() {
+  state_->announced.clear();
+  state_->announced_groups.clear();
   state_->loaded_with.clear();
   state_->loaded_sources = {};
   state_->read = std::make_shared<ReadFiles>();

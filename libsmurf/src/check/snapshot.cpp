@@ -23,7 +23,7 @@ std::string answer_to(const Recorder::Question& question, const Snapshot& files)
   switch (question.kind) {
   case Recorder::Kind::content: return std::to_string(files.version(question.path));
   case Recorder::Kind::is_file: return yes_or_no(files.is_file(question.path));
-  case Recorder::Kind::list: return joined(files.list(question.path));
+  case Recorder::Kind::list: return std::to_string(files.list_version(question.path));
   case Recorder::Kind::is_denied: return yes_or_no(files.is_denied(question.path));
   case Recorder::Kind::identity: return files.identity(question.path);
   }
@@ -72,6 +72,18 @@ std::uint64_t Snapshot::version(const std::string& path) const {
   return know(path).version;
 }
 
+/// Thousands of models may lie in one folder.
+std::uint64_t Snapshot::list_version(const std::string& folder) const {
+  const std::lock_guard lock(mutex_);
+  KnownList& known = known_lists_[folder];
+  if (known.version != 0 && known.round == round_) return known.version;
+  known.round = round_;
+  std::string now = joined(files_.list(folder));
+  if (known.version != 0 && known.text == now) return known.version;
+  known.text = std::move(now);
+  return known.version = ++last_version_;
+}
+
 FileContent Snapshot::read(const std::string& path, std::uint64_t max_bytes) const {
   {
     const std::lock_guard lock(mutex_);
@@ -96,9 +108,8 @@ bool Recorder::is_file(const std::string& path) const {
 }
 
 std::vector<std::string> Recorder::list(const std::string& folder) const {
-  std::vector<std::string> names = files_.list(folder);
-  note(Kind::list, folder, joined(names));
-  return names;
+  note(Kind::list, folder, std::to_string(files_.list_version(folder)));
+  return files_.list(folder);
 }
 
 bool Recorder::is_denied(const std::string& path) const {

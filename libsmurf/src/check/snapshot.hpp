@@ -36,8 +36,16 @@ class Snapshot final : public FileReader {
   std::string identity(const std::string& path) const override { return files_.identity(path); }
   /// Another one whenever the content may be another one.
   std::uint64_t version(const std::string& path) const;
+  /// Another one whenever the names in a folder may be other ones.
+  std::uint64_t list_version(const std::string& folder) const;
 
  private:
+  /// The names in a folder, as one text.
+  struct KnownList {
+    std::string text;
+    std::uint64_t version = 0;
+    std::uint64_t round = 0;  ///< in which it was last asked about
+  };
   struct Known {
     FileStamp stamp;
     std::uint64_t version = 0;
@@ -54,6 +62,7 @@ class Snapshot final : public FileReader {
   std::uint64_t round_ = 0;
   mutable std::mutex mutex_;
   mutable std::map<std::string, Known> known_;
+  mutable std::map<std::string, KnownList> known_lists_;
   mutable std::uint64_t kept_bytes_ = 0;
   mutable std::uint64_t last_version_ = 0;
 };

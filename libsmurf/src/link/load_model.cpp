@@ -208,7 +208,7 @@ class ModelLoader {
 
   std::span<const std::string> names_starting_with(const std::string& prefix,
                                                    const std::string& folder) {
-    const auto [list, is_new] = context_.lists.try_emplace(folder);
+    const auto [list, is_new] = context_.read->lists.try_emplace(folder);
     std::vector<std::string>& names = list->second;
     if (is_new) names = context_.files.list(folder);
     const auto begin = std::lower_bound(names.begin(), names.end(), prefix);

@@ -21,6 +21,9 @@ namespace {
 
 using Loaded = std::span<const std::vector<Reference>>;
 
+/// Nobody reads more.
+constexpr std::size_t kMostProblems = 20;
+
 /// Who has the name: a model of what was loaded, or the scene itself.
 struct Owner {
   std::size_t loaded = 0;
@@ -101,7 +104,7 @@ class Renamer {
 
   Renamed run() {
     for (const Rename& rename : renames_) choose(rename);
-    for (const auto& [name, to] : new_names_) check_clash(name, to);
+    check_clashes();
     if (result_.problems.empty()) collect();
     if (result_.problems.empty()) apply();
     if (!result_.problems.empty()) result_ = {{}, {}, std::move(result_.problems)};
@@ -111,6 +114,7 @@ class Renamer {
  private:
   void fail(std::string problem) {
     auto& all = result_.problems;
+    if (all.size() >= kMostProblems) return;
     if (std::find(all.begin(), all.end(), problem) == all.end()) all.push_back(std::move(problem));
   }
 
@@ -182,21 +186,20 @@ class Renamer {
     return quoted(rename.from) + " is " + words + "; write " + ways;
   }
 
-  void check_clash(const OwnedName& renamed, const std::string& to) {
-    for (const auto& [other, other_to] : new_names_) {
-      if (other.owner == renamed.owner && other.kind == renamed.kind &&
-          other.name != renamed.name && other_to == to) {
+  /// Thousands of models may share what is renamed.
+  void check_clashes() {
+    std::set<OwnedName> wanted;
+    for (const auto& [name, to] : new_names_) {
+      if (!wanted.insert({name.owner, name.kind, to}).second) {
         fail("two things are to get the name " + quoted(to));
       }
     }
-    for (const Reference& one : loaded_[renamed.owner.loaded]) {
-      if (!one.is_definition || one.model != renamed.owner.model || one.kind != renamed.kind ||
-          one.name != to || new_names_.contains({renamed.owner, one.kind, one.name})) {
-        continue;
-      }
-      return fail("there is a " + thing(one.kind, to) + " already, at " +
-                  place_text(sources_, one.span));
-    }
+    for_each([&](Owner owner, const Reference& one) {
+      const OwnedName name{owner, one.kind, one.name};
+      if (!one.is_definition || !wanted.contains(name) || new_names_.contains(name)) return;
+      fail("there is a " + thing(one.kind, one.name) + " already, at " +
+           place_text(sources_, one.span));
+    });
   }
 
   void collect() {

@@ -373,14 +373,14 @@ class SceneExpander {
   /// "outer/name"; repeated and missing names get a number.
   std::string unique_path(UseIndex use, const Entity& entity, const std::string& file,
                           std::string_view type) {
-    std::string path = scene_.uses[to_size(use)].path;
-    if (!path.empty()) path += '/';
+    const std::string& around = scene_.uses[to_size(use)].path;
     const bool is_named = entity.name && !entity.name->empty();
-    if (is_named) {
-      path += *entity.name;
-    } else {
-      path += file.empty() ? type : path::stem(file);
-    }
+    const std::string_view name = is_named ? *entity.name : file.empty() ? type : path::stem(file);
+    std::string path;
+    path.reserve(around.size() + 1 + name.size());  // there may be 100 MB of paths, and no more
+    path += around;
+    if (!path.empty()) path += '/';
+    path += name;
     if (is_named && paths_.insert(path).second) return path;
     std::uint32_t& number = numbers_[path];
     std::string numbered;

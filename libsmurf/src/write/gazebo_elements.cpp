@@ -6,6 +6,7 @@
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
+#include "base/path.hpp"
 #include "convert/import.hpp"
 #include "write/raw_xml.hpp"
 
@@ -36,6 +37,25 @@ bool is_one_of(std::string_view name, const std::string_view (&names)[size]) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
+/// What libsdformat reads as a number or a vector of such; a reader may refuse anything else.
+constexpr std::string_view kNumbers[] = {"mu1",
+                                         "mu2",
+                                         "kp",
+                                         "kd",
+                                         "maxVel",
+                                         "minDepth",
+                                         "maxContacts",
+                                         "laserRetro",
+                                         "dampingFactor",
+                                         "stopCfm",
+                                         "stopErp",
+                                         "fudgeFactor",
+                                         "springStiffness",
+                                         "springReference"};
+constexpr std::string_view kVectors[] = {"fdir1"};
+constexpr std::string_view kFlags[] = {"selfCollide", "turnGravityOff", "cfmDamping",
+                                       "provideFeedback", "implicitSpringDamper"};
+
 bool is_true(std::string_view text) { return text == "true" || text == "1" || text == "True"; }
 
 /// Written as text, or as the attribute `value`.
@@ -52,9 +72,9 @@ bool is_joint_of_sdf(const LinkedModel& model, std::uint32_t joint) {
          *model.link(*child).inertial->mass > 0;
 }
 
-/// Six numbers of a pose: x y z roll pitch yaw.
-std::optional<Pose> parse_pose(std::string_view text) {
-  std::array<double, 6> numbers{};
+template <std::size_t size>
+std::optional<std::array<double, size>> parse_numbers(std::string_view text) {
+  std::array<double, size> numbers{};
   for (double& number : numbers) {
     const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
     text.remove_prefix(begin);
@@ -64,7 +84,24 @@ std::optional<Pose> parse_pose(std::string_view text) {
     number = *value;
     text.remove_prefix(end);
   }
-  return Pose{{numbers[0], numbers[1], numbers[2]}, from_rpy({numbers[3], numbers[4], numbers[5]})};
+  return numbers;
+}
+
+/// Six numbers of a pose: x y z roll pitch yaw.
+std::optional<Pose> parse_pose(std::string_view text) {
+  const auto numbers = parse_numbers<6>(text);
+  if (!numbers) return std::nullopt;
+  const auto& [x, y, z, roll, pitch, yaw] = *numbers;
+  return Pose{{x, y, z}, from_rpy({roll, pitch, yaw})};
+}
+
+/// Whether an element has a value of its type. One without a value says nothing, which is sound.
+bool is_sound(std::string_view name, std::string_view value) {
+  if (value.empty()) return true;
+  if (is_one_of(name, kNumbers)) return parse_numbers<1>(value).has_value();
+  if (is_one_of(name, kVectors)) return parse_numbers<3>(value).has_value();
+  constexpr std::string_view kFlagValues[] = {"true", "false", "yes", "no", "1", "0"};
+  return !is_one_of(name, kFlags) || is_one_of(path::to_lower(value), kFlagValues);
 }
 
 }  // namespace
@@ -73,6 +110,7 @@ bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
   const bool needs_name = child.name() == "sensor" || child.name() == "plugin";
   if (needs_name && attribute_of(child, "name").empty()) return false;
   const std::string_view reference = attribute_of(child.parent(), "reference");
+  if (!reference.empty() && !is_sound(child.name(), value_of(child))) return false;
   if (reference.empty()) return child.name().find(':') == std::string_view::npos;
   const bool is_of_joint = is_one_of(child.name(), kOfJoints);
   if (model.link_names.contains(reference) && !is_of_joint) return true;

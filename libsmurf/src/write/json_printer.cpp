@@ -10,6 +10,14 @@
 #include "write/json_text.hpp"
 
 namespace smurf {
+namespace {
+
+/// A long text gets all its room at once: to double it again and again would need that of two, and
+/// what is not written to takes none.
+constexpr std::size_t kLong = 1U << 20U;
+constexpr std::uint64_t kMostRoom = 1U << 28U;
+
+}  // namespace
 
 void JsonPrinter::break_line(std::size_t depth) {
   out_ += '\n';
@@ -17,6 +25,9 @@ void JsonPrinter::break_line(std::size_t depth) {
 }
 
 void JsonPrinter::begin_value() {
+  if (out_.size() > kLong && out_.capacity() < 4 * kLong) {
+    out_.reserve(static_cast<std::size_t>(std::clamp<std::uint64_t>(most_, 4 * kLong, kMostRoom)));
+  }
   if (std::exchange(has_key_, false) || open_.empty()) return;
   Open& around = open_.back();
   if (!std::exchange(around.is_empty, false)) out_ += around.layout == Layout::line ? ", " : ",";

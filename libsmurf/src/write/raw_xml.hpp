@@ -11,12 +11,17 @@
 
 namespace smurf {
 
+/// XML for readers that forgive less than those of URDF. These accept `&name;` that nothing defines
+/// as its letters, so the letters are written; `]]>` in a text and characters that XML does not
+/// have are replaced. `text` is part of what our reader accepted.
+std::string strict_xml(std::string_view text);
+
 /// Adds the edits that move a namespace declaration of the robot element into those of its
 /// children that use the prefix.
 void declare_prefix(xml::View robot, const xml::Attribute& declaration, std::vector<Edit>& edits);
 
-/// The text of an element after the edits, with a declaration of every namespace prefix that it
-/// uses. `source` is the text of the whole document.
+/// The text of an element after the edits, as strict XML with a declaration of every namespace
+/// prefix that it uses. `source` is the text of the whole document.
 std::string raw_xml(xml::View element, std::string_view source, std::vector<Edit> edits = {});
 
 }  // namespace smurf

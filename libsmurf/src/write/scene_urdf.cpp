@@ -94,7 +94,9 @@ class UrdfMerger {
       each.span.end -= root.tag_span().end;
     }
     return "  <!-- " + comment(flat(i).path) + " -->" +
-           apply_edits(text.substr(root.tag_span().end, end - root.tag_span().end), edits) + "\n";
+           strict_xml(
+               apply_edits(text.substr(root.tag_span().end, end - root.tag_span().end), edits)) +
+           "\n";
   }
 
   std::string_view source_text(const LinkedModel& model) const {

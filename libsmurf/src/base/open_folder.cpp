@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/open_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+
+#include "base/path.hpp"
+
+namespace smurf {
+namespace {
+
+#ifdef O_PATH
+constexpr int kFolder = O_PATH | O_DIRECTORY | O_CLOEXEC;
+#else
+constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+#endif
+
+}  // namespace
+
+void OpenFolder::become(int number) {
+  if (number_ >= 0) ::close(number_);
+  number_ = number;
+}
+
+void OpenFolder::open(const std::string& path) { become(::open(path.c_str(), kFolder)); }
+
+void OpenFolder::enter(const std::string& name) {
+  if (is_open()) become(::openat(number_, name.c_str(), kFolder | O_NOFOLLOW));
+}
+
+bool OpenFolder::has(std::string_view name) const {
+  struct stat status {};
+  return is_open() &&
+         ::fstatat(number_, std::string(name).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+}
+
+std::optional<std::string> OpenFolder::target_of(const std::string& name) const {
+  std::array<char, path::kLongest> target;
+  const ssize_t size =
+      is_open() ? ::readlinkat(number_, name.c_str(), target.data(), target.size()) : -1;
+  if (size < 0) return std::nullopt;
+  return std::string(target.data(), static_cast<std::size_t>(size));
+}
+
+}  // namespace smurf

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A folder that is open: what is in it is looked up without the way to it, which may be thousands
+// of folders long.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace smurf {
+
+class OpenFolder {
+ public:
+  explicit OpenFolder(const std::string& path) { open(path); }
+  ~OpenFolder() { become(-1); }
+  OpenFolder(const OpenFolder&) = delete;
+  OpenFolder& operator=(const OpenFolder&) = delete;
+
+  void open(const std::string& path);
+  /// A folder in this one, which is no link, or "..". One that is not there has nothing in it.
+  void enter(const std::string& name);
+  bool is_open() const { return number_ >= 0; }
+
+  /// A link counts, wherever it leads.
+  bool has(std::string_view name) const;
+  /// Where a link leads, as it is written; none when this is no link.
+  std::optional<std::string> target_of(const std::string& name) const;
+
+ private:
+  void become(int number);
+
+  int number_ = -1;
+};
+
+}  // namespace smurf
