@@ -208,6 +208,31 @@ class Confine(cli.CliTest):
         found = self.expect(0, "--isolated", "--list-files", ".", cwd=self.project).stdout
         self.assertEqual(found, "r.urdf\nsmurf/r.smurf\n")
 
+    def test_what_folders_outside_are_links_to_is_not_told(self):
+        """Two links lead outside: whether they end at one place or at two makes no difference."""
+        (self.project / ".git").mkdir()
+        for kind in ("smurf", "smurfs", "urdf"):
+            (self.project / f"1.{kind}").symlink_to(f"../../../private/x/f.{kind}")
+            (self.project / f"2.{kind}").symlink_to(f"../../../private/y/f.{kind}")
+        names = sorted(one.name for one in self.project.iterdir() if one.is_symlink())
+        load_check = pathlib.Path(cli.TOOL).with_name("smurf-load-check")
+        runs = [(cli.TOOL, "--isolated", *options, *paths) for paths in ((".",), names)
+                for options in (("--list-files",), ("--format", "json"), ("--format", "full"))]
+        runs += [(load_check, "--format", "json", "."), (load_check, "--format", "json", *names)] if load_check.exists() else []
+        told = []
+        for makes in (lambda: (self.folder / "private/y").mkdir(), lambda: (self.folder / "private/y").symlink_to("x")):
+            (self.folder / "private/x").mkdir(parents=True)
+            makes()
+            for place in ("x", "y"):
+                for kind, text in (("smurf", "files: []\n"), ("smurfs", "entities: []\n"), ("urdf", URDF)):
+                    (self.folder / "private" / place / f"f.{kind}").write_text(text)
+            done = [subprocess.run([str(word) for word in run], cwd=self.project, capture_output=True, text=True, check=False)
+                    for run in runs]
+            told.append([(one.args, one.returncode, one.stdout, one.stderr) for one in done])
+            shutil.rmtree(self.folder / "private")
+        for first, second in zip(*told):
+            self.assertEqual(first, second)
+
     def test_named_links_out_of_a_repository_open_nothing(self):
         """A hook names what a pull request brought."""
         (self.project / ".git").mkdir()

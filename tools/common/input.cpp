@@ -144,4 +144,8 @@ const CanonicalPaths& canonical_paths() {
 
 std::string identity(const std::string& path) { return smurf::identity(path, canonical_paths()); }
 
+std::string identity(const std::string& path, const FileReader& files) {
+  return smurf::identity(path, canonical_paths(), files);
+}
+
 }  // namespace smurf::tools

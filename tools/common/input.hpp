@@ -68,5 +68,7 @@ bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
 const CanonicalPaths& canonical_paths();
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path);
+/// The same, but what is denied has the identity of its name.
+std::string identity(const std::string& path, const FileReader& files);
 
 }  // namespace smurf::tools

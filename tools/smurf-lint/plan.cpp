@@ -185,7 +185,7 @@ class Planner {
   std::string absolute(const std::string& path) const { return path::join(current_folder_, path); }
 
   void add(std::vector<PlannedFile>& to, const std::string& path) {
-    if (planned_.insert(identity(path)).second) to.push_back({path, config_of_entry(path)});
+    if (planned_.insert(identity(path, files_)).second) to.push_back({path, config_of_entry(path)});
   }
 
   void add_standard_input() {

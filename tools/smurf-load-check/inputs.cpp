@@ -105,13 +105,13 @@ class Loader {
 
   /// A model alone counts as a scene of one entity.
   void load(const std::string& file) {
-    if (!done_.insert(identity(file)).second) return;
+    if (!done_.insert(identity(file, inputs_.files)).second) return;
     LoadedScene& loaded =
         inputs_.scenes.emplace_back(inputs_.session.load_scene(file, settings_for(options_)));
     const LinkedScene& scene = loaded.scene;
     for (const LinkedModel& model : scene.models) {
-      done_.insert(identity(model.path));
-      if (!model.urdf_path.empty()) done_.insert(identity(model.urdf_path));
+      done_.insert(identity(model.path, inputs_.files));
+      if (!model.urdf_path.empty()) done_.insert(identity(model.urdf_path, inputs_.files));
     }
     std::vector<Diagnostic> found = inputs_.session.check(loaded).diagnostics;
     std::erase_if(found, [&](const Diagnostic& diagnostic) {

@@ -126,6 +126,11 @@ std::string identity(const std::string& path, const CanonicalPaths& paths) {
   return paths.of(path).value_or(path::normalize(path));
 }
 
+std::string identity(const std::string& path, const CanonicalPaths& paths,
+                     const FileReader& files) {
+  return files.is_denied(path) ? path::normalize(path) : identity(path, paths);
+}
+
 std::string path_inside(const std::string& path, std::string folder, const CanonicalPaths& paths) {
   const std::string whole = identity(path, paths);
   if (!folder.ends_with('/')) folder += '/';

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "smurf/file_reader.hpp"
+
 namespace smurf {
 
 /// Paths with their symbolic links followed, each looked at once and then remembered: for one run,
@@ -42,6 +44,9 @@ std::optional<std::string> canonical_now(const std::string& path);
 
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path, const CanonicalPaths& paths);
+
+/// The same, but what is denied has the identity of its name: where it leads is not to be told.
+std::string identity(const std::string& path, const CanonicalPaths& paths, const FileReader& files);
 
 /// `path` as seen from `folder`, which is an identity; "" when it lies elsewhere.
 std::string path_inside(const std::string& path, std::string folder, const CanonicalPaths& paths);

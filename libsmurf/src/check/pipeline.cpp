@@ -116,7 +116,8 @@ std::size_t count_files(const SourceMap& sources, const Desk& desk) {
   std::set<std::string> files;
   for (std::size_t i = desk.first_source; i < sources.size(); ++i) {
     const SourceId source{static_cast<std::uint32_t>(i)};
-    if (sources.is_readable(source)) files.insert(identity(sources.path(source), desk.paths));
+    if (sources.is_readable(source))
+      files.insert(identity(sources.path(source), desk.paths, desk.files));
   }
   return files.size();
 }

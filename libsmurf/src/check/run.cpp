@@ -59,7 +59,7 @@ class Run {
   void check_all(const std::vector<PlannedFile>& planned) {
     std::vector<const PlannedFile*> left;
     for (const PlannedFile& file : planned) {
-      if (read_.contains(identity(file.path, workshop_.desk.paths))) {
+      if (read_.contains(identity(file.path, workshop_.desk.paths, workshop_.desk.files))) {
         advance();
       } else {
         left.push_back(&file);
@@ -200,7 +200,7 @@ class Run {
       outcome.judged = judge(scene, outcome.sources, group.selection, sink);
       for (const LinkedModel& model : scene.models) note_files(model, outcome);
       for (const SceneFile& file : scene.scenes) {
-        outcome.scenes.insert(identity(file.path, workshop_.desk.paths));
+        outcome.scenes.insert(identity(file.path, workshop_.desk.paths, workshop_.desk.files));
       }
     } else {
       const LinkedModel model = load_model(planned.path, context);
@@ -210,10 +210,11 @@ class Run {
   }
 
   void note_files(const LinkedModel& model, Outcome& outcome) const {
-    outcome.models.insert(identity(model.path, workshop_.desk.paths));
-    outcome.read.insert(identity(model.path, workshop_.desk.paths));
+    outcome.models.insert(identity(model.path, workshop_.desk.paths, workshop_.desk.files));
+    outcome.read.insert(identity(model.path, workshop_.desk.paths, workshop_.desk.files));
     for (const ModelFile& file : model.files) {
-      outcome.read.insert(identity(outcome.sources.path(file.source), workshop_.desk.paths));
+      outcome.read.insert(
+          identity(outcome.sources.path(file.source), workshop_.desk.paths, workshop_.desk.files));
     }
   }
 
@@ -224,7 +225,8 @@ class Run {
     for (std::size_t i = memory_.sources.size(); i < outcome.sources.size(); ++i) {
       const SourceId source{static_cast<std::uint32_t>(i)};
       const std::string& path = outcome.sources.path(source);
-      if (sources_read_.insert(identity(path, workshop_.desk.paths)).second) continue;
+      if (sources_read_.insert(identity(path, workshop_.desk.paths, workshop_.desk.files)).second)
+        continue;
       again.insert(source);
       rechecked_ += outcome.sources.text(source).size();
     }
