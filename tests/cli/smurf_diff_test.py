@@ -107,6 +107,16 @@ joint elbow: upper limit 1.75 -> 1.57 rad (-10.3 %)                  new.urdf:13
         self.assertEqual(self.told(with_extension, with_extension.replace("<type>b", "<type>c")), ["transmission t: type b -> c"])
         self.assertEqual(self.told(with_extension, with_extension.replace("<x>2", "<x>3")), ["transmission t: x 2 -> 3 (+50 %)"])
 
+    def test_extensions_follow_renames(self):
+        extension = ('<transmission name="t"><joint name="wrist"><x>1</x></joint><joint name="elbow"><x>2</x></joint></transmission>'
+                     '<gazebo reference="arm"><y>arm</y></gazebo>')
+        old = ROBOT.replace("</robot>", extension + "</robot>")
+        self.assertEqual(self.told(old, old.replace('"wrist"', '"palm"')), ["joint wrist renamed to palm"])
+        joints = ('<joint name="wrist"><x>1</x></joint>', '<joint name="elbow"><x>2</x></joint>')
+        self.assertEqual(self.told(old, old.replace("".join(joints), "".join(reversed(joints)))), [])
+        self.assertEqual(self.told(old, old.replace("<x>2", "<x>3")), ["transmission t: joint[elbow] x 2 -> 3 (+50 %)"])
+        self.assertEqual(self.told(old, old.replace('"arm"', '"forearm"').replace(">arm<", ">forearm<")), ["link arm renamed to forearm"])
+
     def test_added_removed_and_renamed(self):
         hand = '<link name="hand"/>'
         wrist = '<joint name="wrist" type="fixed"><parent link="arm"/><child link="hand"/></joint>'

@@ -39,6 +39,20 @@ class Tester:
         if found:
             self.failures.append(f"{title}: nothing has changed\n  told: {json.dumps(found)[:1500]}")
 
+    def rename(self, path, rng):
+        """A link or joint in all places: smurf-lint knows them."""
+        text = path.read_bytes()
+        things = [(one.tag, one.attributes["name"]) for one in edits.elements_of(text)
+                  if one.tag in ("link", "joint") and one.parent.tag == "robot" and one.attributes.get("name")]
+        old, new = self.work / "old.urdf", self.work / "new.urdf"
+        for copy in (old, new):
+            copy.write_bytes(text)
+        kind, name = rng.choice(things)
+        lint = pathlib.Path(self.smurf_diff).with_name("smurf-lint")
+        done = subprocess.run([lint, "--rename", f"{kind}:{name}=brand_new_name", new], capture_output=True)
+        if done.returncode == 0 and new.read_bytes() != text:
+            self.expect_edit(path, edits.Edit(None, kind, "brand_new_name", "", change="renamed"), self.diff(old, new))
+
     def canonical(self, path):
         output = self.work / "canonical.urdf"
         output.unlink(missing_ok=True)
@@ -68,6 +82,8 @@ def try_urdf(tester, path, rng):
     tester.expect_edit(path, edit, tester.diff(path, None, edit.text))
     tester.expect_same(f"{path}, in another order", tester.diff(path, None, edits.shuffled_urdf(text, rng)))
     tester.canonical(path)
+    if rng.random() < 0.3:
+        tester.rename(path, rng)
     return True
 
 

@@ -164,7 +164,7 @@ def number_edits(text, rng):
         except ValueError:
             continue
         which = rng.randrange(len(numbers)) if numbers else None
-        if which is None:
+        if which is None or max(map(abs, numbers)) > 1e300:
             continue
         before = list(numbers)
         numbers[which] = moved(numbers[which], rng)
@@ -264,8 +264,8 @@ def numbers_in(node, path):
         for key, value in node.value:
             yield from numbers_in(value, f"{path}.{key.value}" if path else key.value)
     else:
-        if path == "rotation" and len(node.value) == 4:
-            return  # a multiple of a quaternion is the same rotation
+        if path == "rotation" and len(node.value) not in (1, 3):
+            return  # a multiple of a quaternion is the same rotation, and others are none
         for number, value in enumerate(node.value):
             yield from numbers_in(value, f"{path}[{number}]")
 

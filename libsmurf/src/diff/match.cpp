@@ -30,12 +30,12 @@ std::uint64_t hash_of_numbers(const std::vector<double>& numbers) {
 }
 
 std::uint64_t hash_of_members(const Property& property, const Renames& names) {
-  const bool is_list = property.form == Property::Form::list;
   std::uint64_t hash = 0;
   for (const Property& member : property.members) {
     const std::uint64_t own = hash_of(member, names);
-    if (is_list) hash = mixed(hash, own);
-    if (is_list || own == 0) continue;
+    const bool is_item = property.form == Property::Form::list && member.key.empty();
+    if (is_item) hash = mixed(hash, own);
+    if (is_item || own == 0) continue;
     const bool is_open = names.is_open(member.key_span);
     hash += mixed(is_open ? 1 : hash_of_text(names.translate(member.key, member.key_span)), own);
   }

@@ -156,22 +156,45 @@ class RobotCollector {
   }
 
   /// Those that are not left out. Of elements that may be there once, readers take the first one;
-  /// others are told apart by their names, else by their number.
+  /// others are told apart by their names where all have one.
   template <class IsLeftOut>
   void children(xml::View parent, Property& group, IsLeftOut is_left_out) {
     const ElementSpec* spec = urdf::find_element_spec(path::to_lower(parent.name()));
-    std::unordered_map<std::string, std::size_t> counts;
+    std::unordered_map<std::string_view, Siblings> siblings;
+    for (const xml::View child : parent) {
+      Siblings& same = siblings[child.name()];
+      same.have_names = same.have_names && !attribute_of(child, "name").empty();
+    }
     for (const xml::View child : parent) {
       if (is_left_out(path::to_lower(child.name()))) continue;
-      Property property = element(child);
-      if (const std::string_view name = attribute_of(child, "name"); !name.empty()) {
-        if (!is_single(spec, child.name())) property.key += "[" + std::string(name) + "]";
+      Siblings& same = siblings[child.name()];
+      const bool is_first = !std::exchange(same.is_known, true);
+      if (is_single(spec, child.name())) {
+        if (is_first) add_member(group, element(child));
+        continue;
       }
-      const std::size_t number = ++counts[property.key];
-      if (number > 1 && is_single(spec, child.name())) continue;
-      add_member(group, std::move(property));
+      if (!same.have_names) {
+        add_member(group, element(child));
+        continue;
+      }
+      if (is_first) {
+        same.list = group.members.size();
+        group.members.push_back(group_property(child.name(), child.tag_span()));
+        group.members.back().form = Property::Form::list;
+      }
+      Property item = group_of(child);
+      item.key = attribute_of(child, "name");
+      item.key_span = child.attribute("name")->value_span();
+      group.members[same.list].members.push_back(std::move(item));
     }
   }
+
+  /// Elements of one name in an element.
+  struct Siblings {
+    bool have_names = true;
+    bool is_known = false;     ///< one of them was read
+    std::size_t list = kNone;  ///< the member of the group that has them
+  };
 
   static bool is_single(const ElementSpec* spec, std::string_view name) {
     if (spec == nullptr) return false;
