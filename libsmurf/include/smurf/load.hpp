@@ -26,6 +26,8 @@ struct ReadFiles {
   std::uint64_t repeated = 0;             ///< bytes
 };
 
+class ParsedFiles;
+
 /// Everything that loading needs. All of it must outlive the result.
 struct LoadContext {
   SourceMap& sources;
@@ -41,6 +43,7 @@ struct LoadContext {
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();
   /// Names in the folders of models, sorted: thousands of models may lie in one.
   std::map<std::string, std::vector<std::string>> lists = {};
+  ParsedFiles* parsed = nullptr;  ///< by an earlier load; may be null
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Reports all mistakes and returns
