@@ -14,7 +14,7 @@ PUBLIC = ROOT / "libsmurf" / "include" / "smurf"
 
 # Each stage and the stages it may include besides itself. An include points left only:
 # base < {archive, syntax}; syntax < {ast, mesh} < link < {lint, flatten, convert} < write; base < render;
-# ast < {schema, config}; lint < check; {write, render} < diff.
+# ast < {schema, config}; link < lint < check; {write, render} < diff.
 STAGES = {
     "base": set(),
     "archive": {"base"},
@@ -25,7 +25,7 @@ STAGES = {
     "link": {"base", "archive", "syntax", "ast", "mesh"},
     "lint": {"base", "ast", "link"},
     "config": {"base", "syntax", "ast"},
-    "check": {"base", "syntax", "lint"},
+    "check": {"base", "syntax", "link", "lint"},
     "flatten": {"base", "syntax", "ast", "link"},
     "convert": {"base", "syntax", "ast", "link"},
     "write": {"base", "syntax", "ast", "link", "lint", "flatten", "convert"},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The language server: a stream of messages, or a document that is asked about everywhere and then
-// edited. Each request gets one answer, and after an edit the same is found as in a server that
-// sees the text for the first time.
+// edited, as is another file of its model. Each request gets one answer, and after the edits the
+// same is found as in a server that sees the texts for the first time.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +19,16 @@ using namespace smurf::lsp;
 namespace {
 
 constexpr const char* kMain = "file:///nowhere-at-all/m.smurf";
+constexpr const char* kUrdf = "file:///nowhere-at-all/r.urdf";
+constexpr const char* kMotors = "file:///nowhere-at-all/a.yml";
+constexpr std::string_view kUris[] = {kMain, kUrdf, kMotors};
+constexpr std::size_t kFolder = std::string_view("file://").size();
+
+constexpr const char* kSomeRobot =
+    "<robot name=\"r\">\n<link name=\"a\"/>\n<link name=\"b\"/>\n"
+    "<joint name=\"j\" type=\"continuous\"><parent link=\"a\"/><child link=\"b\"/></joint>\n"
+    "</robot>\n";
+constexpr const char* kSomeMotors = "motors:\n- {name: m, joint: j, maxSpeed: 1}\n";
 
 constexpr const char* kMethods[] = {"textDocument/hover",
                                     "textDocument/completion",
@@ -89,21 +99,17 @@ void replay_stream(std::string_view bytes) {
   }
 }
 
+/// Mostly in the text.
 Json place(std::minstd_rand& random, std::size_t lines) {
-  return {{"line", random() % (lines + 1)}, {"character", random() % 60}};
+  if (random() % 20 == 0) return {{"line", -1}, {"character", 4294967296}};
+  return {{"line", random() % (lines + 2)}, {"character", random() % 60}};
 }
 
-void edit_document(std::string_view text) {
-  const bool is_xml = text.starts_with('<');
-  const std::string path = std::string("/nowhere-at-all/") + (is_xml ? "r.urdf" : "a.yml");
-  const std::string uri = "file://" + path;
-  const std::string main = is_xml ? "files: [r.urdf]\n" : "files: [a.yml]\n";
-  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  std::minstd_rand random(static_cast<unsigned>(text.size() * 31 + lines));
-  Talk talk;
-  talk.open(kMain, main);
-  talk.open(uri, text);
-  talk.server.rest();
+std::size_t count_lines(std::string_view text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+void ask_everything(Talk& talk, std::string_view uri, std::size_t lines, std::minstd_rand& random) {
   for (const char* method : kMethods) {
     const Json at = place(random, lines);
     talk.ask(method, {{"textDocument", {{"uri", uri}}},
@@ -113,19 +119,55 @@ void edit_document(std::string_view text) {
                       {"newName", "another"},
                       {"query", ""}});
   }
+}
+
+std::string text_of(const Talk& talk, std::string_view uri) {
+  return talk.server.workspace().document(std::string(uri.substr(kFolder)))->text;
+}
+
+/// Deletes a part and puts another part of the text there, sometimes many times.
+void edit(Talk& talk, std::string_view uri, std::minstd_rand& random) {
+  const std::string text = text_of(talk, uri);
+  const std::size_t lines = count_lines(text);
   const std::size_t from = text.empty() ? 0 : random() % text.size();
-  const std::string inserted(text.substr(from, random() % 40));
+  const std::string part = text.substr(from, random() % 40);
+  std::string inserted;
+  const std::size_t times = random() % 50 == 0 ? 2000 : 1;
+  for (std::size_t i = 0; i < times; ++i) inserted += part;
   talk.tell("textDocument/didChange",
             {{"textDocument", {{"uri", uri}, {"version", 2}}},
              {"contentChanges",
               {{{"range", {{"start", place(random, lines)}, {"end", place(random, lines)}}},
                 {"text", inserted}}}}});
   talk.server.rest();
+}
+
+void require_as_fresh(Talk& talk) {
   Talk fresh;
-  fresh.open(kMain, main);
-  fresh.open(uri, talk.server.workspace().document(path)->text);
+  for (const std::string_view uri : kUris) fresh.open(std::string(uri), text_of(talk, uri));
   fresh.server.rest();
-  require(talk.found[uri] == fresh.found[uri], "an edit changes what a fresh check finds");
+  for (const std::string_view uri : kUris) {
+    require(talk.found[std::string(uri)] == fresh.found[std::string(uri)],
+            "an edit changes what a fresh check finds");
+  }
+}
+
+void edit_document(std::string_view text) {
+  const bool is_xml = text.starts_with('<');
+  const std::string uri = is_xml ? kUrdf : kMotors;
+  const std::string other = is_xml ? kMotors : kUrdf;
+  std::minstd_rand random(static_cast<unsigned>(text.size() * 31 + count_lines(text)));
+  Talk talk;
+  talk.open(kMain, "files: [r.urdf, a.yml]\n");
+  talk.open(uri, text);
+  talk.open(other, is_xml ? kSomeMotors : kSomeRobot);
+  talk.server.rest();
+  ask_everything(talk, uri, count_lines(text), random);
+  // What does not change is parsed for the last time in the second check after a change.
+  for (const std::string& edited : {other, other, uri}) edit(talk, edited, random);
+  require_as_fresh(talk);
+  for (const std::string& edited : {uri, other}) edit(talk, edited, random);
+  require_as_fresh(talk);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@ A model or scene of several files becomes one text, with a line `%%% NAME` befor
 """
 import hashlib
 import io
+import json
 import pathlib
 import sys
 import zipfile
@@ -22,6 +23,8 @@ def main() -> None:
         if len(data) <= LARGEST:
             (out / target / hashlib.sha1(data).hexdigest()[:16]).write_bytes(data)
 
+    for data in streams():
+        add("lsp", data)
     for path in sorted(fixtures.rglob("*")):
         if not path.is_file() or "crashes" in path.parts:
             continue
@@ -42,6 +45,34 @@ def main() -> None:
             add("scene", bundle(path, path.parent, "s.smurfs"))
             for method in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
                 add("archives", archive(path.parent, method))
+
+
+def streams() -> list[bytes]:
+    """Messages to the language server: a session, one with requests too early, and malformed ones."""
+    uri = {"uri": "file:///nowhere-at-all/r.urdf"}
+    place = {"line": 0, "character": 20}
+    messages = [
+        {"id": 1, "method": "initialize", "params": {"capabilities": {}}},
+        {"method": "initialized", "params": {}},
+        {"method": "textDocument/didOpen", "params": {"textDocument": {
+            **uri, "version": 1, "text": '<robot name="r"><link name="a"/></robot>'}}},
+        {"method": "textDocument/didChange", "params": {"textDocument": {**uri, "version": 2}, "contentChanges": [
+            {"range": {"start": place, "end": {"line": 9, "character": 9}}, "text": "<link "}]}},
+        {"id": 2, "method": "textDocument/completion", "params": {"textDocument": uri, "position": place}},
+        {"id": "3", "method": "textDocument/rename", "params": {"textDocument": uri, "position": place, "newName": "b"}},
+        {"method": "$/cancelRequest", "params": {"id": 2}},
+        {"method": "textDocument/didClose", "params": {"textDocument": uri}},
+        {"id": 4, "method": "shutdown"},
+        {"method": "exit"},
+    ]
+
+    def framed(content: bytes) -> bytes:
+        return b"Content-Length: %d\r\n\r\n%b" % (len(content), content)
+
+    whole = [framed(json.dumps({"jsonrpc": "2.0", **one}).encode()) for one in messages]
+    malformed = [framed(b"{"), framed(b"[[[["), framed(b"\xff"), b"Content-Length: 99\r\n\r\n{}",
+                 b"Content-Length: -1\r\n\r\n{}"]
+    return [b"".join(whole), b"".join(whole[2:]), *(b"".join([*whole[:3], one, *whole[4:]]) for one in malformed)]
 
 
 def archive(folder: pathlib.Path, method: int) -> bytes:

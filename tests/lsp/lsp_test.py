@@ -150,12 +150,6 @@ class Diagnostics(LspTest):
         stray = self.write("workflow.yml", "motors:\n- {name: 1\n")
         self.assertEqual(self.open(stray), [])
 
-    def test_tags(self):
-        robot = '<robot name="r"><link name="a"><self_filter/></link><bogus_thing/></robot>\n'
-        found = self.open(self.write("r.urdf", robot))
-        for one in found:
-            self.assertTrue(set(one.get("tags", [1])) == {1}, one)
-
     def test_files_change(self):
         self.open(self.motors)
         text = self.urdf.read_text().replace('<joint name="joint1_waist"', '<joint name="other"')
@@ -184,6 +178,25 @@ class Pulled(LspTest):
         again = self.client.of("textDocument/diagnostic", self.urdf, previousResultId=report["resultId"])
         self.assertEqual(again["kind"], "unchanged")
         self.assertEqual(self.client.diagnostics, {})
+
+    def tags_of(self, rule):
+        """Of the findings of a rule in its fixture."""
+        folder = next((FIXTURES / "rules").glob(f"{rule}-*")) / "bad"
+        main = (sorted(folder.glob("*.smurf*")) + sorted(folder.glob("*.urdf")))[0]
+        self.client.open(main)
+        report = self.client.of("textDocument/diagnostic", main)
+        self.client.close(main)
+        found = report["items"] + [one for other in report.get("relatedDocuments", {}).values()
+                                   for one in other["items"]]
+        return {tuple(one.get("tags", ())) for one in found if one["code"] == rule}
+
+    def test_tags(self):
+        """`unnecessary` is what every known reader ignores, and nothing that has an effect."""
+        for rule in ("SML3104", "SML5208", "SML5209"):
+            self.assertEqual(self.tags_of(rule), {(1,)}, rule)
+        # An error; something else is built; ignored by some and refused by another; read by Drake alone.
+        for rule in ("SML3101", "SML1107", "SML2014", "SML1451"):
+            self.assertEqual(self.tags_of(rule), {()}, rule)
 
     def test_workspace(self):
         self.client.open(self.motors)
@@ -319,6 +332,57 @@ class Names(LspTest):
         self.client.notify("workspace/didChangeWatchedFiles", {"changes": []})
         self.expect_soon(self.motors, [])
 
+    def test_rename_in_models_that_share_a_file(self):
+        """When each has a joint of its own that one list of motors names, the reason says so."""
+        robot = ('<robot name="r"><link name="a"/><link name="b"/><joint name="JOINT" type="continuous">'
+                 '<parent link="a"/><child link="b"/></joint></robot>\n')
+        for model in "ab":
+            self.write(f"shared/{model}.smurf", f"modelname: r\nfiles: [{model}.urdf, m.yml]\n")
+            self.write(f"shared/{model}.urdf", robot.replace("JOINT", "elbow"))
+        motors = self.write("shared/m.yml", "motors:\n- {name: m, joint: elbow}\n")
+        self.open(motors)
+        with self.assertRaisesRegex(client.RequestError, "there are two: the joint `elbow` of .*/a.urdf:1:62 and that "
+                                    "of .*/b.urdf:1:62$"):
+            self.client.at("textDocument/rename", motors, self.find(motors, "elbow") + 1, newName="knee")
+        # A name of the shared file itself is one, and so is a joint of a shared robot.
+        edit = self.client.at("textDocument/rename", motors, self.find(motors, "m, joint"), newName="drive")
+        self.assertEqual(self.applied(motors, edit), "motors:\n- {name: drive, joint: elbow}\n")
+        for model in "ab":
+            self.write(f"shared/{model}.smurf", f"modelname: r\nfiles: [a.urdf, {model}.yml]\n")
+            self.write(f"shared/{model}.yml", "motors:\n- {name: m, joint: elbow}\n")
+        own = self.folder / "shared/a.yml"
+        self.open(own)
+        edit = self.client.at("textDocument/rename", own, self.find(own, "elbow") + 1, newName="knee")
+        changed = {pathlib.Path(path_of(one["textDocument"]["uri"])).name for one in edit["documentChanges"]}
+        self.assertEqual(changed, {"a.urdf", "a.yml", "b.yml"})
+
+    def test_srdf(self):
+        """Alone in the editor: definition, references and another name."""
+        srdf = self.write("arm/srdf/arm.srdf", '<robot name="arm">\n  <group name="all"><joint name="joint1_waist"/>'
+                          '</group>\n  <disable_collisions link1="turret" link2="upper_arm" reason="Adjacent"/>\n'
+                          '</robot>\n')
+        self.client.close(self.motors)
+        self.client.open(srdf, language="xml")
+        at = self.find(srdf, "joint1_waist") + 3
+        places = self.client.at("textDocument/definition", srdf, at)
+        self.assertEqual([(path_of(one["uri"]), text_in(self.urdf.read_text(), one["range"])) for one in places],
+                         [(str(self.urdf), "joint1_waist")])
+        places = self.client.at("textDocument/references", srdf, self.find(srdf, "turret") + 3,
+                                context={"includeDeclaration": True})
+        self.assertLessEqual({srdf.name, "arm.urdf", "arm_collision.yml"},
+                             {pathlib.Path(path_of(one["uri"])).name for one in places})
+        edit = self.client.at("textDocument/rename", srdf, at, newName="waist")
+        self.assertEqual(self.applied(srdf, edit), self.client.texts[str(srdf)].replace("joint1_waist", "waist"))
+        changed = {pathlib.Path(path_of(one["textDocument"]["uri"])).name for one in edit["documentChanges"]}
+        self.assertLessEqual({srdf.name, "arm.urdf", "arm_motors.yml", "arm_sensors.yml"}, changed)
+        # And from the robot.
+        self.client.close(srdf)
+        self.open(self.urdf)
+        at = self.find(self.urdf, '<joint name="joint1_waist') + len('<joint name="')
+        edit = self.client.at("textDocument/rename", self.urdf, at, newName="waist")
+        self.assertIn(srdf.name, [pathlib.Path(path_of(one["textDocument"]["uri"])).name
+                                  for one in edit["documentChanges"]])
+
     def test_rename_in_a_scene(self):
         scene = self.folder / "nested/outer.smurfs"
         self.open(scene)
@@ -419,6 +483,7 @@ class Hover(LspTest):
         text = self.hover(self.motors, self.find(self.motors, "maxEffort") + 2)
         self.assertIn("`maxEffort` (motor)", text)
         self.assertIn("N m", text)
+        self.assertIn("Read by MARS", text)
         self.open(self.urdf)
         self.assertIn("Largest torque or force", self.hover(self.urdf, self.find(self.urdf, "effort=") + 1))
         self.assertIn("Limits of the joint", self.hover(self.urdf, self.find(self.urdf, "<limit") + 2))

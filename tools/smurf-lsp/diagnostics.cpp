@@ -26,6 +26,12 @@ int severity_of(Severity severity) {
   return 3;
 }
 
+/// Whether it is a fact about this rule, and not about all of a family.
+bool is_about(const Fact& fact, const Rule& rule) {
+  return std::any_of(rule.facts.begin(), rule.facts.end(),
+                     [&](const Fact& one) { return &one == &fact; });
+}
+
 /// Whether all that is known of readers is that they have no use for it.
 bool has_no_effect(const Diagnostic& diagnostic) {
   const std::vector<const Fact*> facts = facts_about(*diagnostic.rule);
@@ -35,7 +41,9 @@ bool has_no_effect(const Diagnostic& diagnostic) {
   is_ignored = false;
   for (const Reader* reader : all_readers()) {
     const Fact* fact = find_fact(*reader, diagnostic);
-    if (fact == nullptr || fact->effect == Effect::takes) continue;
+    if (fact == nullptr) continue;
+    if (fact->effect == Effect::takes && is_about(*fact, *diagnostic.rule)) return false;
+    if (fact->effect == Effect::takes) continue;  // it never looks at such things
     if (fact->effect != Effect::ignores) return false;
     is_ignored = true;
   }

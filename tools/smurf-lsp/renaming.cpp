@@ -3,6 +3,14 @@
 #include "smurf-lsp/capabilities.hpp"
 
 namespace smurf::lsp {
+namespace {
+
+/// Without what it advises on a command line, where files are named.
+std::string reason(const std::string& problem) {
+  return problem.substr(0, problem.find("; name "));
+}
+
+}  // namespace
 
 Json prepare_rename(Context& context, const Json& params) {
   for (const PlaceView& place : places_in(context, params)) {
@@ -21,7 +29,8 @@ Json rename(Context& context, const Json& params) {
     if (named == nullptr || !named->is_known()) continue;
     const Renamed renamed = context.workspace.rename(place.view.part, *named, to);
     if (!renamed.problems.empty()) {
-      throw RequestError(kRequestFailed, "nothing was renamed: " + renamed.problems.front());
+      throw RequestError(kRequestFailed,
+                         "nothing was renamed: " + reason(renamed.problems.front()));
     }
     return workspace_edit(context, renamed.edits, context.workspace.loaded_sources());
   }

@@ -76,6 +76,54 @@ void add_views(const LinkedScene& scene, const std::string& path, const SourceMa
   for (const LinkedModel& model : scene.models) add_views(model, path, sources, view, views);
 }
 
+using Files = std::map<std::string, std::string>;  ///< by identity: a path
+
+bool reads_one(const tools::LoadedNames::Part& part, const Files& files) {
+  return std::any_of(files.begin(), files.end(),
+                     [&](const auto& file) { return part.read.contains(file.first); });
+}
+
+/// The files where a name stands in models and scenes that read the first file; and since others
+/// may read these files, too, those where it stands in the others.
+Files files_to_change(const tools::LoadedNames& loaded, const std::string& first,
+                      const Rename& rename, const SourceMap& sources) {
+  std::vector<Files> places;  // by part
+  for (const std::vector<Reference>& names : loaded.names()) {
+    Files& files = places.emplace_back();
+    for (const Reference& one : names) {
+      if (one.kind != rename.kind || one.name != rename.from) continue;
+      const std::string& path = sources.path(one.span.source);
+      files.emplace(tools::identity(path), path);
+    }
+  }
+  Files all{{tools::identity(first), first}};
+  for (std::size_t before = 0; before != all.size();) {
+    before = all.size();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (reads_one(loaded.parts()[i], all)) all.insert(places[i].begin(), places[i].end());
+    }
+  }
+  return all;
+}
+
+/// What is planned and reads one of the files.
+Plan readers_of(const Files& files, const Plan& all, const tools::LoadedNames& loaded) {
+  Plan those;
+  those.configs = all.configs;
+  std::size_t part = 0;
+  const auto keep = [&](const std::vector<PlannedFile>& from, std::vector<PlannedFile>& to) {
+    for (const PlannedFile& file : from) {
+      if (reads_one(loaded.parts()[part++], files)) to.push_back(file);
+    }
+  };
+  keep(all.scenes, those.scenes);
+  keep(all.models, those.models);
+  for (const PlannedFile& file : all.strays) {
+    if (files.contains(tools::identity(file.path))) those.strays.push_back(file);
+  }
+  return those;
+}
+
 }  // namespace
 
 bool is_same_thing(const Reference& a, const Reference& b) {
@@ -158,13 +206,17 @@ tools::LintPlan Workspace::make_plan(const std::vector<std::string>& paths) cons
   return tools::make_plan(options, files);
 }
 
-const Plan& Workspace::plan() {
-  if (plan_) return *plan_;
+std::vector<std::string> Workspace::checkable_documents() const {
   std::vector<std::string> paths;
   for (const auto& [path, document] : documents_) {
     if (is_checkable(path)) paths.push_back(path);
   }
-  plan_ = make_plan(paths);
+  return paths;
+}
+
+const Plan& Workspace::plan() {
+  if (plan_) return *plan_;
+  plan_ = make_plan(checkable_documents());
   for (const auto& [path, document] : documents_) {
     auto& configs = plan_->configs;
     if (!is_config(path) || std::find(configs.begin(), configs.end(), path) != configs.end()) {
@@ -217,9 +269,29 @@ Workspace::Definitions Workspace::definitions() {
   return found;
 }
 
+/// Where packages keep them, as LoadedNames looks for SRDF files.
+std::vector<std::string> Workspace::robots_of_srdfs() const {
+  std::vector<std::string> robots;
+  for (const auto& [path, document] : documents_) {
+    if (path::extension(path) != ".srdf") continue;
+    const std::string own(path::parent(path));
+    for (const std::string& folder :
+         {own, path::join(own, "../urdf"), path::join(own, "../robots")}) {
+      for (const std::string& name : DiskFiles().list(folder)) {
+        if (path::extension(name) == ".urdf") robots.push_back(path::join(folder, name));
+      }
+    }
+  }
+  return robots;
+}
+
 void Workspace::load() {
   session_.forget_loaded();
   Plan all = plan();
+  if (std::vector<std::string> paths = robots_of_srdfs(); !paths.empty()) {
+    for (const std::string& open : checkable_documents()) paths.push_back(open);
+    all = make_plan(paths);
+  }
   for (const auto& [path, document] : documents_) {
     const bool is_tree = is_checkable(path) || is_config(path);
     if (is_tree && input_kind(path) != InputKind::scene) all.strays.push_back({path, 0});
@@ -277,38 +349,32 @@ std::string Workspace::place_of_definition(std::size_t part, const Reference& re
   return loaded_sources().path(reference.span.source);
 }
 
-/// All models and scenes of the folders and around the file, that read it.
-Plan Workspace::plan_of_rename(const std::string& defined_in) {
-  std::vector<std::string> paths = folders_;
-  for (const auto& [open, document] : documents_) {
-    if (is_checkable(open)) paths.push_back(open);
-  }
+Plan Workspace::plan_of_rename(const std::string& defined_in, const Rename& rename) {
+  std::vector<std::string> paths = checkable_documents();
+  paths.insert(paths.end(), folders_.begin(), folders_.end());
+  paths.push_back(defined_in);
   tools::ModelsAround around(files());
   for (const std::string& model : around.listing(defined_in)) paths.push_back(model);
-  const Plan all = make_plan(paths);
   CheckSettings settings = settings_of_check();
   settings.opens_meshes = false;
-  const tools::LoadedNames loaded(all, settings, session_);
-  const std::string wanted = tools::identity(defined_in);
-  Plan those;
-  those.configs = all.configs;
-  std::size_t part = 0;
-  const auto keep = [&](const std::vector<PlannedFile>& from, std::vector<PlannedFile>& to) {
-    for (const PlannedFile& file : from) {
-      if (loaded.parts()[part++].read.contains(wanted)) to.push_back(file);
+  while (true) {
+    const Plan all = make_plan(paths);
+    const tools::LoadedNames loaded(all, settings, session_);
+    const auto files = files_to_change(loaded, defined_in, rename, session_.loaded_sources());
+    const std::size_t before = paths.size();
+    for (const auto& [identity, path] : files) {
+      for (const std::string& model : around.listing(path)) {
+        const bool is_asked_for = std::find(paths.begin(), paths.end(), model) != paths.end();
+        if (!is_asked_for && !loaded.has_read(model)) paths.push_back(model);
+      }
     }
-  };
-  keep(all.scenes, those.scenes);
-  keep(all.models, those.models);
-  for (const PlannedFile& file : all.strays) {
-    if (tools::identity(file.path) == wanted) those.strays.push_back(file);
+    if (paths.size() == before) return readers_of(files, all, loaded);
   }
-  return those;
 }
 
 Renamed Workspace::rename(std::size_t part, const Reference& reference, const std::string& to) {
   const Rename rename{reference.kind, std::string(reference.name), to};
-  const Plan plan = plan_of_rename(place_of_definition(part, reference));
+  const Plan plan = plan_of_rename(place_of_definition(part, reference), rename);
   Renamed renamed =
       tools::rename_planned(plan, settings_of_check(), std::span(&rename, 1), session_);
   for (const FixedText& file : renamed.texts) changed_.push_back(file.path);

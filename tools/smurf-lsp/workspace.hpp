@@ -94,12 +94,16 @@ class Workspace {
 
  private:
   tools::LintPlan make_plan(const std::vector<std::string>& paths) const;
+  std::vector<std::string> checkable_documents() const;
+  /// The URDF files that open SRDF files may be about.
+  std::vector<std::string> robots_of_srdfs() const;
   const Plan& plan();
   void put_texts();
   void load();
   void touch(const std::string& path);
   std::string place_of_definition(std::size_t part, const Reference& reference);
-  Plan plan_of_rename(const std::string& defined_in);
+  /// The models and scenes that a new name concerns.
+  Plan plan_of_rename(const std::string& defined_in, const Rename& rename);
 
   std::vector<std::string> folders_;
   std::map<std::string, OpenDocument> documents_;  ///< by path

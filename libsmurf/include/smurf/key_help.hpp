@@ -31,6 +31,7 @@ struct KeyHelp {
   std::string_view value{};     ///< "a number"
   std::string_view unit{};      ///< "N m or N"; may be empty
   std::string_view fallback{};  ///< what is taken when it is absent, as JSON; may be empty
+  std::string_view read_by{};   ///< the programs, as text; may be empty
   bool required = false;
   ValueForm form = ValueForm::scalar;
   std::vector<std::string_view> choices = {};  ///< the only values; empty: any
@@ -64,7 +65,7 @@ std::optional<ElementHelp> element_help(std::string_view name);
 /// That of a document.
 std::string_view root_element();
 
-/// Meaning, value, unit and default; the first line is the name. Names stand in backticks.
+/// Meaning, value, unit, default and readers; the first line is the name. Names stand in backticks.
 std::vector<std::string> describe(const KeyHelp& help);
 
 /// All keys of this name: "maxEffort", or "motors.maxEffort" and "limit.effort" for one of them.

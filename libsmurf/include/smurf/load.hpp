@@ -28,6 +28,8 @@ struct ReadFiles {
   std::map<std::string, std::vector<std::string>> lists = {};
 };
 
+class ParsedFiles;
+
 /// Everything that loading needs. All of it must outlive the result.
 struct LoadContext {
   SourceMap& sources;
@@ -41,6 +43,7 @@ struct LoadContext {
   const UserSchemas* schemas = nullptr;  ///< of the user's own sections and entity types
   /// Shared by all models in memory at the same time.
   std::shared_ptr<ReadFiles> read = std::make_shared<ReadFiles>();
+  ParsedFiles* parsed = nullptr;  ///< by an earlier load; may be null
 };
 
 /// Loads a .smurf, a .urdf, or an annotation file alone. Reports all mistakes and returns

@@ -76,11 +76,15 @@ class ShapeChecker {
       const std::uint64_t bit = std::uint64_t{1} << i;
       is_repeated = is_repeated || (spec.children[i].single && (seen & bit) != 0);
       seen |= bit;
-      if (const ElementSpec* known = urdf::find_element_spec(child.name())) {
-        this->element(child, *known);
-      }
+      if (const ElementSpec* known = spec_of(spec.children[i])) this->element(child, *known);
     }
     if (is_repeated) repeated(element, spec);
+  }
+
+  const ElementSpec* spec_of(const ChildSpec& child) {
+    const auto [known, is_new] = specs_.try_emplace(&child);
+    if (is_new) known->second = urdf::find_element_spec(child.name);
+    return known->second;
   }
 
   /// Nothing is unknown and nothing is missing: nearly every element.
@@ -318,6 +322,7 @@ class ShapeChecker {
   };
 
   DiagnosticSink& sink_;
+  std::unordered_map<const ChildSpec*, const ElementSpec*> specs_;  ///< of children, once found
   std::vector<Foreign> foreign_;
   std::unordered_map<std::string, std::size_t> foreign_by_message_;
 };

@@ -25,10 +25,11 @@ constexpr std::string_view next_word(std::string_view text, std::size_t& at) {
   return text.substr(begin, at - begin);
 }
 
-/// `a == b` without a call where the size or the first byte differs, as in most comparisons of a
-/// look-up.
+/// `a == b` without a call where the size, the first or the last byte differs, as in most
+/// comparisons of a look-up: of `ixx` and `ixy` it is the last.
 constexpr bool is_same(std::string_view a, std::string_view b) {
-  return a.size() == b.size() && (a.empty() || (a.front() == b.front() && a == b));
+  return a.size() == b.size() &&
+         (a.empty() || (a.front() == b.front() && a.back() == b.back() && a == b));
 }
 
 }  // namespace smurf

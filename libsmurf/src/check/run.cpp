@@ -17,6 +17,8 @@
 namespace smurf {
 namespace {
 
+constexpr std::size_t kMostParsed = 16U << 20U;  // bytes of texts; trees take about five times that
+
 void shift(Diagnostic& diagnostic, const SourceShift& by) {
   diagnostic.span = by(diagnostic.span);
   for (Label& label : diagnostic.labels) label.span = by(label.span);
@@ -122,6 +124,8 @@ class Run {
   void remember(const std::vector<const PlannedFile*>& planned, std::vector<Outcome>&& outcomes) {
     for (std::size_t i = 0; i < planned.size(); ++i) {
       if (outcomes[i].answers.empty()) continue;  // not checked: there was no room
+      parsed_bytes_ += outcomes[i].parsed.bytes();
+      if (parsed_bytes_ > kMostParsed) outcomes[i].parsed = {};
       memory_.outcomes[planned[i]->path] = std::move(outcomes[i]);
       used_.insert(planned[i]->path);
     }
@@ -160,6 +164,7 @@ class Run {
       if (is_unchanged(known->second.answers, *workshop_.snapshot)) {
         return std::move(known->second);
       }
+      outcome.parsed = std::move(known->second.parsed);
       keep_meshes(std::move(known->second), outcome);
     }
     Recorder recorder(*workshop_.snapshot);
@@ -193,29 +198,33 @@ class Run {
                         settings_.package_folders,
                         settings_.opens_meshes ? &meshes : nullptr,
                         &group.config.schemas};
+    if (is_remembering()) context.parsed = &outcome.parsed;
     const InputKind kind = input_kind(planned.path);
     if (kind == InputKind::scene || kind == InputKind::drawing) {
-      const LinkedScene scene = load_scene(planned.path, context);
+      LinkedScene scene = load_scene(planned.path, context);
       load_old_scenes(scene, context);  // for what is wrong with them
+      outcome.parsed.end_loading(outcome.sources, sink.diagnostics());
       outcome.judged = judge(scene, outcome.sources, group.selection, sink);
-      for (const LinkedModel& model : scene.models) note_files(model, outcome);
+      for (LinkedModel& model : scene.models) take_files(std::move(model), outcome);
       for (const SceneFile& file : scene.scenes) {
         outcome.scenes.insert(identity(file.path, workshop_.desk.paths, workshop_.desk.files));
       }
     } else {
-      const LinkedModel model = load_model(planned.path, context);
+      LinkedModel model = load_model(planned.path, context);
+      outcome.parsed.end_loading(outcome.sources, sink.diagnostics());
       outcome.judged = judge(model, outcome.sources, group.selection, sink);
-      note_files(model, outcome);
+      take_files(std::move(model), outcome);
     }
   }
 
-  void note_files(const LinkedModel& model, Outcome& outcome) const {
+  void take_files(LinkedModel&& model, Outcome& outcome) const {
     outcome.models.insert(identity(model.path, workshop_.desk.paths, workshop_.desk.files));
     outcome.read.insert(identity(model.path, workshop_.desk.paths, workshop_.desk.files));
     for (const ModelFile& file : model.files) {
       outcome.read.insert(
           identity(outcome.sources.path(file.source), workshop_.desk.paths, workshop_.desk.files));
     }
+    if (is_remembering()) outcome.parsed.keep(std::move(model));
   }
 
   /// Notes what was read for an outcome. Thousands of models may share one large URDF, and each
@@ -290,6 +299,7 @@ class Run {
   std::uint64_t count_found_ = 0;                 ///< before settings and comments are applied
   bool is_over_ = false;                          ///< what is left is not checked
   std::set<std::string> used_;                    ///< of the outcomes in the memory
+  std::size_t parsed_bytes_ = 0;                  ///< of the texts whose trees are kept
   std::atomic<std::size_t> done_ = 0;
   std::size_t expected_ = 0;
 };

@@ -15,6 +15,7 @@
 #include "check/group.hpp"
 #include "check/pipeline.hpp"
 #include "check/snapshot.hpp"
+#include "link/parsed_files.hpp"
 
 namespace smurf {
 
@@ -24,8 +25,9 @@ struct Outcome {
   Judged judged;
   std::set<std::string> models, scenes, read;  ///< by identity
   MeshLibrary meshes;                          ///< that were opened for it
-  Recorder::Answers answers;                   ///< that it depends on
-  std::size_t config = 0;                      ///< as PlannedFile::config
+  ParsedFiles parsed;
+  Recorder::Answers answers;  ///< that it depends on
+  std::size_t config = 0;     ///< as PlannedFile::config
 };
 
 /// What a check leaves to the next one.

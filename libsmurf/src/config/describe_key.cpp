@@ -19,6 +19,7 @@ std::vector<std::string> describe(const KeyHelp& help) {
     lines.push_back("One of " + words);
   }
   if (!help.fallback.empty()) lines.push_back("Absent, it is " + quoted(help.fallback));
+  if (!help.read_by.empty()) lines.push_back("Read by " + std::string(help.read_by));
   return lines;
 }
 

@@ -2,6 +2,7 @@
 #include "smurf/key_help.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "ast/model_reader.hpp"
 #include "ast/scene_keys.hpp"
@@ -48,9 +49,12 @@ NameKinds kinds_of(const KeySpec& spec) {
              : NameKind::joint | NameKind::motor | NameKind::link | NameKind::collision;
 }
 
-KeyHelp help_of(const KeySpec& spec, std::string_view owner) {
-  KeyHelp help{std::string(owner), std::string(spec.name), spec.doc,     describe(spec.type),
-               spec.unit,          spec.fallback,          spec.required};
+/// `read_by` is who reads what the key is in.
+KeyHelp help_of(const KeySpec& spec, std::string_view owner, std::string_view read_by = {}) {
+  KeyHelp help{std::string(owner), std::string(spec.name), spec.doc, describe(spec.type),
+               spec.unit,          spec.fallback};
+  help.read_by = spec.read_by.empty() ? read_by : spec.read_by;
+  help.required = spec.required;
   help.form = form_of(spec.type);
   help.choices.assign(spec.choices.begin(), spec.choices.end());
   if (spec.type == ValueType::boolean) help.choices.assign(kBooleans, std::end(kBooleans));
@@ -67,6 +71,7 @@ struct Place {
   std::vector<const KeySpec*> keys;
   const SectionSpec* section = nullptr;  ///< its value, before an entry is chosen
   const KeySpec* key = nullptr;          ///< whose value it is
+  std::string_view read_by = {};         ///< of the section or key around it
 };
 
 std::vector<const KeySpec*> rows_of(std::span<const KeySpec> table) {
@@ -84,11 +89,11 @@ const KeySpec* find_row(const Place& place, std::string_view name) {
 Place value_of(const KeySpec& row) {
   const bool is_list = row.type == ValueType::list;
   return {row.name, is_list ? std::vector<const KeySpec*>() : rows_of(row.members.keys()), nullptr,
-          &row};
+          &row, row.read_by};
 }
 
 Place value_of(const SectionSpec& section) {
-  Place place{section.entry, {}, &section, nullptr};
+  Place place{section.entry, {}, &section, nullptr, section.read_by};
   if (section.form == SectionForm::list_or_mapping) place.keys = section.keys();
   return place;
 }
@@ -133,13 +138,16 @@ Place step_into(const Place& place, std::string_view step, KeyLanguage language,
 Place place_at(KeyLanguage language, std::span<const std::string> path) {
   Place place = root_of(language);
   for (std::size_t i = 0; i < path.size(); ++i) {
-    place = step_into(place, path[i], language, i == 0);
+    Place next = step_into(place, path[i], language, i == 0);
+    if (next.read_by.empty()) next.read_by = place.read_by;
+    place = std::move(next);
   }
   return place;
 }
 
 KeyHelp help_of(const SectionSpec& section, std::string_view name) {
   KeyHelp help{"section", std::string(name), section.doc, "a list of mappings"};
+  help.read_by = section.read_by;
   help.form = ValueForm::list;
   if (section.form == SectionForm::named) help.form = ValueForm::mapping;
   return help;
@@ -227,8 +235,9 @@ std::vector<KeyHelp> settings_in(std::span<const std::string> path) {
 }
 
 KeyHelp help_of(const urdf::AttributeSpec& attribute, std::string_view element) {
-  KeyHelp help{std::string(element), std::string(attribute.name), attribute.doc,     "a text",
-               attribute.unit,       attribute.fallback,          attribute.required};
+  KeyHelp help{std::string(element), std::string(attribute.name), attribute.doc, "a text",
+               attribute.unit,       attribute.fallback};
+  help.required = attribute.required;
   help.choices.assign(attribute.values.begin(), attribute.values.end());
   help.names = attribute.names;
   help.is_path = attribute.name == "filename";
@@ -242,7 +251,7 @@ void for_each_key(const Visit& visit) {
   for (const SectionSpec* section : all_sections()) {
     visit(std::string_view(), help_of(*section, section->name));
     for (const KeySpec* spec : section->keys()) {
-      visit(section->name, help_of(*spec, section->entry));
+      visit(section->name, help_of(*spec, section->entry, section->read_by));
     }
   }
   for (const Key<Model>& key : main_keys()) visit("smurf", help_of(key.spec, "main file"));
@@ -286,7 +295,7 @@ std::vector<KeyHelp> keys_in(KeyLanguage language, std::span<const std::string> 
   if (language == KeyLanguage::configuration) return settings_in(path);
   std::vector<KeyHelp> keys;
   const Place place = place_at(language, path);
-  for (const KeySpec* spec : place.keys) keys.push_back(help_of(*spec, place.owner));
+  for (const KeySpec* spec : place.keys) keys.push_back(help_of(*spec, place.owner, place.read_by));
   if (place.key != nullptr && place.keys.empty()) {
     for (const std::string_view part : components_of(place.key->type)) {
       keys.push_back({std::string(place.key->name), std::string(part), {}, "a number"});
@@ -309,7 +318,8 @@ std::optional<KeyHelp> key_help(KeyLanguage language, std::span<const std::strin
   const auto around = path.first(path.size() - 1);
   if (language != KeyLanguage::configuration) {
     const Place place = place_at(language, around);
-    if (const KeySpec* row = find_row(place, name)) return help_of(*row, place.owner);
+    if (const KeySpec* row = find_row(place, name))
+      return help_of(*row, place.owner, place.read_by);
     if (!place.keys.empty() || place.key == nullptr) return std::nullopt;
   }
   for (KeyHelp& help : keys_in(language, around)) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <span>
+#include <utility>
 
 #include "ast/model_reader.hpp"
 #include "ast/sections.hpp"
@@ -19,8 +20,10 @@
 #include "link/file_index.hpp"
 #include "link/kinematics.hpp"
 #include "link/mujoco_compiler.hpp"
+#include "link/parsed_files.hpp"
 #include "link/read_file.hpp"
 #include "link/resources.hpp"
+#include "link/sections_of.hpp"
 #include "smurf/load.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/yaml_reader.hpp"
@@ -39,23 +42,7 @@ void append(std::vector<T>& to, std::vector<T>&& from) {
 
 /// Lists are concatenated in the order of the files; mappings keep all their files.
 void merge(Annotations& to, Annotations&& from) {
-  append(to.materials, std::move(from.materials));
-  append(to.motors, std::move(from.motors));
-  append(to.sensors, std::move(from.sensors));
-  append(to.controllers, std::move(from.controllers));
-  append(to.collisions, std::move(from.collisions));
-  append(to.visuals, std::move(from.visuals));
-  append(to.links, std::move(from.links));
-  append(to.nodes, std::move(from.nodes));
-  append(to.joints, std::move(from.joints));
-  append(to.lights, std::move(from.lights));
-  append(to.graphics, std::move(from.graphics));
-  append(to.poses, std::move(from.poses));
-  append(to.submechanisms, std::move(from.submechanisms));
-  append(to.exoskeletons, std::move(from.exoskeletons));
-  append(to.interfaces, std::move(from.interfaces));
-  append(to.submodels, std::move(from.submodels));
-  append(to.custom, std::move(from.custom));
+  for_each_section(to, from, [](auto& list, auto& added) { append(list, std::move(added)); });
 }
 
 /// MARS reads .yml only, which a rule reports; Phobos reads the others too.
@@ -84,11 +71,19 @@ class ModelLoader {
   }
 
  private:
-  std::optional<yaml::Document> parse(SourceId source, ModelFile::Kind kind) {
-    auto document = parse_yaml(context_.sources, source, context_.limits, context_.sink);
+  std::optional<yaml::Document> parse(SourceId source, const SourceMap& home) {
+    auto document = parse_yaml(home, source, context_.limits, context_.sink);
     if (!document) model_.is_complete = false;
-    model_.files.push_back({kind, source, std::nullopt});
     return document;
+  }
+
+  /// What an earlier check has parsed.
+  ParsedFiles::File* known_file(SourceId source) {
+    return context_.parsed != nullptr ? context_.parsed->find(context_.sources, source) : nullptr;
+  }
+  const SourceMap& home_of(SourceId source) {
+    return context_.parsed != nullptr ? context_.parsed->home_of(context_.sources, source)
+                                      : context_.sources;
   }
 
   /// The limit, and less where most of them are empty: an entry takes up to 2 kB of memory, and
@@ -145,7 +140,8 @@ class ModelLoader {
       model_.is_complete = false;
       return;
     }
-    auto document = parse(*source, ModelFile::Kind::main);
+    model_.files.push_back({ModelFile::Kind::main, *source, std::nullopt});
+    auto document = parse(*source, context_.sources);
     if (!document || !has_room(*document, *source)) return;
     auto main = read_model(*document, context_.sink);
     model_.files.back().document = std::move(document);
@@ -241,16 +237,25 @@ class ModelLoader {
       model_.is_complete = false;
       return;
     }
-    auto document = parse(*source, ModelFile::Kind::annotation);
+    model_.files.push_back({ModelFile::Kind::annotation, *source, std::nullopt});
+    ParsedFiles::File* known = known_file(*source);
+    auto document = known ? std::exchange(known->document, {}) : parse(*source, home_of(*source));
     if (!document || !has_room(*document, *source)) return;
     if (!model_.has_main && holds_templates(*document)) return;
-    auto annotations = read_annotations(*document, context_.sink);
+    auto annotations = known ? std::optional(std::exchange(known->annotations, {}))
+                             : read_annotations(*document, context_.sink);
     model_.files.back().document = std::move(document);
     if (annotations) {
       merge(model_.annotations, std::move(*annotations));
     } else {
       model_.is_complete = false;
     }
+  }
+
+  std::optional<urdf::Robot> parse_robot(SourceId source) {
+    auto document = parse_xml(home_of(source), source, context_.limits, context_.sink);
+    if (!document || !has_room(*document)) return std::nullopt;
+    return read_urdf(std::move(*document), context_.sink);
   }
 
   /// Several URDFs: the last one wins, as in MARS; a rule reports it.
@@ -260,10 +265,8 @@ class ModelLoader {
     model_.robot.reset();
     if (source) {
       model_.files.push_back({ModelFile::Kind::urdf, *source, std::nullopt});
-      auto document = parse_xml(context_.sources, *source, context_.limits, context_.sink);
-      if (document && has_room(*document)) {
-        model_.robot = read_urdf(std::move(*document), context_.sink);
-      }
+      ParsedFiles::File* known = known_file(*source);
+      model_.robot = known ? std::exchange(known->robot, {}) : parse_robot(*source);
     }
     if (!model_.robot) model_.is_complete = false;
   }

@@ -9,17 +9,20 @@
 namespace smurf::rules {
 namespace {
 
+bool is_shape_of(const urdf::ElementSpec& spec, std::string_view name) {
+  return std::ranges::count(spec.children, name, &urdf::ChildSpec::name) > 0 ||
+         (name != "verbose" && std::ranges::count(spec.extensions, name) > 0);
+}
+
 /// Any shape that some reader knows. A misspelt one is reported as such; to readers it is missing.
 bool has_shape(const LinkedModel& model, const urdf::Geometry& geometry, Findings& findings) {
   const urdf::ElementSpec& spec = *urdf::find_element_spec("geometry");
-  std::vector<std::string_view> shapes;
-  for (const urdf::ChildSpec& child : spec.children) shapes.push_back(child.name);
   const xml::View element(model.robot->document, geometry.element);
   for (const xml::View child : element) {
-    const bool is_vendors =  // `verbose` is no shape
-        child.name() != "verbose" && std::ranges::count(spec.extensions, child.name()) > 0;
-    if (is_vendors || std::ranges::count(shapes, child.name()) > 0) return true;
+    if (is_shape_of(spec, child.name())) return true;
   }
+  std::vector<std::string_view> shapes;
+  for (const urdf::ChildSpec& child : spec.children) shapes.push_back(child.name);
   for (const xml::View child : element) {
     if (!urdf::meant_name(child.name(), shapes)) continue;
     findings.add_consequence(child.name_span());

@@ -7,6 +7,10 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   NameTable visuals, collisions;
+  if (model.robot) {  // of robots as they mostly are
+    visuals.reserve(model.robot->links.size());
+    collisions.reserve(model.robot->links.size());
+  }
   std::vector<Span> places;
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (!use.name || use.name->empty()) return;

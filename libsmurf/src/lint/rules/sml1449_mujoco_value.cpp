@@ -51,7 +51,7 @@ bool is_readable(std::string_view name, std::string_view text) {
 void check_repeated(const xml::View parent, std::string_view name, Findings& findings) {
   bool is_first = true;
   for (const xml::View child : parent) {
-    if (child.name() != name) continue;
+    if (!is_same(child.name(), name)) continue;
     if (!is_first) {
       findings.report(child.name_span(), "a second " + quoted(name) + " in one " +
                                              quoted(parent.name()) + ", which MuJoCo refuses");

@@ -60,10 +60,11 @@ void check_hexadecimal(const LinkedModel& model, const urdf::Inertial& written,
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kMassReported = 1e-6;  // kg; such a mass is reported instead
   for_each_link(model, [&](const urdf::Link& link) {
-    if (link.inertial) check_hexadecimal(model, *link.inertial, findings);
-    if (!link.inertial || link.inertial->mass.value_or(0) <= kMassReported) return;
+    if (!link.inertial) return;
     const auto moments = principal_moments(*link.inertial);
-    if (!moments || !is_positive_definite(*moments) || (*moments)[0] >= kSmallest) return;
+    if (!moments) return check_hexadecimal(model, *link.inertial, findings);
+    if (link.inertial->mass.value_or(0) <= kMassReported) return;
+    if (!is_positive_definite(*moments) || (*moments)[0] >= kSmallest) return;
     if (triangle_excess(*moments) > kImpossibleExcess) return;  // SML1513
     findings
         .report(inertia_place(model, *link.inertial),

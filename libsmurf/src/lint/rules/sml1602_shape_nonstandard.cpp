@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/readers.hpp"
+#include "base/words.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf::rules {
@@ -13,12 +14,11 @@ void check_geometry(const LinkedModel& model, const urdf::Link& link,
                     const urdf::Geometry& geometry, Findings& findings) {
   if (geometry.shape_element == xml::kNoElement) return;
   const xml::View shape(model.robot->document, geometry.shape_element);
-  if (std::find(std::begin(kStandard), std::end(kStandard), shape.name()) != std::end(kStandard)) {
-    return;
-  }
+  const auto is_name = [&](std::string_view name) { return is_same(shape.name(), name); };
+  if (std::any_of(std::begin(kStandard), std::end(kStandard), is_name)) return;
   // What is no shape of any reader is an unknown element and reported as such.
   const std::string_view known[] = {"capsule", "plane", "cdf", "ellipsoid"};
-  if (std::find(std::begin(known), std::end(known), shape.name()) == std::end(known)) return;
+  if (std::none_of(std::begin(known), std::end(known), is_name)) return;
   findings.report(shape.name_span(), quoted(shape.name()) + " is no shape of URDF 1.0")
       .notes.push_back("urdfdom before 5.1 drops it and everything after it from " + title(link));
 }

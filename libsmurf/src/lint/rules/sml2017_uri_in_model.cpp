@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/readers.hpp"
+#include "base/words.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules {
@@ -9,7 +10,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const ModelFile& file : model.files) {
     if (!file.document) continue;
     for (const yaml::Node& node : file.document->nodes) {
-      if (node.key() != "URI" && node.key() != "URIs") continue;
+      if (!is_same(node.key(), "URI") && !is_same(node.key(), "URIs")) continue;
       Diagnostic& diagnostic = findings.report(
           node.key_span(), "MARS puts the keys of another file over those written here");
       const bool is_main = file.kind == ModelFile::Kind::main;

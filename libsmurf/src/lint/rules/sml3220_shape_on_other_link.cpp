@@ -38,9 +38,9 @@ void check_entries(const LinkedModel& model, const Entries& entries, NameKind ki
     if (!entry.name || !entry.link) continue;
     const auto owner = names(model, kind).find(*entry.name);
     const urdf::Link* link = model.find_link(*entry.link);
-    if (!owner || link == nullptr || shapes.has(*link, *entry.name)) continue;
+    if (!owner || link == nullptr) continue;
     const urdf::Link& other = model.robot->links[*owner];
-    if (!other.name) continue;
+    if (&other == link || !other.name || shapes.has(*link, *entry.name)) continue;
     const std::string shape(to_string(kind));
     Diagnostic& diagnostic = findings.report(
         entry.link.span, "the " + shape + " " + quoted(*entry.name) + " belongs to " +

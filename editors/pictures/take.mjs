@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Takes the pictures of docs/editors.md in a build of VS Code that runs in a browser.
+//
+//   editors/vscode/build
+//   editors/pictures/install build/pictures
+//   node editors/pictures/take.mjs build/pictures [PICTURE...]
+//
+// PICTURE: names of pictures; without any, all are taken.
+import { execFileSync, spawn } from "node:child_process";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
+
+const root = path.resolve(import.meta.dirname ?? path.dirname(process.argv[1]), "../..");
+const programs = path.resolve(process.argv[2] ?? "");
+const wanted = process.argv.slice(3);
+const puppeteer = createRequire(path.join(programs, "x.js"))("puppeteer-core").default;
+const address = "http://127.0.0.1:18765";
+const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+const kSettings = {
+  "breadcrumbs.enabled": false,
+  "editor.fontSize": 13,
+  "editor.minimap.enabled": false,
+  "editor.scrollbar.vertical": "hidden",
+  "extensions.ignoreRecommendations": true,
+  "security.workspace.trust.enabled": false,
+  "telemetry.telemetryLevel": "off",
+  "window.commandCenter": false,
+  "window.menuBarVisibility": "hidden",
+  "workbench.activityBar.location": "hidden",
+  "workbench.colorTheme": "Default Light Modern",
+  "workbench.editor.editorActionsLocation": "hidden",
+  "workbench.layoutControl.enabled": false,
+  "workbench.startupEditor": "none",
+  "workbench.statusBar.visible": false,
+  "workbench.tips.enabled": false,
+};
+
+const work = fs.mkdtempSync(path.join(os.tmpdir(), "robots-"));
+const model = path.join(work, "arm");
+fs.cpSync(path.join(root, "fixtures/models/arm"), model, { recursive: true });
+const motors = path.join(model, "smurf/arm_motors.yml");
+const sound = fs.readFileSync(motors, "utf8");
+const broken = sound.replace("joint: joint1_waist", "joint: joynt1_waist");
+const data = path.join(work, "data");
+fs.mkdirSync(path.join(data, "User"), { recursive: true });
+fs.writeFileSync(path.join(data, "User/settings.json"), JSON.stringify(kSettings));
+
+const entry = path.join(programs, "node_modules/code-server/lib/vscode/out/server-main.js");
+const common = ["--accept-server-license-terms", "--user-data-dir", data, "--server-data-dir", data,
+  "--extensions-dir", path.join(work, "extensions")];
+execFileSync("node", [entry, ...common, "--install-extension", path.join(root, "build/smurf.vsix")],
+  { stdio: ["ignore", "ignore", "inherit"] });
+const [host, port] = address.slice("http://".length).split(":");
+const server = spawn("node", [entry, ...common, "--without-connection-token", "--telemetry-level", "off",
+  "--host", host, "--port", port], { stdio: "ignore" });
+const browser = await puppeteer.launch({
+  executablePath: "/usr/bin/chromium", args: ["--no-sandbox"], defaultViewport: { width: 720, height: 400 } });
+const page = await browser.newPage();
+
+async function press(keys) {
+  const all = keys.split("+");
+  for (const key of all.slice(0, -1)) await page.keyboard.down(key);
+  await page.keyboard.press(all.at(-1));
+  for (const key of all.slice(0, -1).reverse()) await page.keyboard.up(key);
+  await pause(600);
+}
+
+/// Opens a file and waits until the editor shows `sign`, which is what the server has answered.
+async function open(file, sign) {
+  const payload = [["openFile", "vscode-remote://" + address.slice("http://".length) + path.join(model, file)]];
+  const query = "?folder=" + model + "&payload=" + encodeURIComponent(JSON.stringify(payload));
+  for (let tries = 60; ; --tries) {
+    try {
+      await page.goto(address + "/" + query, { timeout: 120000 });
+      break;
+    } catch (problem) {
+      if (tries === 0) throw problem;
+      await pause(1000);
+    }
+  }
+  await page.waitForSelector(".monaco-editor .view-line", { timeout: 120000 });
+  await pause(1500);
+  await hide("sidebar", "Control+KeyB");
+  await hide("auxiliarybar", "Control+Alt+KeyB");
+  await hide("panel", "Control+KeyJ");
+  if (sign) await page.waitForSelector(sign, { timeout: 60000 });
+  await pause(1500);
+}
+
+/// Hides a part of the window that the picture before may have shown.
+async function hide(part, keys) {
+  const isShown = await page.evaluate((name) => document.querySelector(".part." + name)?.offsetWidth > 0, part);
+  if (isShown) await press(keys);
+}
+
+async function run(command) {
+  await press("F1");
+  await page.keyboard.type(command);
+  await pause(700);
+  await press("Enter");
+}
+
+async function go(line, column) {
+  await press("Control+KeyG");
+  await page.keyboard.type(`${line}:${column}`);
+  await press("Enter");
+}
+
+/// Line and column of a text in a file, with the cursor in the middle of its last word.
+function place(file, text) {
+  const before = fs.readFileSync(path.join(model, file), "utf8").split(text)[0] + text;
+  const lines = before.split("\n");
+  return [lines.length, lines.at(-1).length - 3];
+}
+
+const kPictures = {
+  async findings() {
+    fs.writeFileSync(motors, broken);
+    await open("smurf/arm_motors.yml", ".squiggly-error");
+    await run("Problems: Focus on Problems View");
+    await pause(1500);
+  },
+  async fix() {
+    fs.writeFileSync(motors, broken);
+    await open("smurf/arm_motors.yml", ".squiggly-error");
+    await go(...place("smurf/arm_motors.yml", "joint: joynt1_waist"));
+    await press("Control+Period");
+    await pause(2000);
+  },
+  async hover() {
+    await open("smurf/arm_motors.yml");
+    await go(...place("smurf/arm_motors.yml", "joint: joint2_shoulder"));
+    await press("Control+KeyK");
+    await press("Control+KeyI");
+    await pause(2500);
+  },
+  async completion() {
+    await open("smurf/arm_motors.yml");
+    const [line, column] = place("smurf/arm_motors.yml", "joint: joint2_shoulder");
+    await go(line, column);
+    await press("End");
+    for (let i = 0; i < "2_shoulder".length; ++i) await page.keyboard.press("Backspace");
+    await press("Control+Space");
+    await pause(2500);
+  },
+  async references() {
+    await open("smurf/arm_motors.yml");
+    await go(...place("smurf/arm_motors.yml", "joint: joint1_waist"));
+    await press("Shift+F12");
+    await pause(3000);
+  },
+  async rename() {
+    await open("smurf/arm_motors.yml");
+    await go(...place("smurf/arm_motors.yml", "joint: joint1_waist"));
+    await press("F2");
+    await pause(1500);
+    await page.keyboard.type("waist");
+    await press("Control+Enter");  // shows the changes first
+    await pause(2000);
+    await run("View: Toggle Maximized Panel");
+    await pause(1500);
+  },
+  async hints() {
+    await open("urdf/arm.urdf");
+    await go(...place("urdf/arm.urdf", '<joint name="joint2_shoulder"'));
+    await pause(2500);
+  },
+  async symbols() {
+    await open("urdf/arm.urdf");
+    await go(...place("urdf/arm.urdf", '<link name="turret"'));
+    await press("Control+Shift+KeyO");
+    await pause(2500);
+  },
+};
+
+try {
+  for (const [name, take] of Object.entries(kPictures)) {
+    if (wanted.length > 0 && !wanted.includes(name)) continue;
+    fs.writeFileSync(motors, sound);
+    await take();
+    const file = path.join(root, "docs/editors", name + ".png");
+    await page.screenshot({ path: file });
+    execFileSync("pngquant", ["--force", "--ext", ".png", "--strip", "48", file]);
+    console.log(`${name}: ${fs.statSync(file).size} bytes`);
+  }
+} finally {
+  await browser.close();
+  server.kill();
+  fs.rmSync(work, { recursive: true, force: true });
+}
