@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/exact_math.hpp"
 #include "base/misread.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
@@ -130,7 +131,7 @@ class UsdaWriter {
   void add_physics() {
     if (!scene_.flat.physics.gravity) return;
     const Vector3& g = *scene_.flat.physics.gravity;
-    const double magnitude = std::hypot(g[0], g[1], g[2]);
+    const double magnitude = hypotenuse(g[0], g[1], g[2]);
     open("PhysicsScene", "Physics");
     if (magnitude > 0) {
       line("vector3f physics:gravityDirection = " +
