@@ -36,8 +36,10 @@ bool is_home(const fs::path& folder) {
   if (above == "/home" || above == "/Users" || folder == "/root") return true;
   static const fs::path home = [] {
     const char* variable = std::getenv("HOME");
+    // What an empty path is, the libraries do not agree on.
+    if (variable == nullptr || *variable == '\0') return fs::path();
     std::error_code error;
-    const fs::path found = fs::weakly_canonical(variable == nullptr ? "" : variable, error);
+    const fs::path found = fs::weakly_canonical(variable, error);
     return error ? fs::path() : found;
   }();
   return home.has_relative_path() && is_around(folder, home);

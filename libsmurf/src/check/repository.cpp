@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/canonical_paths.hpp"
+#include "base/ranges.hpp"
 
 namespace smurf {
 namespace {
@@ -39,7 +40,7 @@ bool leads_out(const fs::path& target, const std::optional<fs::path>& root) {
   const auto has_target = [&](std::string_view history) {
     return is_inside(target, *root / history);
   };
-  return target.empty() || !is_inside(target, *root) || std::ranges::any_of(kHistories, has_target);
+  return target.empty() || !is_inside(target, *root) || ranges::any_of(kHistories, has_target);
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ bool leads_out(const fs::path& target, const std::optional<fs::path>& root) {
 bool is_repository(const fs::path& folder) {
   std::error_code ignored;
   // A link counts wherever it leads: whether something is there is not for a checkout to ask.
-  return std::ranges::any_of(kHistories, [&](std::string_view history) {
+  return ranges::any_of(kHistories, [&](std::string_view history) {
     return fs::exists(fs::symlink_status(folder / history, ignored));
   });
 }

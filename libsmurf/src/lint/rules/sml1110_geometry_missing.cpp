@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ast/urdf_schema.hpp"
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
@@ -17,8 +18,8 @@ bool has_shape(const LinkedModel& model, const urdf::Geometry& geometry, Finding
   const xml::View element(model.robot->document, geometry.element);
   for (const xml::View child : element) {
     const bool is_vendors =  // `verbose` is no shape
-        child.name() != "verbose" && std::ranges::count(spec.extensions, child.name()) > 0;
-    if (is_vendors || std::ranges::count(shapes, child.name()) > 0) return true;
+        child.name() != "verbose" && ranges::contains(spec.extensions, child.name());
+    if (is_vendors || ranges::contains(shapes, child.name())) return true;
   }
   for (const xml::View child : element) {
     if (!urdf::meant_name(child.name(), shapes)) continue;
