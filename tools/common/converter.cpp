@@ -66,7 +66,8 @@ std::optional<std::string> Conversion::find_in(const std::string& folder) const 
 bool Conversion::is_accepted(const std::string& path) const {
   const InputKind kind = input_kind(path);
   const bool is_scene = kind == InputKind::scene || kind == InputKind::drawing;
-  if (!is_scene || std::ranges::find(kinds_, InputKind::scene) != kinds_.end()) return true;
+  if (!is_scene || std::find(kinds_.begin(), kinds_.end(), InputKind::scene) != kinds_.end())
+    return true;
   complain(tool_, "'" + path + "' is a scene; smurfs-flatten --format urdf exports it");
   return false;
 }

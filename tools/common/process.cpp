@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <climits>
 #include <csignal>
 #include <cstddef>
@@ -26,7 +27,7 @@ void prepare_streams() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   for (int descriptor = 0; descriptor <= 2; ++descriptor) {
-    if (::fcntl(descriptor, F_GETFD) != -1) continue;
+    if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
     // Opened the wrong way round, so that using it is still an error.
     [[maybe_unused]] const int filler = ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
   }

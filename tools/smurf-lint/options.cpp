@@ -115,7 +115,7 @@ Setter set_shard(Shard& shard) {
     if (!number || !count || *number < 1 || *number > *count) {
       return "'" + std::string(value) + "' is not K/N with K from 1 to N";
     }
-    shard = {static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)};
+    shard = {static_cast<std::uint64_t>(*number), static_cast<std::uint64_t>(*count)};
     return std::nullopt;
   };
 }

@@ -2,6 +2,7 @@
 // What the command line of smurf-lint says.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,8 +19,8 @@ namespace smurf::tools {
 
 /// Part `number` (from 1) of `count` parts of the files.
 struct Shard {
-  std::size_t number = 1;
-  std::size_t count = 1;
+  std::uint64_t number = 1;
+  std::uint64_t count = 1;
 };
 
 struct LintOptions {

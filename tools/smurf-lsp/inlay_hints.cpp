@@ -45,17 +45,12 @@ std::optional<std::string> degrees_of(std::string_view text, std::string_view un
   return label + (unit.starts_with("rad/s") ? " deg/s" : " deg");
 }
 
-const urdf::Joint* find_joint(const LinkedModel& model, std::string_view name) {
-  const auto found = model.joint_names.find(name);
-  return found && model.robot ? &model.robot->joints[*found] : nullptr;
-}
-
 /// The joint that an element belongs to.
 const urdf::Joint* joint_around(const LinkedModel& model, xml::View element) {
   for (; element; element = element.parent()) {
     if (element.name() != "joint") continue;
     const xml::Attribute* name = element.attribute("name");
-    return name != nullptr ? find_joint(model, name->value()) : nullptr;
+    return name != nullptr ? model.find_joint(name->value()) : nullptr;
   }
   return nullptr;
 }
@@ -65,7 +60,7 @@ const urdf::Joint* joint_of(const LinkedModel& model, yaml::View entry) {
   for (const char* key : {"joint", "name"}) {
     const yaml::View value = entry.find(key);
     if (!value || !value.is_scalar()) continue;
-    if (const urdf::Joint* joint = find_joint(model, value.text())) return joint;
+    if (const urdf::Joint* joint = model.find_joint(value.text())) return joint;
   }
   return nullptr;
 }

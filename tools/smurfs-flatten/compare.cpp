@@ -43,8 +43,8 @@ std::string row(const std::string& label, const std::optional<Pose>& pose) {
 }
 
 std::string distance(const Pose& a, const Pose& b) {
-  const double metres = std::hypot(a.position[0] - b.position[0], a.position[1] - b.position[1],
-                                   a.position[2] - b.position[2]);
+  const double metres = norm({0, a.position[0] - b.position[0], a.position[1] - b.position[1],
+                              a.position[2] - b.position[2]});
   const double degrees = angle_between(a.orientation, b.orientation) * 180 / std::numbers::pi;
   std::string text;
   if (metres > 1e-9) text += format_rounded(metres, 3) + " m";

@@ -39,9 +39,8 @@ long seek_memory(voidpf /*opaque*/, voidpf stream, ZPOS64_T offset, int origin) 
   const std::size_t base = origin == ZLIB_FILEFUNC_SEEK_CUR   ? file.at
                            : origin == ZLIB_FILEFUNC_SEEK_END ? file.bytes.size()
                                                               : 0;
-  const std::size_t target = base + static_cast<std::size_t>(offset);
-  if (target > file.bytes.size()) return -1;
-  file.at = target;
+  if (offset > file.bytes.size() - base) return -1;
+  file.at = base + static_cast<std::size_t>(offset);
   return 0;
 }
 

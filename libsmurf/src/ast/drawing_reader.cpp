@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
 #include "base/words.hpp"
@@ -182,7 +183,7 @@ class DrawingReader {
   /// MARS takes the angle of the first column and leaves out the rest.
   std::optional<Motion> matrix_motion(const xml::Attribute& transform,
                                       const std::vector<double>& m) {
-    const double length = std::hypot(m[0], m[1]);
+    const double length = hypotenuse(m[0], m[1]);
     if (!(length > 1e-9)) {
       refuse_transform(transform, "the matrix makes everything flat, so that no angle follows");
       return std::nullopt;
@@ -236,7 +237,7 @@ class DrawingReader {
     const Motion placed = *group.motion * Motion{1, 0, (*local)[0], (*local)[1]};
     entity.x = placed.x;
     entity.y = *width - placed.y;
-    entity.yaw = -std::atan2(placed.sine, placed.cosine) * 180 / std::numbers::pi;
+    entity.yaw = -arc_tangent(placed.sine, placed.cosine) * 180 / std::numbers::pi;
     const xml::Attribute* transform = group.element.attribute("transform");
     const bool is_moved = transform != nullptr && !transform->value_span().empty();
     entity.place = is_moved ? transform->value_span() : group.path.attribute("d")->value_span();

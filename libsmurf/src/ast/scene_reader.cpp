@@ -9,6 +9,7 @@
 #include "ast/scene_keys.hpp"
 #include "ast/sections.hpp"
 #include "ast/wrong_type.hpp"
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "base/rules.hpp"
 
@@ -88,7 +89,7 @@ class RotationReader {
   void check_length() {
     if (rotation_.form != RotationForm::quaternion) return;
     const auto& [w, x, y, z] = rotation_.values;
-    const double length = std::hypot(std::hypot(w, x), std::hypot(y, z));
+    const double length = hypotenuse(hypotenuse(w, x), hypotenuse(y, z));
     if (length > 1e-6 && length < 1e150) return;
     rotation_.form = RotationForm::invalid;
     sink_.report(rules::sml5003_zero_quaternion, rotation_.span,

@@ -4,10 +4,11 @@
 #include "ast/urdf_numbers.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <optional>
 #include <vector>
 
+#include "base/floating.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
@@ -295,9 +296,9 @@ std::optional<double> parse_hexadecimal(std::string_view text) {
   if (!text.starts_with("0x") && !text.starts_with("0X")) return std::nullopt;
   text.remove_prefix(2);
   double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value, std::chars_format::hex);
-  if (text.starts_with('-') || read.ec != std::errc() || read.ptr != end) return std::nullopt;
+  const auto read = read_hexadecimal(text, value);
+  const bool is_whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  if (!is_whole || text.starts_with('-') || !std::isfinite(value)) return std::nullopt;
   return is_negative ? -value : value;
 }
 

@@ -43,7 +43,7 @@ class RobotReader {
     // These are large, and vectors that grow hold twice what they need.
     const auto count = [&](std::string_view name) {
       return static_cast<std::size_t>(
-          std::ranges::count_if(root, [&](View child) { return is(child, name); }));
+          std::count_if(root.begin(), root.end(), [&](View child) { return is(child, name); }));
     };
     robot.links.reserve(count("link"));
     robot.joints.reserve(count("joint"));

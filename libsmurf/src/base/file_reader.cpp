@@ -43,11 +43,11 @@ FileContent read_all(const FoundFile& found, std::uint64_t max_bytes) {
   const Descriptor file(found.open());
   if (file.number() < 0) return failure(errno);
   const auto size = static_cast<std::uint64_t>(found.status().st_size);
-  if (size > max_bytes)
+  FileContent content{ReadStatus::ok, {}, {}};
+  if (size > max_bytes || size > content.text.max_size())
     return {ReadStatus::too_large, {}, "has " + std::to_string(size) + " bytes"};
 
-  FileContent content{ReadStatus::ok, {}, {}};
-  content.text.resize(size);
+  content.text.resize(static_cast<std::size_t>(size));
   std::size_t filled = 0;
   while (filled < content.text.size()) {
     const ssize_t count =

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "base/ranges.hpp"
 #include "base/utf8.hpp"
 
 namespace smurf {
@@ -26,7 +27,7 @@ inline bool ends_with_space(std::string_view text) {
                                           "\u2002", "\u2003", "\u2004", "\u2005", "\u2006",
                                           "\u2007", "\u2008", "\u2009", "\u200A", "\u2028",
                                           "\u2029", "\u202F", "\u205F", "\u3000"};
-  return std::ranges::any_of(kSpaces, [&](auto space) { return text.ends_with(space); });
+  return ranges::any_of(kSpaces, [&](auto space) { return text.ends_with(space); });
 }
 
 /// GitHub does the same with a line that begins with "::", white space before it or not. A name may

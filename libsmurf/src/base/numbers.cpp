@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/floating.hpp"
+
 namespace smurf {
 namespace {
 
@@ -69,7 +71,7 @@ std::optional<double> parse_number(std::string_view text) {
   if (text.empty() || decimal_prefix(text) != text.size()) return std::nullopt;
   if (text.front() == '+') text.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, error] = read_floating(text, value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
@@ -87,20 +89,11 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
 
 std::string format_number(double value) {
   if (value == 0) return "0";  // also -0
-  std::array<char, 64> buffer{};
   const double magnitude = std::fabs(value);
-  const auto format = magnitude >= 1e-5 && magnitude < 1e15 ? std::chars_format::fixed
-                                                            : std::chars_format::scientific;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format).ptr;
-  return {buffer.data(), end};
+  const bool is_fixed = magnitude >= 1e-5 && magnitude < 1e15;
+  return shortest(value, is_fixed ? Notation::fixed : Notation::scientific);
 }
 
-std::string format_rounded(double value, int digits) {
-  std::array<char, 64> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                 std::chars_format::general, digits)
-                       .ptr;
-  return {buffer.data(), end};
-}
+std::string format_rounded(double value, int digits) { return general(value, digits); }
 
 }  // namespace smurf

@@ -1,33 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf/pose.hpp"
 
-#include <Eigen/Geometry>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 
+#include "base/exact_math.hpp"
+
 namespace smurf {
 namespace {
 
-Eigen::Quaterniond to_eigen(const Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
-Quaternion from_eigen(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
-Eigen::Vector3d to_eigen(const Vector3& v) { return {v[0], v[1], v[2]}; }
+Quaternion conjugate(const Quaternion& q) { return {q.w, -q.x, -q.y, -q.z}; }
 
-struct SinCos {
-  double sin;
-  double cos;
-};
+Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 
 /// Exact at multiples of 90 degrees and symmetric around them: the angle is reduced in degrees,
 /// where the reduction has no rounding error.
-SinCos sin_cos_degrees(double degrees) {
+SineCosine sine_cosine_of_degrees(double degrees) {
   const double turn = std::remainder(degrees, 360.0);
   const double quarter = std::nearbyint(turn / 90.0);
   const double rest = turn - 90.0 * quarter;
   const double radians = rest * (std::numbers::pi / 180.0);
-  double s = std::sin(radians);
-  double c = std::cos(radians);
-  // Half of a quarter turn: libm's sine and cosine of pi/4 differ in the last bit.
+  auto [s, c] = sine_cosine(radians);
+  // Half of a quarter turn: pi/4 is no double, and sine and cosine of what is next to it differ.
   if (std::fabs(rest) == 45) c = std::numbers::sqrt2 / 2, s = std::copysign(c, rest);
   switch ((static_cast<int>(quarter) + 4) % 4) {
   case 0: return {s, c};
@@ -38,24 +35,34 @@ SinCos sin_cos_degrees(double degrees) {
 }
 
 /// q = qz * qy * qx from the sines and cosines of the half angles.
-Quaternion from_half_angles(const SinCos& x, const SinCos& y, const SinCos& z) {
-  return {
-      z.cos * y.cos * x.cos + z.sin * y.sin * x.sin, z.cos * y.cos * x.sin - z.sin * y.sin * x.cos,
-      z.cos * y.sin * x.cos + z.sin * y.cos * x.sin, z.sin * y.cos * x.cos - z.cos * y.sin * x.sin};
+Quaternion from_half_angles(const SineCosine& x, const SineCosine& y, const SineCosine& z) {
+  return {z.cosine * y.cosine * x.cosine + z.sine * y.sine * x.sine,
+          z.cosine * y.cosine * x.sine - z.sine * y.sine * x.cosine,
+          z.cosine * y.sine * x.cosine + z.sine * y.cosine * x.sine,
+          z.sine * y.cosine * x.cosine - z.cosine * y.sine * x.sine};
 }
 
 }  // namespace
 
 Quaternion multiply(const Quaternion& a, const Quaternion& b) {
-  return from_eigen(to_eigen(a) * to_eigen(b));
+  return {
+      a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+      a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z, a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x};
 }
 
 Vector3 rotate(const Quaternion& rotation, const Vector3& vector) {
-  const Eigen::Vector3d result = to_eigen(rotation) * to_eigen(vector);
-  return {result.x(), result.y(), result.z()};
+  const Vector3 axis{rotation.x, rotation.y, rotation.z};
+  Vector3 twice = cross(axis, vector);
+  for (double& component : twice) component += component;
+  const Vector3 further = cross(axis, twice);
+  Vector3 turned;
+  for (std::size_t i = 0; i < 3; ++i) turned[i] = vector[i] + rotation.w * twice[i] + further[i];
+  return turned;
 }
 
-double norm(const Quaternion& q) { return to_eigen(q).norm(); }
+double norm(const Quaternion& q) {
+  return std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+}
 
 Quaternion normalized(const Quaternion& q) {
   Quaternion unit = q;
@@ -87,25 +94,26 @@ Pose operator*(const Pose& X_AB, const Pose& X_BC) {
 }
 
 Pose inverse(const Pose& X_AB) {
-  const Quaternion back = from_eigen(to_eigen(X_AB.orientation).conjugate());
+  const Quaternion back = conjugate(X_AB.orientation);
   const Vector3 turned = rotate(back, X_AB.position);
   return {{-turned[0], -turned[1], -turned[2]}, back};
 }
 
 double angle_between(const Quaternion& a, const Quaternion& b) {
   // 2 atan2(|v|, |w|) keeps its accuracy for small angles, acos does not.
-  const Eigen::Quaterniond difference = to_eigen(a).conjugate() * to_eigen(b);
-  return 2 * std::atan2(difference.vec().norm(), std::fabs(difference.w()));
+  const Quaternion difference = multiply(conjugate(a), b);
+  return 2 *
+         arc_tangent(hypotenuse(difference.x, difference.y, difference.z), std::fabs(difference.w));
 }
 
 Quaternion from_rpy(const Vector3& rpy) {
   if (rpy == Vector3{}) return {};  // most are zero, and sines are dear
-  const auto half = [](double angle) { return SinCos{std::sin(angle / 2), std::cos(angle / 2)}; };
+  const auto half = [](double angle) { return sine_cosine(angle / 2); };
   return normalized(from_half_angles(half(rpy[0]), half(rpy[1]), half(rpy[2])));
 }
 
 Quaternion from_rpy_degrees(const Vector3& degrees) {
-  const auto half = [](double angle) { return sin_cos_degrees(angle / 2); };
+  const auto half = [](double angle) { return sine_cosine_of_degrees(angle / 2); };
   return normalized(from_half_angles(half(degrees[0]), half(degrees[1]), half(degrees[2])));
 }
 
@@ -113,25 +121,28 @@ Vector3 to_rpy(const Quaternion& q) {
   // Compensated form: roll is computed in the frame already turned by yaw, so that nothing cancels
   // near pitch = +-90 degrees (the textbook form loses the rotation there).
   const std::array<double, 9> r = to_matrix(q);
-  const double h = std::hypot(r[0], r[3]);
-  double pitch = std::atan2(-r[6], h);
-  const double yaw = h < 1e-15 ? 0 : std::atan2(r[3], r[0]);
-  const double s = std::sin(yaw);
-  const double c = std::cos(yaw);
-  const double roll = std::atan2(s * r[2] - c * r[5], c * r[4] - s * r[1]);
+  const double h = hypotenuse(r[0], r[3]);
+  double pitch = arc_tangent(-r[6], h);
+  const double yaw = h < 1e-15 ? 0 : arc_tangent(r[3], r[0]);
+  const auto [s, c] = sine_cosine(yaw);
+  const double roll = arc_tangent(s * r[2] - c * r[5], c * r[4] - s * r[1]);
   constexpr double kHalfPi = std::numbers::pi / 2;
   if (std::fabs(std::fabs(pitch) - kHalfPi) < 3e-16) pitch = std::copysign(kHalfPi, pitch);
   return {roll + 0.0, pitch + 0.0, yaw + 0.0};
 }
 
 Quaternion from_axis_angle(const Vector3& axis, double angle) {
-  const double s = std::sin(angle / 2);
-  return {std::cos(angle / 2), s * axis[0], s * axis[1], s * axis[2]};
+  const auto [s, c] = sine_cosine(angle / 2);
+  return {c, s * axis[0], s * axis[1], s * axis[2]};
 }
 
 std::array<double, 9> to_matrix(const Quaternion& q) {
-  const Eigen::Matrix3d m = to_eigen(q).toRotationMatrix();
-  return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
+  const double x = 2 * q.x;
+  const double y = 2 * q.y;
+  const double z = 2 * q.z;
+  return {1 - (y * q.y + z * q.z), y * q.x - z * q.w,       z * q.x + y * q.w,
+          y * q.x + z * q.w,       1 - (x * q.x + z * q.z), z * q.y - x * q.w,
+          z * q.x - y * q.w,       z * q.y + x * q.w,       1 - (x * q.x + y * q.y)};
 }
 
 }  // namespace smurf

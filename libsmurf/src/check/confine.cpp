@@ -11,6 +11,7 @@
 #include "base/canonical_paths.hpp"
 #include "base/open_folder.hpp"
 #include "base/path.hpp"
+#include "base/ranges.hpp"
 #include "smurf/check.hpp"
 #include "smurf/config.hpp"
 #include "smurf/repository.hpp"
@@ -31,8 +32,10 @@ bool is_home(std::string_view folder) {
   if (above == "/home" || above == "/Users" || folder == "/root") return true;
   static const std::string home = [] {
     const char* variable = std::getenv("HOME");
+    // What an empty path is, the libraries do not agree on.
+    if (variable == nullptr || *variable == '\0') return std::string();
     std::error_code error;
-    const fs::path found = fs::weakly_canonical(variable == nullptr ? "" : variable, error);
+    const fs::path found = fs::weakly_canonical(variable, error);
     return error ? std::string() : found.string();
   }();
   return home.size() > 1 && home.starts_with('/') && is_around(folder, home);
@@ -50,8 +53,8 @@ std::string_view widest_project_of(std::string_view folder) {
   std::string_view package;
   OpenFolder open{std::string(folder)};
   for (std::string_view at = folder; at.size() > 1; at = path::parent(at), open.enter("..")) {
-    const bool is_top = std::ranges::any_of(
-        kHistories, [&](std::string_view history) { return open.has(history); });
+    const bool is_top =
+        ranges::any_of(kHistories, [&](std::string_view history) { return open.has(history); });
     if (is_top && !is_home(at)) return at;
     if (package.empty() && open.has("package.xml")) package = at;
   }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,6 +19,32 @@ inline std::size_t count_of_jobs(unsigned jobs) {
   constexpr unsigned kMost = 256;
   return std::clamp(jobs > 0 ? jobs : std::thread::hardware_concurrency(), 1U, kMost);
 }
+
+/// Threads that are waited for at the end. std::jthread is absent from libc++ before 20.
+class Threads {
+ public:
+  Threads() = default;
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+  ~Threads() {
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  /// False when the system starts no more of them.
+  bool start(const std::function<void()>& work) {
+    try {
+      threads_.emplace_back(work);
+    } catch (const std::system_error&) {
+      return false;
+    }
+    return true;
+  }
+
+  std::size_t size() const { return threads_.size(); }
+
+ private:
+  std::vector<std::thread> threads_;
+};
 
 /// Calls `work(worker, index)` for every index below `count`, on at most `jobs` threads; `worker`
 /// says which of them, below `jobs`. Nothing is promised about the order.
@@ -32,9 +59,9 @@ inline void for_each_parallel(std::size_t count, std::size_t jobs,
   std::mutex mutex;
   std::condition_variable started;
   std::size_t running = 0;
-  std::vector<std::jthread> threads;
+  Threads threads;
   for (std::size_t worker = 1; worker < std::min(jobs, count); ++worker) {
-    threads.emplace_back([&, worker] {
+    const bool is_started = threads.start([&, worker] {
       {
         const std::lock_guard lock(mutex);
         ++running;
@@ -42,6 +69,7 @@ inline void for_each_parallel(std::size_t count, std::size_t jobs,
       }
       run(worker);
     });
+    if (!is_started) break;  // those that run do the work
   }
   {
     std::unique_lock lock(mutex);

@@ -10,6 +10,7 @@
 #include "base/canonical_paths.hpp"
 #include "base/open_folder.hpp"
 #include "base/path.hpp"
+#include "base/ranges.hpp"
 
 namespace smurf {
 namespace {
@@ -17,8 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool has_history(const OpenFolder& folder) {
-  return std::ranges::any_of(kHistories,
-                             [&](std::string_view history) { return folder.has(history); });
+  return ranges::any_of(kHistories, [&](std::string_view history) { return folder.has(history); });
 }
 
 /// The repository around folders, each of which is asked for once; "": none.
@@ -52,7 +52,7 @@ bool leads_out(const fs::path& target, const fs::path& root) {
   const auto has_target = [&](std::string_view history) {
     return is_inside(target, root / history);
   };
-  return target.empty() || !is_inside(target, root) || std::ranges::any_of(kHistories, has_target);
+  return target.empty() || !is_inside(target, root) || ranges::any_of(kHistories, has_target);
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ bool leads_out(const fs::path& target, const fs::path& root) {
 bool is_repository(const fs::path& folder) {
   std::error_code ignored;
   // A link counts wherever it leads: whether something is there is not for a checkout to ask.
-  return std::ranges::any_of(kHistories, [&](std::string_view history) {
+  return ranges::any_of(kHistories, [&](std::string_view history) {
     return fs::exists(fs::symlink_status(folder / history, ignored));
   });
 }

@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "convert/mass_properties.hpp"
 #include "convert/passes.hpp"
@@ -161,7 +162,7 @@ class Comparison {
       double distance = 0;
       double size = 1;
       for (std::size_t k = 0; k < 3; ++k) {
-        distance = std::hypot(distance, a[i]->position[k] - other->position[k]);
+        distance = hypotenuse(distance, a[i]->position[k] - other->position[k]);
         size = std::max(size, std::fabs(a[i]->position[k]));
       }
       const double angle = angle_between(a[i]->orientation, other->orientation);

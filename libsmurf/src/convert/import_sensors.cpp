@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/edits.hpp"
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "convert/import.hpp"
 #include "convert/sensor_pose.hpp"
@@ -217,7 +218,8 @@ class SensorMaker {
       problem = "it does not give its picture's size and field of view";
       return {};
     }
-    const double vertical = 2 * std::atan(std::tan(*fov / 2) * *height / *width);
+    const auto [sine, cosine] = sine_cosine(*fov / 2);
+    const double vertical = 2 * arc_tangent(sine * *height, cosine * *width);
     const Pose pose = sensor_pose(element);
     std::vector<NewValue> members = {
         text_value("type", "CameraSensor"),

@@ -15,9 +15,24 @@ Eigen::Vector3d position(const Pose& pose) {
   return {pose.position[0], pose.position[1], pose.position[2]};
 }
 
+/// a b, for a matrix or a vector b. Eigen adds up in another order with vector instructions than
+/// without, which would be seen in the last digits.
+template <class Right>
+Right product(const Eigen::Matrix3d& a, const Right& b) {
+  Right result;
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = 0; column < b.cols(); ++column) {
+      result(row, column) =
+          a(row, 0) * b(0, column) + a(row, 1) * b(1, column) + a(row, 2) * b(2, column);
+    }
+  }
+  return result;
+}
+
 /// Inertia of a point of unit mass at d: (d.d) E - d d^T.
 Eigen::Matrix3d point_inertia(const Eigen::Vector3d& d) {
-  return d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose();
+  const double square = d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
+  return square * Eigen::Matrix3d::Identity() - d * d.transpose();
 }
 
 }  // namespace
@@ -36,8 +51,9 @@ MassProperties mass_properties(const urdf::Link& link) {
 
 MassProperties transformed(const MassProperties& body_B, const Pose& X_AB) {
   const Eigen::Matrix3d R_AB = rotation(X_AB);
-  return {body_B.mass, R_AB * body_B.center + position(X_AB),
-          R_AB * body_B.inertia * R_AB.transpose()};
+  const Eigen::Matrix3d R_BA = R_AB.transpose();
+  return {body_B.mass, product(R_AB, body_B.center) + position(X_AB),
+          product(product(R_AB, body_B.inertia), R_BA)};
 }
 
 MassProperties combined(const MassProperties& a, const MassProperties& b) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/ranges.hpp"
 #include "diff/collect.hpp"
 #include "diff/compare.hpp"
 #include "diff/match.hpp"
@@ -98,7 +99,7 @@ class SceneDiff {
   }
 
   static Property* file_of(Thing& thing) {
-    const auto file = std::ranges::find(thing.properties.members, "file", &Property::key);
+    const auto file = ranges::find(thing.properties.members, "file", &Property::key);
     return file == thing.properties.members.end() ? nullptr : &*file;
   }
 

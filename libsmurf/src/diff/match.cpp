@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "diff/match.hpp"
 
-#include <bit>
 #include <deque>
 #include <functional>
 #include <map>
@@ -9,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/bits.hpp"
 #include "base/path.hpp"
 
 namespace smurf {
@@ -24,8 +24,7 @@ std::uint64_t hash_of_text(std::string_view text) { return std::hash<std::string
 
 std::uint64_t hash_of_numbers(const std::vector<double>& numbers) {
   std::uint64_t hash = numbers.size();
-  for (const double number : numbers)
-    hash = mixed(hash, std::bit_cast<std::uint64_t>(number + 0.0));
+  for (const double number : numbers) hash = mixed(hash, bit_cast<std::uint64_t>(number + 0.0));
   return hash;
 }
 

@@ -4,6 +4,7 @@
 
 #include "ast/model_reader.hpp"
 #include "ast/sections.hpp"
+#include "base/ranges.hpp"
 #include "diff/collect.hpp"
 
 namespace smurf {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::string_view kOfRobot[] = {"link", "joint", "visual", "collision", "material"};
 
 std::string kind_of(const SectionSpec& section) {
-  const bool is_of_robot = std::ranges::find(kOfRobot, section.entry) != std::end(kOfRobot);
+  const bool is_of_robot = ranges::contains(kOfRobot, section.entry);
   return std::string(section.entry) + (is_of_robot ? " annotation" : "");
 }
 
@@ -48,7 +49,7 @@ class AnnotationCollector {
   }
 
   void main_file() {
-    const auto file = std::ranges::find(model_.files, ModelFile::Kind::main, &ModelFile::kind);
+    const auto file = ranges::find(model_.files, ModelFile::Kind::main, &ModelFile::kind);
     if (file == model_.files.end() || !file->document || !file->document->view()) return;
     std::vector<const KeySpec*> rows;
     for (const Key<Model>& key : main_keys()) rows.push_back(&key.spec);
@@ -68,7 +69,7 @@ class AnnotationCollector {
     Thing& thing = add(kind_of(section), entry.name.value_or(""),
                        entry.name ? entry.name.span
                                   : Span(entry.span.source, entry.span.begin, entry.span.begin));
-    const auto row = std::ranges::find(rows, "name", &KeySpec::name);
+    const auto row = ranges::find(rows, "name", &KeySpec::name);
     if (row != rows.end()) {
       const Naming naming = (*row)->names_in != nullptr ? (*row)->names_in(value) : (*row)->names;
       if (naming.defines) thing.names = naming.kinds.first();

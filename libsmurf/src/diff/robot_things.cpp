@@ -7,6 +7,7 @@
 #include "ast/urdf_schema.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/ranges.hpp"
 #include "base/words.hpp"
 #include "diff/collect.hpp"
 
@@ -20,7 +21,7 @@ constexpr std::string_view kInertia[] = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz
 
 const AttributeSpec* find_attribute(const ElementSpec* spec, std::string_view name) {
   if (spec == nullptr) return nullptr;
-  const auto found = std::ranges::find(spec->attributes, name, &AttributeSpec::name);
+  const auto found = ranges::find(spec->attributes, name, &AttributeSpec::name);
   return found == spec->attributes.end() ? nullptr : &*found;
 }
 
@@ -198,7 +199,7 @@ class RobotCollector {
 
   static bool is_single(const ElementSpec* spec, std::string_view name) {
     if (spec == nullptr) return false;
-    const auto child = std::ranges::find(spec->children, name, &urdf::ChildSpec::name);
+    const auto child = ranges::find(spec->children, name, &urdf::ChildSpec::name);
     return child != spec->children.end() && child->single;
   }
 

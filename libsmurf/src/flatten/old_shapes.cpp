@@ -2,6 +2,7 @@
 // Keys as MARS reads them (NodeData.cpp:98-286, MaterialData.cpp, Load.cpp:228-268).
 #include "flatten/old_shapes.hpp"
 
+#include <cmath>
 #include <unordered_map>
 
 #include "base/numbers.hpp"
@@ -79,9 +80,9 @@ class NodeReader {
     read_colors(root);
     for (const Value::Object* data : items(root, "nodelist")) {
       const Pose own{vector_of(*data, "position"), rotation_of(*data)};
-      const auto index = static_cast<long>(component(*data, "index", 0));
+      const auto index = std::trunc(component(*data, "index", 0));
       by_index_.emplace(index, nodes_.size());
-      nodes_.push_back({data, static_cast<long>(component(*data, "relativeid", 0)), own, false});
+      nodes_.push_back({data, std::trunc(component(*data, "relativeid", 0)), own, false});
     }
     for (std::size_t i = 0; i < nodes_.size(); ++i) compose(i);
   }
@@ -107,8 +108,8 @@ class NodeReader {
  private:
   struct Node {
     const Value::Object* data = nullptr;
-    long relative_to = 0;
-    Pose X_SN;  ///< in the old scene, once it is composed
+    double relative_to = 0;  // as it is written: not every number fits an integer
+    Pose X_SN;               ///< in the old scene, once it is composed
     bool is_composed = false;
   };
 
@@ -168,7 +169,7 @@ class NodeReader {
 
   std::string folder_;
   std::vector<Node> nodes_;
-  std::unordered_map<long, std::size_t> by_index_;
+  std::unordered_map<double, std::size_t> by_index_;
   std::unordered_map<std::string, Rgba> colors_;
 };
 

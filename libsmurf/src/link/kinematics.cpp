@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/exact_math.hpp"
 #include "base/quantity.hpp"
 
 namespace smurf {
@@ -57,7 +58,7 @@ Pose pose_of(const LinkedModel& model, const urdf::Joint& joint, const JointPosi
   if (!joint.has_one_axis()) return X_PJ;
   const double position = position_of(model, joint, positions);
   Vector3 axis = joint.axis.value_or(Vector3{1, 0, 0});
-  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  const double length = hypotenuse(axis[0], axis[1], axis[2]);
   if (position == 0 || length == 0) return X_PJ;
   for (double& component : axis) component /= length;
   Pose X_JC;

@@ -210,7 +210,7 @@ class ModelLoader {
     const auto begin = std::lower_bound(names.begin(), names.end(), prefix);
     const auto end = std::find_if(
         begin, names.end(), [&](const std::string& name) { return !name.starts_with(prefix); });
-    return {begin, end};
+    return {names.data() + (begin - names.begin()), static_cast<std::size_t>(end - begin)};
   }
 
   /// "arm_motors.yml" beside "arm.smurf": a name that Phobos gives to a section's file.

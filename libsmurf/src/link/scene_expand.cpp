@@ -83,7 +83,8 @@ class SceneExpander {
       std::optional<Scene> scene;
       if (file.document) {
         // One above the limit, so that expand() can report it.
-        scene = read_scene(*file.document, context_.sink, context_.limits.instances + 1);
+        scene = read_scene(*file.document, context_.sink,
+                           static_cast<std::size_t>(context_.limits.instances + 1));
       }
       if (scene) file.scene = std::move(*scene);
       if (!scene) lose_scene();

@@ -2,8 +2,8 @@
 #include "lint/drake_queries.hpp"
 
 #include <algorithm>
-#include <charconv>
 
+#include "base/floating.hpp"
 #include "base/quoted.hpp"
 #include "base/words.hpp"
 
@@ -20,7 +20,7 @@ bool read_number(std::string_view& text, double& value) {
   const std::size_t first = !has_plus && digits.starts_with('-') ? 1 : 0;
   const char c = first < digits.size() ? digits[first] : '\0';
   if (c != '.' && (c < '0' || c > '9')) return false;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const auto [end, error] = read_floating(digits, value);
   if (error != std::errc()) return false;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return !text.starts_with('e') && !text.starts_with('E');

@@ -116,7 +116,9 @@ void mark_ignored(const xml::Document& document, std::span<Diagnostic* const> fo
   if (ignored.empty()) return;
   for (Diagnostic* diagnostic : found) {
     const std::uint32_t begin = diagnostic->span.begin;
-    const auto behind = std::ranges::upper_bound(ignored, begin, {}, &Span::begin);
+    const auto behind =
+        std::upper_bound(ignored.begin(), ignored.end(), begin,
+                         [](std::uint32_t place, const Span& span) { return place < span.begin; });
     if (behind == ignored.begin() || begin >= std::prev(behind)->end) continue;
     diagnostic->construct += kDrakeIgnored;
   }

@@ -335,7 +335,9 @@ std::size_t Suppressions::apply(std::vector<Diagnostic>& diagnostics, const Sour
     auto last = first;
     while (last != diagnostics.end() && path_of(*last) == path) ++last;
     const auto skipped = static_cast<std::size_t>(first - diagnostics.begin());
-    for (const std::size_t i : silence(std::span(first, last), file.comments)) {
+    const auto count = static_cast<std::size_t>(last - first);
+    const std::span found = std::span(diagnostics).subspan(skipped, count);
+    for (const std::size_t i : silence(found, file.comments)) {
       is_silent[skipped + i] = true;
     }
   }

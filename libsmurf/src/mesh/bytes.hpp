@@ -2,9 +2,10 @@
 // Numbers of binary mesh files: little-endian, wherever they lie.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <string_view>
+
+#include "base/bits.hpp"
 
 namespace smurf {
 
@@ -22,7 +23,7 @@ inline std::int32_t read_int32(std::string_view bytes, std::size_t offset) {
 }
 
 inline float read_float(std::string_view bytes, std::size_t offset) {
-  return std::bit_cast<float>(read_uint32(bytes, offset));
+  return bit_cast<float>(read_uint32(bytes, offset));
 }
 
 }  // namespace smurf

@@ -123,7 +123,8 @@ class ColladaReader {
     if (const View technique = source.child("technique_common")) {
       if (const View accessor = technique.child("accessor")) {
         const auto written = parse_integer(value(accessor, "stride"));
-        if (written && *written >= 3) stride = static_cast<std::size_t>(*written);
+        constexpr std::int64_t kMost = 1 << 30;  // one that does not fit would become 0
+        if (written && *written >= 3) stride = static_cast<std::size_t>(std::min(*written, kMost));
       }
     }
     const std::vector<double> all = numbers(array.text());

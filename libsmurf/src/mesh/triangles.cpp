@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <bit>
 #include <unordered_map>
 
+#include "base/bits.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "smurf/mesh_triangles.hpp"
 
@@ -14,7 +14,7 @@ struct HashOfPoint {
   std::size_t operator()(const Point& point) const {
     std::uint64_t hash = 0;
     for (const float coordinate : point) {
-      hash = (hash ^ std::bit_cast<std::uint32_t>(coordinate)) * 0x9e3779b97f4a7c15U;
+      hash = (hash ^ bit_cast<std::uint32_t>(coordinate)) * 0x9e3779b97f4a7c15U;
       hash ^= hash >> 32U;
     }
     return static_cast<std::size_t>(hash);

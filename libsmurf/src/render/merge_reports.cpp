@@ -32,7 +32,7 @@ std::uint64_t sum(const Json& a, const Json& b) {
 /// The place of a word among words that get worse.
 template <std::size_t N>
 std::ptrdiff_t rank(const std::array<std::string_view, N>& words, const std::string& word) {
-  return std::ranges::find(words, word) - words.begin();
+  return std::find(words.begin(), words.end(), word) - words.begin();
 }
 
 std::ptrdiff_t rank_of_verdict(const Json& target) {

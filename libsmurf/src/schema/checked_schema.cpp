@@ -466,8 +466,8 @@ std::size_t size_of(yaml::View value) {
 yaml::View child(yaml::View parent, std::string_view step) {
   if (parent.is_mapping()) return parent.find(step);
   const auto index = parent.is_sequence() ? parse_integer(step) : std::nullopt;
-  if (!index || *index < 0 || static_cast<std::size_t>(*index) >= parent.size()) return {};
-  return *std::next(parent.begin(), *index);
+  if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= parent.size()) return {};
+  return *std::next(parent.begin(), static_cast<std::ptrdiff_t>(*index));
 }
 
 std::optional<CheckedSchema> check_schema(yaml::View root, DiagnosticSink& sink) {

@@ -171,7 +171,7 @@ bool hand_on(DiagnosticSink& found, DiagnosticSink& sink) {
 /// brackets closed; empty when there is none. Brackets inside of texts and comments are counted
 /// too.
 std::string suspicious_part(std::string_view text, const Limits& limits) {
-  const std::size_t suspicious = 4 * std::size_t{limits.yaml_depth};
+  const std::uint64_t suspicious = 4 * std::uint64_t{limits.yaml_depth};
   std::string closing;
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '[' || text[at] == '{') closing += text[at] == '[' ? ']' : '}';

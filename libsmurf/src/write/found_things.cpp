@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/ranges.hpp"
 #include "convert/passes.hpp"
 #include "write/gazebo_elements.hpp"
 #include "write/joint_drives.hpp"
@@ -52,7 +53,7 @@ Found other_keys(const LinkedModel& model, const Annotation& entry,
   const yaml::Document* document = model.document(entry.span.source);
   if (document == nullptr) return found;
   for (const yaml::View key : yaml::View(*document, entry.node)) {
-    if (key.is_null() || std::ranges::find(said, key.key()) != said.end()) continue;
+    if (key.is_null() || ranges::contains(said, key.key())) continue;
     found.push_back({key.key_span(), std::string(key.key())});
   }
   return found;
@@ -288,7 +289,7 @@ Found entity_keys(const SceneExport& scene, SceneColumn column) {
     constexpr std::string_view kSaid[] = {"geometry", "extend",   "mass",    "movable",
                                           "material", "length",   "width",   "height",
                                           "t_width",  "t_height", "t_scale", "t_srcname"};
-    if (std::ranges::find(kSaid, key) != std::end(kSaid)) return true;
+    if (ranges::contains(kSaid, key)) return true;
     return keeps_contacts && (key == "coll_bitmask" || key == "bitmask" || key == "cfriction1" ||
                               (key == "cfriction2" && column == SceneColumn::sdf));
   };

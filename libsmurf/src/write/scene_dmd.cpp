@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "write/json_text.hpp"
 #include "write/scene_losses.hpp"
@@ -24,9 +25,9 @@ std::string list(const Vector3& v) {
 }
 
 std::string rotation(const Quaternion& q) {
-  const double sine = std::hypot(q.x, q.y, q.z);
+  const double sine = hypotenuse(q.x, q.y, q.z);
   if (sine == 0) return "!Identity {}";
-  const double degrees = 2 * std::atan2(sine, q.w) * 180 / std::numbers::pi;
+  const double degrees = 2 * arc_tangent(sine, q.w) * 180 / std::numbers::pi;
   return "!AngleAxis {angle_deg: " + format_number(degrees) +
          ", axis: " + list({q.x / sine, q.y / sine, q.z / sine}) + "}";
 }

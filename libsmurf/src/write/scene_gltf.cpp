@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // glTF 2.0, a preview: a node an entity, in it a node a link, in it its shapes. The root node turns
 // the z axis of SMURF up, which is y in glTF; all poses below it are those of SMURF.
-#include <bit>
 #include <limits>
 #include <map>
 #include <variant>
 
+#include "base/bits.hpp"
 #include "base/numbers.hpp"
 #include "write/json_text.hpp"
 #include "write/placed_shapes.hpp"
@@ -269,7 +269,7 @@ class GltfWriter {
     std::array<float, 3> most = vectors.front();
     for (const std::array<float, 3>& vector : vectors) {
       for (std::size_t i = 0; i < 3; ++i) {
-        append_bytes(buffer_, std::bit_cast<std::uint32_t>(vector[i]));
+        append_bytes(buffer_, bit_cast<std::uint32_t>(vector[i]));
         least[i] = std::min(least[i], vector[i]);
         most[i] = std::max(most[i], vector[i]);
       }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/exact_math.hpp"
 #include "base/path.hpp"
 #include "base/unique_names.hpp"
 #include "flatten/shapes.hpp"
@@ -188,7 +189,7 @@ Vector3 direction_of(const Light& light) {
   const Vector3 from = light.position.value_or({0, 0, 0});
   const Vector3 to = light.look_at.value_or({from[0], from[1], from[2] - 1});
   Vector3 way{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-  const double length = std::hypot(way[0], way[1], way[2]);
+  const double length = hypotenuse(way[0], way[1], way[2]);
   if (!(length > 0) || !std::isfinite(length)) return {0, 0, -1};
   for (double& component : way) component /= length;
   return way;

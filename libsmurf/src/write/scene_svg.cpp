@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/edits.hpp"
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "write/placed_shapes.hpp"
@@ -28,8 +29,8 @@ constexpr int kSegments = 24;  // of a circle
 double start_angle(const Quaternion& orientation) {
   constexpr double kUpright = 1e-6;
   const Vector3 z = rotate(orientation, {0, 0, 1});
-  const Vector3 along = std::hypot(z[0], z[1]) > kUpright ? z : rotate(orientation, {1, 0, 0});
-  return std::atan2(along[1], along[0]);
+  const Vector3 along = hypotenuse(z[0], z[1]) > kUpright ? z : rotate(orientation, {1, 0, 0});
+  return arc_tangent(along[1], along[0]);
 }
 
 using Circle = std::array<Point2, kSegments>;  ///< points around the origin
@@ -38,8 +39,8 @@ const Circle& unit_circle() {
   static const Circle circle = [] {
     Circle points;
     for (int i = 0; i < kSegments; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kSegments;
-      points[static_cast<std::size_t>(i)] = {std::cos(angle), std::sin(angle)};
+      const auto [sine, cosine] = sine_cosine(2 * std::numbers::pi * i / kSegments);
+      points[static_cast<std::size_t>(i)] = {cosine, sine};
     }
     return points;
   }();
@@ -47,8 +48,9 @@ const Circle& unit_circle() {
 }
 
 Circle circle(double radius, double start) {
-  const double along = radius * std::cos(start);
-  const double aside = radius * std::sin(start);
+  const auto [sine, cosine] = sine_cosine(start);
+  const double along = radius * cosine;
+  const double aside = radius * sine;
   Circle points = unit_circle();
   for (Point2& p : points) p = {along * p[0] - aside * p[1], aside * p[0] + along * p[1]};
   return points;
@@ -205,7 +207,7 @@ class TopView {
     std::sort(ys.begin(), ys.end());
     const Point2 center{xs[(xs.size() - 1) / 2], ys[(ys.size() - 1) / 2]};
     const auto distance = [&](std::size_t i) {
-      return std::hypot(position(i)[0] - center[0], position(i)[1] - center[1]);
+      return hypotenuse(position(i)[0] - center[0], position(i)[1] - center[1]);
     };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
@@ -289,7 +291,7 @@ class TopView {
   static void add_axis(SvgCanvas& canvas, const Point2& from, const Point2& to, bool is_up,
                        std::string_view color) {
     const std::string paint = " stroke=\"" + std::string(color) + "\"";
-    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    const double length = hypotenuse(to[0] - from[0], to[1] - from[1]);
     if (length < 7) {
       canvas.add("<circle cx=\"" + pixels(from[0]) + "\" cy=\"" + pixels(from[1]) +
                  "\" r=\"4.5\" fill=\"#fff\" stroke-width=\"1.5\"" + paint + "/>");
@@ -321,7 +323,7 @@ class TopView {
     const double reach = std::min(sheet.size(0) / 2 / std::max(std::fabs(way[0]), 1e-9),
                                   sheet.size(1) / 2 / std::max(std::fabs(way[1]), 1e-9));
     const Point2 tip{center[0] + reach * way[0], center[1] + reach * way[1]};
-    const double length = std::hypot(way[0], way[1]);
+    const double length = hypotenuse(way[0], way[1]);
     constexpr double kArrow = 30;
     const Point2 from{tip[0] - kArrow * way[0] / length, tip[1] - kArrow * way[1] / length};
     add_axis(canvas, from, tip, true, "#666");

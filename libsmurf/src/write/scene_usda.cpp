@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenUSD as text, a preview: an Xform an entity, in it an Xform a link, in it its shapes.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 
+#include "base/exact_math.hpp"
+#include "base/floating.hpp"
 #include "base/misread.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
@@ -28,9 +29,7 @@ std::string tuple(std::initializer_list<double> values) {
 std::string tuple(const std::array<float, 3>& point) {
   std::string text = "(";
   for (const float coordinate : point) {
-    char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, coordinate);
-    text += (text.size() > 1 ? ", " : "") + std::string(digits, end.ptr);
+    text += (text.size() > 1 ? ", " : "") + shortest(coordinate);
   }
   return text + ")";
 }
@@ -130,7 +129,7 @@ class UsdaWriter {
   void add_physics() {
     if (!scene_.flat.physics.gravity) return;
     const Vector3& g = *scene_.flat.physics.gravity;
-    const double magnitude = std::hypot(g[0], g[1], g[2]);
+    const double magnitude = hypotenuse(g[0], g[1], g[2]);
     open("PhysicsScene", "Physics");
     if (magnitude > 0) {
       line("vector3f physics:gravityDirection = " +

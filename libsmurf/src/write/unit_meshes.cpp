@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/unit_meshes.hpp"
+#include "base/exact_math.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -13,11 +14,11 @@ constexpr std::uint16_t kAround = 24;  ///< segments of a full turn
 
 /// Point on the unit circle; the axes are met exactly.
 std::array<float, 2> on_circle(int step, int steps) {
-  const double angle = 2 * std::numbers::pi * step / steps;
+  const auto [sine, cosine] = sine_cosine(2 * std::numbers::pi * step / steps);
   const auto round = [](double value) {
     return static_cast<float>(std::fabs(value) < 1e-15 ? 0 : value);
   };
-  return {round(std::cos(angle)), round(std::sin(angle))};
+  return {round(cosine), round(sine)};
 }
 
 std::uint16_t add(TriangleMesh& mesh, const Point& point, const Point& normal) {

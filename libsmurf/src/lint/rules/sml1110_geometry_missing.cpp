@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ast/urdf_schema.hpp"
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
@@ -10,8 +11,8 @@ namespace smurf::rules {
 namespace {
 
 bool is_shape_of(const urdf::ElementSpec& spec, std::string_view name) {
-  return std::ranges::count(spec.children, name, &urdf::ChildSpec::name) > 0 ||
-         (name != "verbose" && std::ranges::count(spec.extensions, name) > 0);
+  return ranges::find(spec.children, name, &urdf::ChildSpec::name) != spec.children.end() ||
+         (name != "verbose" && ranges::contains(spec.extensions, name));
 }
 
 /// Any shape that some reader knows. A misspelt one is reported as such; to readers it is missing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "base/exact_math.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
@@ -12,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.axis || !joint.is_movable()) return;
     const Vector3& axis = *joint.axis;
-    if (std::hypot(axis[0], axis[1], axis[2]) >= kShortest) return;
+    if (hypotenuse(axis[0], axis[1], axis[2]) >= kShortest) return;
     findings.report(joint.axis.span, "the axis of " + title(joint) + " has no direction");
   });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
@@ -15,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.axis || !joint.has_one_axis()) return;
     Vector3 axis = *joint.axis;
-    const double length = std::hypot(axis[0], axis[1], axis[2]);
+    const double length = hypotenuse(axis[0], axis[1], axis[2]);
     if (length < kShortest || std::fabs(length - 1) <= tolerance) return;
     std::string unit;
     for (const double component : axis) {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "base/floating.hpp"
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "lint/queries.hpp"
 
@@ -27,14 +29,20 @@ constexpr std::string_view kNumbers[] = {"mu1",
                                          kWhole};
 constexpr std::string_view kFlags[] = {"true", "false", "1", "0", ""};
 
+std::from_chars_result read_number(std::string_view text, int& number) {
+  return std::from_chars(text.data(), text.data() + text.size(), number);
+}
+std::from_chars_result read_number(std::string_view text, double& number) {
+  return read_floating(text, number);
+}
+
 /// As std::stod and std::stoi read: blanks in front, and a number is enough.
 template <class Number>
 std::optional<Number> leading_number(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (text.starts_with('+')) text.remove_prefix(1);
   Number number{};
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  return read.ec == std::errc() ? std::optional<Number>(number) : std::nullopt;
+  return read_number(text, number).ec == std::errc() ? std::optional<Number>(number) : std::nullopt;
 }
 
 void report(const xml::View element, const char* construct, Findings& findings) {
@@ -52,13 +60,13 @@ void check_value(const xml::View element, Findings& findings) {
   const xml::Attribute* value = element.attribute("value");
   const std::string_view name = element.name();
   const std::string_view text = value != nullptr ? value->value() : element.text();
-  if (std::ranges::count(kNumbers, name) > 0) {
+  if (ranges::contains(kNumbers, name)) {
     const auto number = leading_number<double>(text);
     const bool is_read =
         name == kWhole ? leading_number<int>(text).has_value() : number.has_value();
     if (!is_read) return report(element, "number", findings);
     if (name.starts_with("mu") && *number < 0) report(element, "friction", findings);
-  } else if (name == "gravity" && std::ranges::count(kFlags, text) == 0) {
+  } else if (name == "gravity" && !ranges::contains(kFlags, text)) {
     report(element, "flag", findings);
   }
 }

@@ -6,6 +6,7 @@
 #include "ast/urdf_numbers.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "base/words.hpp"
 #include "link/mujoco_compiler.hpp"
@@ -35,12 +36,12 @@ bool is_at_most_one_number(std::string_view text) {
 }
 
 bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
-  return std::ranges::count(words, text) > 0;
+  return ranges::contains(words, text);
 }
 
 bool is_readable(std::string_view name, std::string_view text) {
-  if (std::ranges::count(kFlags, name) > 0) return is_one_of(text, {"true", "false"});
-  if (std::ranges::count(kNumbers, name) > 0) return is_at_most_one_number(text);
+  if (ranges::contains(kFlags, name)) return is_one_of(text, {"true", "false"});
+  if (ranges::contains(kNumbers, name)) return is_at_most_one_number(text);
   if (name == "inertiafromgeom") return is_one_of(text, {"true", "false", "auto"});
   if (name == "angle") return is_one_of(text, {"radian", "degree"});
   if (name == "coordinate") return text == "local";

@@ -3,6 +3,7 @@
 
 #include "ast/drake_language.hpp"
 #include "ast/urdf_numbers.hpp"
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "base/suggest.hpp"
 #include "base/words.hpp"
@@ -29,7 +30,7 @@ class Checker {
     std::uint64_t seen = 0;  // by their place among `specs`
     std::vector<xml::View> foreign;
     for (const xml::View child : parent) {
-      const auto spec = std::ranges::find_if(
+      const auto spec = ranges::find_if(
           specs, [&](const ElementSpec& one) { return is_same(one.name, child.name()); });
       if (spec == specs.end()) {
         if (drake::is_own_name(child.name())) foreign.push_back(child);
@@ -101,7 +102,7 @@ class Checker {
     Diagnostic& diagnostic =
         findings_.report(parent.name_span(), quoted(parent.name()) + " has no " + quoted(name));
     const std::string_view known[] = {name};
-    const auto slip = std::ranges::find_if(
+    const auto slip = ranges::find_if(
         foreign, [&](xml::View child) { return nearest(child.name(), known).has_value(); });
     if (slip == foreign.end()) return;
     diagnostic.labels.push_back({slip->name_span(), "this one is misspelt"});
@@ -143,7 +144,7 @@ class Checker {
     }
     Diagnostic& diagnostic = findings_.report(element.name_span(), quoted(element.name()) + names);
     for (const xml::Attribute& at : element.attributes()) {
-      const bool is_known = std::ranges::any_of(
+      const bool is_known = ranges::any_of(
           spec.attributes, [&](const AttributeSpec& one) { return one.name == at.name(); });
       if (!is_known && nearest(at.name(), absent)) {
         diagnostic.labels.push_back({at.name_span(), "this one is misspelt"});

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/numbers.hpp"
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/inertia.hpp"
@@ -35,8 +36,7 @@ bool is_fixed_to_others(const LinkedModel& model, std::size_t link) {
     return model.joint(joint).type == urdf::JointType::fixed;
   };
   const auto above = model.tree.parent_joint[link];
-  return (above && is_fixed(*above)) ||
-         std::ranges::any_of(model.tree.child_joints[link], is_fixed);
+  return (above && is_fixed(*above)) || ranges::any_of(model.tree.child_joints[link], is_fixed);
 }
 
 /// sdformat adds up the inertials of a body about a point other than their centre. Moments smaller

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
@@ -24,7 +25,7 @@ std::optional<double> unscaled_volume(const LinkedModel& model, const urdf::Mesh
 void check_mesh(const LinkedModel& model, const urdf::Mesh& mesh, Findings& findings) {
   constexpr double kSmallest = 1e-15;  // m^3, mjMINVAL
   const double factor = volume_of(*mesh.scale);
-  if (std::ranges::count(*mesh.scale, 0) > 0) {
+  if (ranges::contains(*mesh.scale, 0)) {
     findings.report(mesh.scale.span, "the mesh is flat in one direction: its scale has a 0")
         .construct = "zero";
     return;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "lint/body.hpp"
 #include "lint/geometry_queries.hpp"
@@ -36,7 +37,7 @@ class LinkBox {
 
 double diagonal(const Box& box) {
   const Vector3 size = box.size();
-  return std::hypot(size[0], size[1], size[2]);
+  return hypotenuse(size[0], size[1], size[2]);
 }
 
 /// Distance between the nearest faces of two boxes, 0 when they touch.
@@ -45,7 +46,7 @@ double gap(const Box& a, const Box& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     distance[i] = std::max({0.0, a.low[i] - b.high[i], b.low[i] - a.high[i]});
   }
-  return std::hypot(distance[0], distance[1], distance[2]);
+  return hypotenuse(distance[0], distance[1], distance[2]);
 }
 
 /// The mass and the shapes disagree as well, or the shapes lie far apart: SML1520, or SML1442.

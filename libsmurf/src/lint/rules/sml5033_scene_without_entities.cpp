@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ast/scene_keys.hpp"
+#include "base/ranges.hpp"
 #include "base/readers.hpp"
 #include "lint/misspelt_key.hpp"
 #include "lint/scene_queries.hpp"
@@ -26,17 +27,15 @@ bool is_reported(yaml::View root) {
     const KeySpec* meant = find_key({scene_keys()}, value.key());
     const bool is_known = meant != nullptr;
     if (!is_known) meant = misspelt_key(value, renames, scene_keys());
-    const bool is_list =
-        meant != nullptr && std::ranges::find(kLists, meant->name) != std::end(kLists);
+    const bool is_list = meant != nullptr && ranges::contains(kLists, meant->name);
     return is_list && !(is_known && value.is_sequence());
   });
 }
 
 /// Other scenes may include one that has only lights, physics or an environment.
 bool is_world(yaml::View root) {
-  return std::any_of(root.begin(), root.end(), [](const yaml::View value) {
-    return std::ranges::find(kLists, value.key()) == std::end(kLists);
-  });
+  return std::any_of(root.begin(), root.end(),
+                     [](const yaml::View value) { return !ranges::contains(kLists, value.key()); });
 }
 
 void check(const LinkedScene& scene, Findings& findings) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
@@ -14,7 +15,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     const Field<Vector3>& gravity = file.scene.physics->gravity;
     if (!gravity) continue;
     const auto& [x, y, z] = *gravity;
-    const double strength = std::hypot(x, y, z);
+    const double strength = hypotenuse(x, y, z);
     const yaml::View keys(*file.document, file.scene.physics->node);
     const yaml::View up = keys.find("gravity").find("z");
     // Jupiter pulls with 25 m/s^2; centimetres and feet give more.

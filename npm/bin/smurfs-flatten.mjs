@@ -1,0 +1,5 @@
+#!/usr/bin/env node
+// SPDX-License-Identifier: BSD-3-Clause
+import { main } from "../command.mjs";
+
+main("smurfs-flatten");

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tools on files in memory, for node and browsers. See index.d.ts.
+import { Host } from "./host.mjs";
+import { MemoryFiles } from "./memory_files.mjs";
+
+let loaded;
+
+async function compile(source) {
+  if (source instanceof WebAssembly.Module) return source;
+  if (source instanceof Uint8Array || source instanceof ArrayBuffer) return WebAssembly.compile(source);
+  const url = new URL(source ?? "smurf.wasm", import.meta.url);
+  if (url.protocol === "file:") {
+    const { readFile } = await import("node:fs/promises");
+    return WebAssembly.compile(await readFile(url));
+  }
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`cannot load ${url}: ${response.status} ${response.statusText}`);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+export function load(source) {
+  if (source !== undefined || loaded === undefined) {
+    loaded = compile(source);
+    loaded.catch(() => { loaded = undefined; });
+  }
+  return loaded;
+}
+
+export async function run(tool, args, files, input) {
+  const module = await load();
+  const memory = new MemoryFiles(files, input);
+  const code = new Host(memory, [tool, ...args], {}).run(module);
+  const decoder = new TextDecoder();
+  return { code, stdout: decoder.decode(memory.output(1)), stderr: decoder.decode(memory.output(2)), files: memory.changes() };
+}
+
+/** What a run that could not do its job, or refused it, ends with. */
+export class ToolError extends Error {
+  constructor(tool, result) {
+    super(result.stderr.trim() || `${tool} ended with code ${result.code}`);
+    this.name = "ToolError";
+    this.result = result;
+  }
+}
+
+async function runWell(tool, args, files, isGood) {
+  const result = await run(tool, args, files);
+  if (!isGood(result)) throw new ToolError(tool, result);
+  return result;
+}
+
+export async function lint(files, { paths = ["."], args = [] } = {}) {
+  // A folder without models is no mistake of who calls this.
+  const result = await runWell("smurf-lint", ["--format=json", ...args, "--", ...paths], files, (one) => one.code < 2);
+  return JSON.parse(result.stdout);
+}
+
+export async function flatten(files, scene, { args = [] } = {}) {
+  const result = await runWell("smurfs-flatten", ["--format=json", ...args, "--", scene], files, (one) => one.code === 0);
+  return JSON.parse(result.stdout);
+}
+
+export async function toUrdf(files, model, { args = [] } = {}) {
+  return (await runWell("smurf2urdf", [...args, "--", model], files, (one) => one.code === 0)).stdout;
+}
+
+export async function toSmurf(files, urdf, { folder = ".", args = [] } = {}) {
+  const options = [`--output=${folder}`, ...args, "--", urdf];
+  return (await runWell("urdf2smurf", options, files, (one) => one.code === 0)).files;
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All tools as one program: its first argument says which of them it is.
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdarg>
+#include <cstddef>
+#include <string_view>
+
+// What host.mjs knows of the C library.
+static_assert(offsetof(struct stat, st_dev) == 0 && offsetof(struct stat, st_mode) == 12 &&
+              offsetof(struct stat, st_nlink) == 16 && offsetof(struct stat, st_uid) == 20 &&
+              offsetof(struct stat, st_gid) == 24 && offsetof(struct stat, st_size) == 40 &&
+              offsetof(struct stat, st_atim) == 56 && offsetof(struct stat, st_mtim) == 64 &&
+              offsetof(struct stat, st_ctim) == 72 && offsetof(struct stat, st_ino) == 80);
+static_assert(sizeof(dirent) == 280 && offsetof(dirent, d_off) == 8 &&
+              offsetof(dirent, d_reclen) == 16 && offsetof(dirent, d_type) == 18 &&
+              offsetof(dirent, d_name) == 19);
+static_assert(AT_FDCWD == -100 && AT_REMOVEDIR == 0x200 && AT_SYMLINK_NOFOLLOW == 0x100);
+static_assert(O_PATH == 010000000 && O_DIRECTORY == 0200000 && O_NOFOLLOW == 0400000);
+static_assert(ENOENT == 44 && EXDEV == 75 && ENOTSUP == 138);
+
+/// What open() calls, in place of one of Emscripten's for which only terminals are open.
+extern "C" long __syscall_open(const char* path, long flags, ...) {
+  va_list more;
+  va_start(more, flags);
+  const int mode = (flags & O_CREAT) != 0 ? va_arg(more, int) : 0;
+  va_end(more);
+  const int file = ::openat(AT_FDCWD, path, static_cast<int>(flags), mode);
+  return file < 0 ? -errno : file;
+}
+
+/// Of descriptors, only their being open is asked for.
+extern "C" int fcntl(int descriptor, int, ...) {
+  struct stat status {};
+  return ::fstat(descriptor, &status);
+}
+
+int smurf_lint_main(int argc, char** argv);
+int smurf2urdf_main(int argc, char** argv);
+int urdf2smurf_main(int argc, char** argv);
+int smurfs_flatten_main(int argc, char** argv);
+
+namespace {
+
+struct Tool {
+  std::string_view name;
+  int (*main)(int argc, char** argv);
+};
+
+constexpr Tool kTools[] = {{"smurf-lint", smurf_lint_main},
+                           {"smurf2urdf", smurf2urdf_main},
+                           {"urdf2smurf", urdf2smurf_main},
+                           {"smurfs-flatten", smurfs_flatten_main}};
+
+/// Tells the exit code of a tool from that of abort(), which is 1.
+constexpr int kEnded = 64;
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string_view name = argc > 0 ? argv[0] : "";
+  for (const Tool& tool : kTools) {
+    if (tool.name == name) return kEnded + tool.main(argc, argv);
+  }
+  return 2;
+}

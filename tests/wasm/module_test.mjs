@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The package as a library, from where it is installed. usage: node module_test.mjs FIXTURES NATIVE_TOOLS
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import test from "node:test";
+
+import { ToolError, flatten, lint, load, run, toSmurf, toUrdf } from "smurf-tools";
+
+const [fixtures, tools] = process.argv.slice(2);
+
+function filesIn(folder) {
+  const files = {};
+  for (const entry of fs.readdirSync(folder, { withFileTypes: true, recursive: true })) {
+    const place = path.join(entry.parentPath ?? entry.path, entry.name);
+    if (entry.isFile()) files[path.relative(folder, place)] = new Uint8Array(fs.readFileSync(place));
+  }
+  return files;
+}
+
+function native(tool, args, folder) {
+  return spawnSync(path.join(tools, tool), args, { cwd: folder, encoding: "utf8" });
+}
+
+const arm = path.join(fixtures, "models/arm");
+const nested = path.join(fixtures, "scenes/nested");
+
+test("lint reports what the command reports", async () => {
+  const files = filesIn(arm);
+  const motors = "smurf/arm_motors.yml";
+  const broken = new TextDecoder().decode(files[motors]).replace("joint: joint2_shoulder", "joint: joint2_sholder");
+  const report = await lint({ ...files, [motors]: broken });
+  assert.deepEqual(report.diagnostics.map((one) => one.id), ["SML3101"]);
+  assert.equal(report.diagnostics[0].file, motors);
+  const copy = fs.mkdtempSync(path.join(process.cwd(), "arm-"));
+  fs.cpSync(arm, copy, { recursive: true });
+  fs.writeFileSync(path.join(copy, motors), broken);
+  assert.deepEqual(report, JSON.parse(native("smurf-lint", ["--format=json", "."], copy).stdout));
+});
+
+test("lint has the options of the command, and says what is wrong with them", async () => {
+  const report = await lint(filesIn(arm), { args: ["--target=mujoco"], paths: ["urdf"] });
+  assert.equal(report.summary.models, 1);
+  await assert.rejects(lint({}, { args: ["--no-such-option"] }), (error) => {
+    assert.ok(error instanceof ToolError);
+    assert.equal(error.result.code, 2);
+    assert.match(error.message, /--no-such-option/);
+    return true;
+  });
+  await assert.rejects(lint({ "a.urdf": 7 }), TypeError);
+  await assert.rejects(lint({ a: "", "a/b": "" }), TypeError);
+});
+
+test("flatten gives the poses of the command", async () => {
+  const scene = await flatten(filesIn(nested), "outer.smurfs");
+  assert.deepEqual(scene, JSON.parse(native("smurfs-flatten", ["outer.smurfs"], nested).stdout));
+});
+
+test("all formats can be written", async () => {
+  for (const format of ["sdf", "mjcf", "gltf", "usda", "svg"]) {
+    const args = [`--format=${format}`, "outer.smurfs"];
+    const result = await run("smurfs-flatten", args, filesIn(nested));
+    assert.equal(result.code, 0, result.stderr);
+    assert.equal(result.stdout, native("smurfs-flatten", args, nested).stdout);
+  }
+});
+
+test("a model and its URDF are made of each other", async () => {
+  const urdf = await toUrdf(filesIn(arm), "smurf/arm.smurf");
+  assert.equal(urdf, native("smurf2urdf", ["smurf/arm.smurf"], arm).stdout);
+  const made = await toSmurf(filesIn(arm), "urdf/arm.urdf", { folder: "new" });
+  assert.ok(Object.keys(made).includes("new/smurf/arm.smurf"), Object.keys(made).join(" "));
+  await assert.rejects(toUrdf({ "a.urdf": "<robot" }, "a.urdf"), ToolError);
+});
+
+test("files are written, and standard input is read", async () => {
+  const text = fs.readFileSync(path.join(arm, "urdf/arm.urdf"), "utf8");
+  const result = await run("smurf-lint", ["-", "--format=json=report.json"], {}, text);
+  assert.deepEqual(Object.keys(result.files), ["report.json"]);
+  assert.equal(JSON.parse(new TextDecoder().decode(result.files["report.json"])).summary.models, 1);
+});
+
+test("the module can come from elsewhere, and what is none is refused", async () => {
+  const place = import.meta.resolve("smurf-tools/smurf.wasm");
+  const module = await load(fs.readFileSync(new URL(place)));
+  assert.equal(await load(module), module);
+  await assert.rejects(load(new Uint8Array(4)), WebAssembly.CompileError);
+  assert.ok((await load()) instanceof WebAssembly.Module);
+});
