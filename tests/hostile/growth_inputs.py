@@ -551,3 +551,8 @@ def models_to_rename_in(n, write):
 def models_of_a_scene_to_rename_in(n, write):
     models_that_share(n, write)
     write("s.smurfs", "smurfs:\n" + "".join(f"- {{name: e{i}, type: smurf, file: m{i}.smurf}}\n" for i in range(n)))
+
+
+@grows(8000, "urdf2smurf", "-q", "--force", "-o", "out", "a.urdf")
+def extensions_on_one_line(n, write):
+    write("a.urdf", '<robot name="a"><link name="l"/>' + "".join(f"<x{i}/>" for i in range(n)) + "</robot>")

@@ -5,7 +5,7 @@
 
 #include "base/edits.hpp"
 #include "base/path.hpp"
-#include "base/utf8.hpp"
+#include "render/printable.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/uri.hpp"
 
@@ -71,7 +71,7 @@ Json rename_files(Context& context, const Json& params) {
         for (const Json& one : renames) {
           const std::string from = path_of_uri(text_at(one, {"oldUri"}));
           const std::string to = path_of_uri(text_at(one, {"newUri"}));
-          if (from.empty() || link.path != from || !utf8::is_printable(to)) continue;
+          if (from.empty() || link.path != from || render::escape(to) != to) continue;
           const std::string_view text = context.workspace.loaded_sources().text(link.span);
           if (auto changed = renamed(text, from, to, path::parent(file))) {
             edits.push_back({link.span, as_written(text, *changed, view)});

@@ -65,6 +65,9 @@ NewValue texts_by_subject(const Context& context, const std::string& section,
                           const std::vector<xml::View>& elements) {
   std::vector<NewValue> entries;
   std::map<std::string, std::size_t> places;
+  // All are in one document, which may be one long line.
+  const xml::Document& document = elements.front().document();
+  const XmlEdits edits(document, context.sources.text(document.source));
   for (const xml::View element : elements) {
     std::string key(element.name());
     for (const char* attribute : {"reference", "name"}) {
@@ -74,9 +77,7 @@ NewValue texts_by_subject(const Context& context, const std::string& section,
         break;
       }
     }
-    const std::string text =
-        XmlEdits(element.document(), context.sources.text(element.document().source))
-            .copy(element, {});
+    const std::string text = edits.copy(element, {});
     const auto [place, is_new] = places.emplace(key, entries.size());
     if (is_new) {
       entries.push_back(mapping_value(key, {text_value("xml", text)}));
