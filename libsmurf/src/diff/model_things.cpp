@@ -66,9 +66,9 @@ class AnnotationCollector {
     const yaml::Document* document = model_.document(entry.span.source);
     if (document == nullptr) return;
     const yaml::View value(*document, entry.node);
-    Thing& thing = add(kind_of(section), entry.name.value_or(""),
-                       entry.name ? entry.name.span
-                                  : Span(entry.span.source, entry.span.begin, entry.span.begin));
+    const Span start{entry.span.source, entry.span.begin, entry.span.begin};
+    Thing& thing =
+        add(kind_of(section), entry.name.value_or(""), entry.name ? entry.name.span : start);
     const auto row = ranges::find(rows, "name", &KeySpec::name);
     if (row != rows.end()) {
       const Naming naming = (*row)->names_in != nullptr ? (*row)->names_in(value) : (*row)->names;
