@@ -202,6 +202,13 @@ def models_that_share_what_is_renamed(write):
         write(f"m{i}.smurf", MODEL)
 
 
+@folder(("smurf-lint", "--rename", "link:b=c", "--diff", "r.urdf"))
+def many_uses_of_what_is_renamed(write):
+    """The text was copied for each."""
+    write(".git/HEAD", "")
+    write("r.urdf", '<robot name="r"><link name="b"/>' + repeat('<frame name="f{}" link="b"/>', 3 * MEGABYTE) + "</robot>")
+
+
 @folder(("smurf-lint", "--rename", "link:b=c", "--diff", "s.smurfs"), ("smurf-lint", "--dump-model", "s.smurfs"))
 def scenes_that_name_the_next_one_twice(write):
     for i in range(17):
