@@ -179,15 +179,13 @@ def a_model_in_the_deepest_folder(write):
     write(DEEPEST + "r.urdf", '<robot name="r"><link name="b"/></robot>')
     write(DEEPEST + "r.smurf", MODEL)
     write(DEEPEST + "s.smurfs", "smurfs:\n- {name: e, type: smurf, file: r.smurf}\n")
-    for name in "abc":
-        write(name + "/" + DEEPEST + "r.urdf", '<robot name="r"><link name="b"/></robot>')
 
 
 @folder(("smurf-lint", "-q", "r.smurf"), ("smurf-lint", "--dump-model", "r.smurf"))
 def files_in_deep_folders(write):
     """Of a path, each beginning was kept and looked up from the root."""
     write(".git/HEAD", "")
-    names = [f"c{i}/" + "d/" * 1800 + "a.yml" for i in range(50)]
+    names = [f"c{i}/" + "d/" * 1800 + "a.yml" for i in range(10)]
     for name in names:
         write(name, "motors: []\n")
     write("r.smurf", "modelname: r\nfiles:\n" + "".join(f"- {name}\n" for name in names))
@@ -200,6 +198,13 @@ def models_that_share_what_is_renamed(write):
     write("r.urdf", '<robot name="r"><link name="b"/></robot>')
     for i in range(4000):
         write(f"m{i}.smurf", MODEL)
+
+
+@folder(("smurf-lint", "--rename", "link:b=c", "--diff", "r.urdf"))
+def many_uses_of_what_is_renamed(write):
+    """The text was copied for each."""
+    write(".git/HEAD", "")
+    write("r.urdf", '<robot name="r"><link name="b"/>' + repeat('<frame name="f{}" link="b"/>', 3 * MEGABYTE) + "</robot>")
 
 
 @folder(("smurf-lint", "--rename", "link:b=c", "--diff", "s.smurfs"), ("smurf-lint", "--dump-model", "s.smurfs"))
@@ -255,13 +260,9 @@ def a_long_name_in_many_shapes(write):
 
 
 def make_folder(path):
-    """With all above it, of which there may be more than Python recurses into."""
-    missing = []
-    while not path.exists():
-        missing.append(path)
-        path = path.parent
-    for one in reversed(missing):
-        one.mkdir()
+    """With all above it, of which there may be more than Python makes in reasonable time."""
+    if not path.exists():
+        subprocess.run(["mkdir", "-p", path], check=True)
 
 
 @contextlib.contextmanager

@@ -19,8 +19,9 @@ std::optional<std::map<std::string, Change>> rename_all(const LintOptions& optio
   if (!renamed.problems.empty()) return std::nullopt;
   std::map<std::string, Change> changes;
   const SourceMap& sources = session.loaded_sources();
-  for (const Edit& edit : renamed.edits) {
-    changes[sources.path(edit.span.source)].before = sources.text(edit.span.source);
+  for (const Edit& edit : renamed.edits) {  // of which a file may have thousands
+    const auto [change, is_new] = changes.try_emplace(sources.path(edit.span.source));
+    if (is_new) change->second.before = sources.text(edit.span.source);
   }
   for (FixedText& file : renamed.texts) changes[file.path].after = std::move(file.text);
   return changes;
