@@ -261,6 +261,18 @@ physics: {gravity: {x: 0, y: 0, z: -9.81}}
         self.assertEqual(self.scenes(("anchor: parent", "anchor: none")), ["entity b: anchor parent -> none"])
         self.assertEqual(self.scenes(("name: a,", "name: a, type: urdf,")), [])
 
+    def test_a_scene_that_is_included_twice(self):
+        for folder, order in (("old", "ab"), ("new", "ba")):
+            self.write(f"{folder}/s.smurfs", "entities:\n" + "".join(f"- {{name: {name}, file: inner.smurfs}}\n" for name in order))
+            self.write(f"{folder}/inner.smurfs", self.INNER)
+            self.write(f"{folder}/r.urdf", ROBOT)
+        self.assertEqual(self.expect(0, "old/s.smurfs", "new/s.smurfs").stdout, "no differences\n")
+        self.replace("new/s.smurfs", "name: a", "name: z")
+        self.assertIn("entity a renamed to z", self.expect(1, "old/s.smurfs", "new/s.smurfs").stdout)
+        self.replace("new/inner.smurfs", "name: d,", "name: d, position: [1, 1, 1],")
+        text = self.expect(1, "old/s.smurfs", "new/s.smurfs").stdout
+        self.assertTrue(text.endswith("2 differences: 1 renamed, 1 changed\n"), text)
+
     def test_models_of_a_scene(self):
         self.assertEqual(self.scenes(robot=ROBOT.replace("0.35", "0.4")), ["link arm: mass 0.35 -> 0.4 kg (+14.3 %)"])
         self.assertEqual(self.scenes(("hand", "palm"), robot=ROBOT.replace("hand", "palm")), ["link hand renamed to palm"])

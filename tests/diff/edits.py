@@ -278,8 +278,9 @@ def has_repeated_keys(node):
 
 
 def yaml_edit(text, rng, around=""):
-    """A number of an entry of a section or of an entity. With anchors, it may be a number of others as well."""
-    if re.search(r"[&*]\w|<<:", text):
+    """A number of an entry of a section or of an entity. With anchors, it may be a number of others as well;
+    PyYAML takes some words for booleans."""
+    if re.search(r"[&*]\w|<<:", text) or re.search(r"(?im)[:\-\[,{]\s*(yes|no|on|off)\s*($|[,}\]#])", text):
         return None
     root = yaml.compose(text)
     if has_repeated_keys(root):

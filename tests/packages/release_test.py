@@ -66,7 +66,8 @@ class Release(unittest.TestCase):
         (project / "scripts").mkdir(parents=True)
         copy_of_project(project)
         shutil.copy(ROOT / "scripts/release", project / "scripts")
-        for name, text in (("static-libraries", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release")):
+        for name, text in (("static-libraries", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release"),
+                           ("wasm", "mkdir -p build/wasm && echo packed >build/wasm/smurf-tools.tgz")):
             (project / "scripts" / name).write_text(f"#!/bin/sh\n{text}\n")
             (project / "scripts" / name).chmod(0o755)
         (project / ".gitignore").write_text("/build/\n__pycache__/\n")
@@ -83,6 +84,8 @@ class Release(unittest.TestCase):
         self.assertEqual(subprocess.run([*git, "status", "--porcelain"], check=True, capture_output=True).stdout, b"")
         table = subprocess.run([*git, "show", f"v{VERSION}:python/backend/releases.sha256"], check=True, capture_output=True)
         self.assertIn(table.stdout.splitlines()[-1], (out / "SHA256SUMS").read_bytes().splitlines())
+        self.assertIn(f"{hashlib.sha256(b'packed' + os.linesep.encode()).hexdigest()}  smurf-tools.tgz",
+                      (out / "SHA256SUMS").read_text().splitlines())
         build = "import sys, backend; backend.build_wheel(sys.argv[1])"
         subprocess.run([sys.executable, "-c", build, self.folder], check=True, stderr=subprocess.DEVNULL,
                        env=environment | {"PYTHONPATH": str(project / "python"), "SMURF_RELEASES": out.as_uri()})

@@ -219,6 +219,7 @@ class Comparison {
   static bool is_alone(const Things& things, const std::vector<std::size_t>& others,
                        std::size_t i) {
     const std::size_t parent = things.all[i].parent;
+    if (things.all[i].is_scene) return false;  // the entity that brings it is told
     return parent == kNone || others[parent] != kNone;
   }
 
@@ -228,7 +229,7 @@ class Comparison {
     std::unordered_map<std::string, std::vector<std::size_t>> unnamed;
     for (std::size_t i = 0; i < things.all.size(); ++i) {
       const Thing& thing = things.all[i];
-      if (thing.name.empty())
+      if (thing.name.empty() && !thing.is_scene)
         unnamed[thing.kind + '\0' + std::to_string(thing.parent)].push_back(i);
     }
     for (const auto& [key, found] : unnamed) {
@@ -250,7 +251,7 @@ class Comparison {
     frame.kind = shown_kind(thing);
     frame.name = shown_name(thing);
     frame.number = (&things == &before_ ? numbers_before_ : numbers_after_)[i];
-    if (thing.parent != kNone && thing.path.empty()) {
+    if (thing.parent != kNone && !things.all[thing.parent].is_scene) {
       const Thing& owner = things.all[thing.parent];
       frame.owner = shown_kind(owner) + (owner.name.empty() ? "" : " " + shown_name(owner));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "diff/match.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <map>
@@ -54,19 +55,20 @@ class Matcher {
   }
 
   Matching run() {
-    match_by_name(NameKind::link, 0);
-    match_by_name(NameKind::joint, 0);
+    match_by_name(of_kind(NameKind::link, 0));
+    match_by_name(of_kind(NameKind::joint, 0));
     match_roots();
     follow_tree();
-    match_by_content(NameKind::link, 0);
+    match_by_content(of_kind(NameKind::link, 0));
     follow_tree();
-    match_by_content(NameKind::joint, 0);
+    match_by_content(of_kind(NameKind::joint, 0));
     follow_tree();
     close(NameKind::link);
     close(NameKind::joint);
+    match_entities();
     for (const NameKind kind :
-         {NameKind::entity, NameKind::material, NameKind::visual, NameKind::collision,
-          NameKind::motor, NameKind::sensor, NameKind::node, NameKind::pose}) {
+         {NameKind::material, NameKind::visual, NameKind::collision, NameKind::motor,
+          NameKind::sensor, NameKind::node, NameKind::pose}) {
       match_kind(kind);
     }
     for (const NameKind kind : {NameKind::group, NameKind::extension}) close(kind);
@@ -80,6 +82,11 @@ class Matcher {
   /// By their kind and how many things they are in, so that a whole finds its counterpart before
   /// its parts do.
   using Kinds = std::map<std::pair<Kind, std::size_t>, std::vector<std::size_t>>;
+  /// Things of one kind that are looked at together.
+  struct Candidates {
+    const std::vector<std::size_t>& before;
+    const std::vector<std::size_t>& after;
+  };
   /// What could be each other's counterpart.
   struct Bucket {
     std::vector<std::size_t> before, after;
@@ -88,6 +95,42 @@ class Matcher {
   void close(NameKind kind) {
     renames_.close(kind);
     names_after_.close(kind);
+  }
+
+  /// Scene files are those that the same entities bring.
+  void match_scenes(std::size_t old_scene, std::size_t new_scene) {
+    if (old_scene == kNone || new_scene == kNone) return;
+    if (!is_free_before(old_scene) || !is_free_after(new_scene)) return;
+    pair(old_scene, new_scene);
+    scenes_.emplace_back(old_scene, new_scene);
+  }
+
+  /// Scene by scene, from the outer ones on.
+  void match_entities() {
+    const auto first = [](const Things& things) {
+      const auto found = ranges::find(things.all, true, &Thing::is_scene);
+      return found == things.all.end() ? kNone
+                                       : static_cast<std::size_t>(found - things.all.begin());
+    };
+    match_scenes(first(before_), first(after_));
+    while (!scenes_.empty()) {
+      const auto scenes = scenes_.front();
+      scenes_.pop_front();
+      const std::vector<std::size_t> before = entities_in(before_, parts_before_, scenes.first);
+      const std::vector<std::size_t> after = entities_in(after_, parts_after_, scenes.second);
+      match_by_name({before, after});
+      match_by_content({before, after});
+    }
+    close(NameKind::entity);
+  }
+
+  static std::vector<std::size_t> entities_in(const Things& things, const Parts& parts,
+                                              std::size_t scene) {
+    const auto found = parts.find(scene);
+    if (found == parts.end()) return {};
+    std::vector<std::size_t> entities = found->second;
+    std::erase_if(entities, [&](std::size_t i) { return things.all[i].names != NameKind::entity; });
+    return entities;
   }
 
   static void count_parts(const Things& things, Parts& parts) {
@@ -100,15 +143,22 @@ class Matcher {
     std::vector<std::size_t> depths;
     for (std::size_t i = 0; i < things.all.size(); ++i) {
       const Thing& thing = things.all[i];
+      if (thing.is_scene) {
+        depths.push_back(0);
+        continue;
+      }
       depths.push_back(thing.parent == kNone ? 0 : depths[thing.parent] + 1);
       kinds[{thing.names, depths[i]}].push_back(i);
     }
   }
 
-  static const std::vector<std::size_t>& of_kind(const Kinds& kinds, Kind kind, std::size_t depth) {
+  Candidates of_kind(Kind kind, std::size_t depth) const {
     static const std::vector<std::size_t> kNothing;
-    const auto found = kinds.find({kind, depth});
-    return found == kinds.end() ? kNothing : found->second;
+    const auto find = [&](const Kinds& kinds) -> const std::vector<std::size_t>& {
+      const auto found = kinds.find({kind, depth});
+      return found == kinds.end() ? kNothing : found->second;
+    };
+    return {find(kinds_before_), find(kinds_after_)};
   }
 
   void pair(std::size_t old_thing, std::size_t new_thing) {
@@ -116,6 +166,7 @@ class Matcher {
     matching_.to_old[new_thing] = old_thing;
     const std::optional<NameKind> kind = before_.all[old_thing].names;
     if (kind == NameKind::link || kind == NameKind::joint) queue_.push_back(old_thing);
+    match_scenes(before_.all[old_thing].brings, after_.all[new_thing].brings);
     const Thing& before = before_.all[old_thing];
     const Thing& after = after_.all[new_thing];
     if (before.names && before.name != after.name && !before.name.empty() && !after.name.empty()) {
@@ -134,7 +185,7 @@ class Matcher {
   /// Calls `visit` with all buckets of free things of a kind, in the order of the old version.
   /// `more` gives what decides of a thing and its index; none: the thing stays free.
   template <class More, class Visit>
-  void for_each_bucket(Kind kind, std::size_t depth, const More& more, const Visit& visit) {
+  void for_each_bucket(const Candidates& candidates, const More& more, const Visit& visit) {
     std::unordered_map<std::string, std::size_t> places;
     std::vector<Bucket> buckets;
     const auto bucket_of = [&](const std::string& key) -> Bucket& {
@@ -142,7 +193,7 @@ class Matcher {
       if (is_new) buckets.emplace_back();
       return buckets[place->second];
     };
-    for (const std::size_t i : of_kind(kinds_before_, kind, depth)) {
+    for (const std::size_t i : candidates.before) {
       const Thing& thing = before_.all[i];
       if (!is_free_before(i)) continue;
       const std::size_t parent = thing.parent == kNone ? kNone : matching_.to_new[thing.parent];
@@ -151,7 +202,7 @@ class Matcher {
         bucket_of(key_of(thing, parent, *decides)).before.push_back(i);
       }
     }
-    for (const std::size_t i : of_kind(kinds_after_, kind, depth)) {
+    for (const std::size_t i : candidates.after) {
       const Thing& thing = after_.all[i];
       if (!is_free_after(i)) continue;
       if (const auto decides = more(thing, i, false)) {
@@ -164,18 +215,18 @@ class Matcher {
   void match_kind(Kind kind) {
     for (auto level = kinds_before_.lower_bound({kind, 0});
          level != kinds_before_.end() && level->first.first == kind; ++level) {
-      match_by_name(kind, level->first.second);
-      match_by_content(kind, level->first.second);
+      match_by_name(of_kind(kind, level->first.second));
+      match_by_content(of_kind(kind, level->first.second));
     }
     if (kind) close(*kind);
   }
 
-  void match_by_name(Kind kind, std::size_t depth) {
+  void match_by_name(const Candidates& candidates) {
     const auto name = [&](const Thing& thing, std::size_t, bool is_before) {
       const bool is_reference = is_before && !thing.names;
       return std::optional(is_reference ? renames_.translate(thing.name, thing.place) : thing.name);
     };
-    for_each_bucket(kind, depth, name, [&](const Bucket& bucket) { match_bucket(bucket); });
+    for_each_bucket(candidates, name, [&](const Bucket& bucket) { match_bucket(bucket); });
   }
 
   /// Things of one name, or without any: equal ones first, then in their order.
@@ -204,12 +255,13 @@ class Matcher {
   }
 
   /// What was renamed is still the same thing. One without content could be any.
-  void match_by_content(Kind kind, std::size_t depth) {
+  void match_by_content(const Candidates& candidates) {
     const auto content = [&](const Thing& thing, std::size_t i, bool is_before) {
       const std::uint64_t hash = is_before ? hash_before(i) : hash_after(i);
-      return hash == hash_of_text(thing.kind) ? std::nullopt : std::optional(std::to_string(hash));
+      const bool says_nothing = hash == hash_of_text(thing.kind) && thing.brings == kNone;
+      return says_nothing ? std::nullopt : std::optional(std::to_string(hash));
     };
-    for_each_bucket(kind, depth, content, [&](const Bucket& bucket) { pair_in_order(bucket); });
+    for_each_bucket(candidates, content, [&](const Bucket& bucket) { pair_in_order(bucket); });
   }
 
   std::uint64_t hash_before(std::size_t i) const {
@@ -327,6 +379,7 @@ class Matcher {
   Matching matching_;
   Parts parts_before_, parts_after_;
   Kinds kinds_before_, kinds_after_;
+  std::deque<std::pair<std::size_t, std::size_t>> scenes_;  ///< whose entities are to be matched
   std::deque<std::size_t> queue_;  ///< old links and joints whose neighbours are to be looked at
   std::unordered_map<std::size_t, std::size_t> links_before_, joints_before_, links_after_,
       joints_after_;

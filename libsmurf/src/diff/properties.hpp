@@ -61,6 +61,8 @@ struct Thing {
   Span place;                     ///< of the name, else of the whole
   std::optional<NameKind> names;  ///< what else refers to by its name
   std::size_t parent = kNone;     ///< the thing that it is part of; stands before it
+  std::size_t brings = kNone;     ///< of an entity that includes a scene: the thing of its file
+  bool is_scene = false;          ///< a scene file: who brings it tells which one it is
   Property properties;            ///< a group
 };
 

@@ -43,15 +43,13 @@ class SceneCollector {
   }
 
   void run() {
-    std::vector<char> is_done(scene_.scenes.size());
     for (const SceneUse& use : scene_.uses) {
-      if (std::exchange(is_done[to_size(use.scene)], 1) != 0) continue;
-      std::size_t parent = kNone;
-      if (use.outer) {
-        const std::size_t outer = to_size(scene_.uses[to_size(*use.outer)].scene);
-        parent = entities_.at({outer, use.including_entity});
-      }
-      scene(use, parent);
+      const std::size_t scene = to_size(use.scene);
+      if (!scenes_.contains(scene)) this->scene(use);
+      if (!use.outer) continue;
+      const std::size_t outer = to_size(scene_.uses[to_size(*use.outer)].scene);
+      const auto entity = entities_.find({outer, use.including_entity});
+      if (entity != entities_.end()) things_.all[entity->second].brings = scenes_.at(scene);
     }
   }
 
@@ -66,17 +64,24 @@ class SceneCollector {
     return thing;
   }
 
-  void scene(const SceneUse& use, std::size_t parent) {
+  void scene(const SceneUse& use) {
     const SceneFile& file = scene_.file(use);
-    for (std::size_t i = 0; i < file.scene.entities.size(); ++i) entity(use, i, parent);
-    if (!file.document || !file.document->view() || !file.document->view().is_mapping()) return;
-    const yaml::View root = file.document->view();
-    const Span place{file.source, root.span().begin, root.span().begin};
-    Thing& world = add("scene", parent, place);
-    world.properties = properties_.mapping({}, root, rows_of(scene_keys()), is_of_world);
+    const std::size_t index = things_.all.size();
+    scenes_.emplace(to_size(use.scene), index);
+    Thing& world = add("scene", kNone, {file.source, 0, 0});
+    world.is_scene = true;
+    world.properties = group_property({}, world.place);
+    const bool is_read =
+        file.document && file.document->view() && file.document->view().is_mapping();
+    if (is_read) {
+      world.properties =
+          properties_.mapping({}, file.document->view(), rows_of(scene_keys()), is_of_world);
+    }
+    for (std::size_t i = 0; i < file.scene.entities.size(); ++i) entity(use, i, index);
+    if (!is_read) return;
     const std::vector<const KeySpec*> rows = sections::lights.keys();
     for (const Light& light : file.scene.lights) {
-      Thing& thing = add("light", parent, light.name ? light.name.span : light.span);
+      Thing& thing = add("light", index, light.name ? light.name.span : light.span);
       thing.name = light.name.value_or("");
       thing.properties = properties_.mapping({}, {*file.document, light.node}, rows,
                                              [](std::string_view key) { return key != "name"; });
@@ -140,6 +145,7 @@ class SceneCollector {
   YamlProperties& properties_;
   Things& things_;
   std::map<EntityKey, const Instance*> instances_;  ///< the first one of each entity
+  std::map<std::size_t, std::size_t> scenes_;       ///< things, by scene file
   std::map<EntityKey, std::size_t> entities_;       ///< things
   std::set<EntityKey> included_;                    ///< entities that bring a scene
   std::map<std::string, const DataFile*> data_;     ///< by path
