@@ -4,7 +4,10 @@
 #include "base/exact_math.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 
 namespace smurf {
 namespace {
@@ -16,7 +19,7 @@ struct Double2 {
 };
 
 /// Exact, like the two below it. Precondition: |a| >= |b|.
-Double2 ordered_sum(double a, double b) {
+constexpr Double2 ordered_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
@@ -27,7 +30,7 @@ Double2 sum(double a, double b) {
   return {sum, (a - (sum - of_b)) + (b - of_b)};
 }
 
-Double2 product(double a, double b) {
+constexpr Double2 product(double a, double b) {
   constexpr double kSplit = 134217729;  // 2^27 + 1
   const auto upper_half = [](double x) {
     const double shifted = kSplit * x;
@@ -48,14 +51,20 @@ Double2 operator+(const Double2& a, const Double2& b) {
   return ordered_sum(first.high, first.low + low.low);
 }
 
-Double2 operator-(const Double2& a) { return {-a.high, -a.low}; }
+/// Precondition: |a| is larger.
+Double2 larger_sum(const Double2& a, const Double2& b) {
+  const Double2 high = ordered_sum(a.high, b.high);
+  return ordered_sum(high.high, high.low + (a.low + b.low));
+}
+
+constexpr Double2 operator-(const Double2& a) { return {-a.high, -a.low}; }
 
 Double2 operator*(const Double2& a, const Double2& b) {
   const Double2 high = product(a.high, b.high);
   return ordered_sum(high.high, high.low + (a.high * b.low + a.low * b.high));
 }
 
-Double2 operator/(const Double2& a, double b) {
+constexpr Double2 operator/(const Double2& a, double b) {
   const double quotient = a.high / b;
   const Double2 back = product(quotient, b);
   return ordered_sum(quotient, ((a.high - back.high) - back.low + a.low) / b);
@@ -66,23 +75,37 @@ struct SineCosine2 {
   Double2 cosine;
 };
 
-/// 1 - x^2/(n+1)(n+2) (1 - x^2/(n+3)(n+4) (...)) up to what no longer counts for |x| <= pi/4.
-Double2 series(const Double2& square, int first) {
-  constexpr int kLast = 28;
-  constexpr int kShort = 14;  // above it the digits of a double are enough, and five times as fast
-  double rest = 1;
-  int n = kLast + first;
-  for (; n > kShort + first; n -= 2) rest = 1 - square.high * rest / (n * (n - 1));
-  const Double2 one{1, 0};
-  Double2 value{rest, 0};
-  for (; n > first; n -= 2) {
-    value = one + -(square * value / static_cast<double>(n * (n - 1)));
+/// The rest of the terms is too small for the digits of a number up to 1.
+constexpr std::size_t kTerms = 13;
+using Coefficients = std::array<Double2, kTerms>;
+
+/// 1/first!, -1/(first+2)!, 1/(first+4)!, ...
+constexpr Coefficients alternating_factorials(int first) {
+  Coefficients all{{{1, 0}}};
+  for (std::size_t k = 1; k < kTerms; ++k) {
+    const int n = first + 2 * static_cast<int>(k);
+    all[k] = all[k - 1] / -static_cast<double>(n * (n - 1));
   }
+  return all;
+}
+
+constexpr Coefficients kOfCosine = alternating_factorials(0);
+constexpr Coefficients kOfSine = alternating_factorials(1);  // over the angle
+
+/// The sum of the coefficients times the powers of the square, for angles up to pi/4.
+Double2 series(const Double2& square, const Coefficients& all) {
+  constexpr std::size_t kPrecise = 5;  // of the others, the digits of a double are enough
+  double rest = 0;
+  for (std::size_t k = kTerms; k-- > kPrecise;) rest = all[k].high + square.high * rest;
+  Double2 value{rest, 0};
+  for (std::size_t k = kPrecise; k-- > 0;) value = larger_sum(all[k], square * value);
   return value;
 }
 
 /// The angle less the nearest multiple of a quarter turn, and that multiple.
 Double2 reduced(double radians, int& quarter) {
+  quarter = 0;
+  if (std::fabs(radians) <= std::numbers::pi / 4) return {radians, 0};
   constexpr double kQuarter[] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
                                  -0x1.f1976b7ed8fbcp-110};
   const double count = std::nearbyint(radians / kQuarter[0]);
@@ -96,8 +119,8 @@ SineCosine2 sine_cosine_2(double radians) {
   int quarter = 0;
   const Double2 rest = reduced(radians, quarter);
   const Double2 square = rest * rest;
-  const Double2 sine = rest * series(square, 1);
-  const Double2 cosine = series(square, 0);
+  const Double2 sine = rest * series(square, kOfSine);
+  const Double2 cosine = series(square, kOfCosine);
   switch (quarter) {
   case 0: return {sine, cosine};
   case 1: return {cosine, -sine};
