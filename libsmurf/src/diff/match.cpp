@@ -11,6 +11,7 @@
 
 #include "base/bits.hpp"
 #include "base/path.hpp"
+#include "base/ranges.hpp"
 
 namespace smurf {
 namespace {
