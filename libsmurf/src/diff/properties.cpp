@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/exact_math.hpp"
 #include "diff/values.hpp"
 
 namespace smurf {
@@ -48,7 +49,7 @@ bool are_same_numbers(const Property& before, const Property& after, double tole
 }
 
 bool is_same_pose(const Pose& a, const Pose& b, double tolerance) {
-  return std::hypot(a.position[0] - b.position[0], a.position[1] - b.position[1],
+  return hypotenuse(a.position[0] - b.position[0], a.position[1] - b.position[1],
                     a.position[2] - b.position[2]) <= tolerance &&
          angle_between(a.orientation, b.orientation) <= tolerance;
 }

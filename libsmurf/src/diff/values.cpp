@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "smurf/describe.hpp"
 
@@ -72,7 +73,7 @@ std::string number_change(double before, double after, std::string_view unit) {
 std::string pose_change(const Pose& before, const Pose& after) {
   double distance = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    distance = std::hypot(distance, before.position[i] - after.position[i]);
+    distance = hypotenuse(distance, before.position[i] - after.position[i]);
   }
   std::string text;
   if (distance > 0) text = "xyz " + arrow(pair_of(before.position, after.position)) + " m";
