@@ -31,7 +31,6 @@ struct Owner {
   friend bool operator<(const Owner& a, const Owner& b) {
     return std::tie(a.loaded, a.model) < std::tie(b.loaded, b.model);
   }
-  friend bool operator==(const Owner&, const Owner&) = default;
 };
 
 /// A name as one model knows it.
