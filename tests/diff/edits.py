@@ -296,7 +296,8 @@ def yaml_edit(text, rng, around=""):
                 places += [(ENTRIES[key.value], name, *place) for place in numbers_in(entry, "")]
     if not places:
         return None
-    places = [place for place in places if not place[2].endswith("rotation.w")]  # the rest may be a multiple of it
+    # The rest of a rotation may be a multiple of w, and another name is another thing.
+    places = [place for place in places if not place[2].endswith("rotation.w") and place[2] != "name"]
     if not places:
         return None
     kind, name, path, node = rng.choice(places)

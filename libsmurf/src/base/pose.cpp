@@ -61,7 +61,8 @@ Vector3 rotate(const Quaternion& rotation, const Vector3& vector) {
 }
 
 double norm(const Quaternion& q) {
-  return std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  // In pairs, which rounds less than a running sum: normalized() finds its fixed point sooner.
+  return std::sqrt((q.x * q.x + q.z * q.z) + (q.y * q.y + q.w * q.w));
 }
 
 Quaternion normalized(const Quaternion& q) {
