@@ -39,7 +39,7 @@ Diagnostic& report_type(const KeySpec& spec, std::string_view wanted, yaml::View
 
 void report_not_number(const KeySpec& spec, yaml::View value, std::string_view expected,
                        DiagnosticSink& sink) {
-  Diagnostic& diagnostic = report_type(spec, wanted::value, value, expected, sink);
+  Diagnostic& diagnostic = report_type(spec, wanted::kValue, value, expected, sink);
   const yaml::ScalarType type = type_without_quotes(value);
   if (type == yaml::ScalarType::integer || type == yaml::ScalarType::number) {
     offer(diagnostic, "remove the quotes: MARS reads the number, YAML readers with types a text",
@@ -141,7 +141,7 @@ void read_text(const KeySpec& spec, yaml::View value, Target target, DiagnosticS
     }
     text = std::string(value.text());
   } else {
-    report_type(spec, wanted::value, value, "a text", sink);
+    report_type(spec, wanted::kValue, value, "a text", sink);
   }
   store(target, value, std::move(text));
 }
@@ -174,7 +174,7 @@ void read_boolean(const KeySpec& spec, yaml::View value, Target target, Diagnost
     boolean = *number == 1;
   }
   if (!boolean) {
-    Diagnostic& diagnostic = report_type(spec, wanted::value, value, "true or false", sink);
+    Diagnostic& diagnostic = report_type(spec, wanted::kValue, value, "true or false", sink);
     if (is_word_of(value.text(), {"yes", "Yes", "YES", "on", "On", "ON", "y", "Y"})) {
       offer(diagnostic, "write `true`: MARS does not know this word", value.span(), "true");
     } else if (is_word_of(value.text(), {"no", "No", "NO", "off", "Off", "OFF", "n", "N"})) {
@@ -195,7 +195,7 @@ void read_names(const KeySpec& spec, yaml::View value, Target target, Diagnostic
     return store(target, value, std::optional(std::move(names)));
   }
   if (!value.is_sequence()) {
-    report_type(spec, wanted::names, value, describe(spec.type), sink);
+    report_type(spec, wanted::kNames, value, describe(spec.type), sink);
     return store<NameList>(target, value, std::nullopt);
   }
   for (const yaml::View item : value) {
@@ -203,7 +203,7 @@ void read_names(const KeySpec& spec, yaml::View value, Target target, Diagnostic
       check_text(spec, item, sink);
       names.push_back({std::string(item.text()), item.span()});
     } else {
-      report_type(spec, wanted::names, item, "a list of names", sink);
+      report_type(spec, wanted::kNames, item, "a list of names", sink);
     }
   }
   store(target, value, std::optional(std::move(names)));
@@ -219,7 +219,7 @@ void read_number_list(const KeySpec& spec, yaml::View value, std::size_t count, 
     }
   } else {
     Diagnostic& diagnostic =
-        report_type(spec, wanted::numbers, value,
+        report_type(spec, wanted::kNumbers, value,
                     count == 0 ? "a list of numbers" : "a list of three numbers", sink);
     if (value.is_sequence()) diagnostic.message += " of " + std::to_string(value.size());
   }
@@ -283,7 +283,7 @@ void check_components(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
 bool read_components(const KeySpec& spec, yaml::View value, std::span<Field<double>> out,
                      DiagnosticSink& sink) {
   if (!value.is_mapping()) {
-    report_type(spec, wanted::mapping, value, describe(spec.type), sink);
+    report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
     return false;
   }
   const auto names = components_of(spec.type);
@@ -344,7 +344,7 @@ void read_color(const KeySpec& spec, yaml::View value, Target target, Diagnostic
 
 void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   if (!value.is_mapping()) {
-    report_type(spec, wanted::mapping, value, describe(spec.type), sink);
+    report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
     return;
   }
   for (const yaml::View member : value) {
@@ -361,7 +361,7 @@ void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
 
 void check_mapping(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   if (!value.is_mapping()) {
-    report_type(spec, wanted::mapping, value, describe(spec.type), sink);
+    report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
   } else {
     check_keys(spec.members.keys(), value, spec.name, sink);
   }
@@ -369,7 +369,7 @@ void check_mapping(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) 
 
 void check_list(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   if (!value.is_sequence()) {
-    report_type(spec, wanted::mapping, value, describe(spec.type), sink);
+    report_type(spec, wanted::kMapping, value, describe(spec.type), sink);
     return;
   }
   if (spec.members.size == 0) return;
@@ -378,7 +378,7 @@ void check_list(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
     if (item.is_mapping()) {
       check_keys(spec.members.keys(), item, spec.name, sink);
     } else if (!takes_names || !item.is_scalar() || item.is_null()) {
-      report_type(spec, wanted::mapping, item, "a list of mappings", sink);
+      report_type(spec, wanted::kMapping, item, "a list of mappings", sink);
     }
   }
 }

@@ -45,7 +45,7 @@ class RotationReader {
       rotation_.values[index] = *number;
       return true;
     }
-    report_wrong_type(wanted::value, value, "`rotation` takes numbers, not " + describe(value),
+    report_wrong_type(wanted::kValue, value, "`rotation` takes numbers, not " + describe(value),
                       sink_);
     return false;
   }
@@ -160,7 +160,7 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
     if (item.is_mapping()) {
       scene.entities.push_back(read_entity(item, list, sink));
     } else {
-      report_wrong_type(wanted::entity, item,
+      report_wrong_type(wanted::kEntity, item,
                         "an entity of `" + key + "` is a mapping, not " + describe(item), sink);
     }
   }
@@ -169,7 +169,7 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
 std::optional<Physics> read_physics(yaml::View value, DiagnosticSink& sink) {
   if (!value || value.is_null()) return std::nullopt;
   if (!value.is_mapping()) {
-    report_wrong_type(wanted::mapping, value, "`physics` takes a mapping, not " + describe(value),
+    report_wrong_type(wanted::kMapping, value, "`physics` takes a mapping, not " + describe(value),
                       sink);
     return std::nullopt;
   }
@@ -185,7 +185,7 @@ std::optional<Physics> read_physics(yaml::View value, DiagnosticSink& sink) {
 void read_environment(yaml::View value, Scene& scene, DiagnosticSink& sink) {
   if (!value || value.is_null()) return;
   if (!value.is_mapping()) {
-    report_wrong_type(wanted::mapping, value,
+    report_wrong_type(wanted::kMapping, value,
                       "`environment` takes a mapping, not " + describe(value), sink);
     return;
   }

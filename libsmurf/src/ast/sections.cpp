@@ -29,7 +29,7 @@ void read_entries(const SectionSpec& section, yaml::View value, std::string_view
     if (entry.is_mapping()) {
       section.read(entry, value.key_span(), out, sink);
     } else {
-      report_shape(section, wanted::entry, entry, expected, sink);
+      report_shape(section, wanted::kEntry, entry, expected, sink);
     }
   }
 }
@@ -46,7 +46,7 @@ void read_section(const SectionSpec& section, yaml::View value, Annotations& out
   if (section.form == SectionForm::list_or_mapping && value.is_mapping()) {
     return section.read(value, value.key_span(), out, sink);
   }
-  report_shape(section, wanted::section, value, expected, sink);
+  report_shape(section, wanted::kSection, value, expected, sink);
 }
 
 }  // namespace

@@ -12,13 +12,13 @@ namespace smurf {
 
 /// What is wanted; the names are in the facts of SML4001, such as "#names-text".
 namespace wanted {
-inline constexpr std::string_view value = "value";      ///< a text, a number, true or false
-inline constexpr std::string_view names = "names";      ///< a list of names
-inline constexpr std::string_view numbers = "numbers";  ///< a list of numbers
-inline constexpr std::string_view mapping = "mapping";
-inline constexpr std::string_view section = "section";
-inline constexpr std::string_view entry = "entry";    ///< an entry of a section
-inline constexpr std::string_view entity = "entity";  ///< an entity of a scene
+inline constexpr std::string_view kValue = "value";      ///< a text, a number, true or false
+inline constexpr std::string_view kNames = "names";      ///< a list of names
+inline constexpr std::string_view kNumbers = "numbers";  ///< a list of numbers
+inline constexpr std::string_view kMapping = "mapping";
+inline constexpr std::string_view kSection = "section";
+inline constexpr std::string_view kEntry = "entry";    ///< an entry of a section
+inline constexpr std::string_view kEntity = "entity";  ///< an entity of a scene
 }  // namespace wanted
 
 /// Reports `message` at the value, whose construct says what is wanted and what is there.
