@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -13,9 +12,6 @@ namespace smurf {
 
 /// Where a repository keeps its history, and with it tokens and the addresses of servers.
 inline constexpr std::array<std::string_view, 3> kHistories = {".git", ".hg", ".svn"};
-
-/// True for the top folder of a repository of git, Mercurial or Subversion.
-bool is_repository(const std::filesystem::path& folder);
 
 /// Paths from the top of the repository, sought from the current folder upward; from the current
 /// folder when there is none. Links are resolved, as code hosts know no file by two names.

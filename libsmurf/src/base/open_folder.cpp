@@ -8,6 +8,7 @@
 #include <array>
 
 #include "base/path.hpp"
+#include "base/ranges.hpp"
 
 namespace smurf {
 namespace {
@@ -35,6 +36,10 @@ bool OpenFolder::has(std::string_view name) const {
   struct stat status {};
   return is_open() &&
          ::fstatat(number_, std::string(name).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+}
+
+bool OpenFolder::has_any(std::span<const std::string_view> names) const {
+  return ranges::any_of(names, [&](std::string_view name) { return has(name); });
 }
 
 std::optional<std::string> OpenFolder::target_of(const std::string& name) const {

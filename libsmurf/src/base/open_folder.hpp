@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,8 +22,9 @@ class OpenFolder {
   void enter(const std::string& name);
   bool is_open() const { return number_ >= 0; }
 
-  /// A link counts, wherever it leads.
+  /// True for a link as well, even to nothing: a checkout must not learn what is outside of it.
   bool has(std::string_view name) const;
+  bool has_any(std::span<const std::string_view> names) const;
   /// Where a link leads, as it is written; none when this is no link.
   std::optional<std::string> target_of(const std::string& name) const;
 

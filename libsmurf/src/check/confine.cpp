@@ -44,7 +44,7 @@ bool is_home(std::string_view folder) {
 /// As confine() says. What is above a shared folder is shared.
 bool is_shared(std::string_view folder) {
   if (folder.size() <= 1 || is_home(folder)) return true;
-  return path::parent(folder) == "/" && !is_repository(folder);
+  return path::parent(folder) == "/" && !OpenFolder(std::string(folder)).has_any(kHistories);
 }
 
 /// Where the project would end if no folder were shared. From folder to folder upwards, as the way
@@ -53,9 +53,7 @@ std::string_view widest_project_of(std::string_view folder) {
   std::string_view package;
   OpenFolder open{std::string(folder)};
   for (std::string_view at = folder; at.size() > 1; at = path::parent(at), open.enter("..")) {
-    const bool is_top =
-        ranges::any_of(kHistories, [&](std::string_view history) { return open.has(history); });
-    if (is_top && !is_home(at)) return at;
+    if (open.has_any(kHistories) && !is_home(at)) return at;
     if (package.empty() && open.has("package.xml")) package = at;
   }
   return package.empty() ? path::parent(path::parent(folder)) : path::parent(package);

@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has_history(const OpenFolder& folder) {
-  return ranges::any_of(kHistories, [&](std::string_view history) { return folder.has(history); });
-}
-
 /// The repository around folders, each of which is asked for once; "": none.
 class Repositories {
  public:
@@ -29,7 +25,7 @@ class Repositories {
     if (!is_new) return known->second;
     OpenFolder open(folder);
     std::string_view at = folder;
-    while (at.size() > 1 && !has_history(open)) {
+    while (at.size() > 1 && !open.has_any(kHistories)) {
       at = path::parent(at);
       open.enter("..");
     }
@@ -56,14 +52,6 @@ bool leads_out(const fs::path& target, const fs::path& root) {
 }
 
 }  // namespace
-
-bool is_repository(const fs::path& folder) {
-  std::error_code ignored;
-  // A link counts wherever it leads: whether something is there is not for a checkout to ask.
-  return ranges::any_of(kHistories, [&](std::string_view history) {
-    return fs::exists(fs::symlink_status(folder / history, ignored));
-  });
-}
 
 RepositoryPath in_repository() {
   std::error_code error;

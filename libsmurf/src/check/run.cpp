@@ -61,7 +61,7 @@ class Run {
   void check_all(const std::vector<PlannedFile>& planned) {
     std::vector<const PlannedFile*> left;
     for (const PlannedFile& file : planned) {
-      if (read_.contains(identity(file.path, workshop_.desk.paths, workshop_.desk.files))) {
+      if (read_.contains(identity_of(file.path))) {
         advance();
       } else {
         left.push_back(&file);
@@ -104,6 +104,10 @@ class Run {
 
  private:
   bool is_remembering() const { return workshop_.snapshot != nullptr; }
+
+  std::string identity_of(const std::string& path) const {
+    return identity(path, workshop_.desk.paths, workshop_.desk.files);
+  }
 
   void advance() {
     const std::size_t done = ++done_;
@@ -207,7 +211,7 @@ class Run {
       outcome.judged = judge(scene, outcome.sources, group.selection, sink);
       for (LinkedModel& model : scene.models) take_files(std::move(model), outcome);
       for (const SceneFile& file : scene.scenes) {
-        outcome.scenes.insert(identity(file.path, workshop_.desk.paths, workshop_.desk.files));
+        outcome.scenes.insert(identity_of(file.path));
       }
     } else {
       LinkedModel model = load_model(planned.path, context);
@@ -218,11 +222,10 @@ class Run {
   }
 
   void take_files(LinkedModel&& model, Outcome& outcome) const {
-    outcome.models.insert(identity(model.path, workshop_.desk.paths, workshop_.desk.files));
-    outcome.read.insert(identity(model.path, workshop_.desk.paths, workshop_.desk.files));
+    outcome.models.insert(identity_of(model.path));
+    outcome.read.insert(identity_of(model.path));
     for (const ModelFile& file : model.files) {
-      outcome.read.insert(
-          identity(outcome.sources.path(file.source), workshop_.desk.paths, workshop_.desk.files));
+      outcome.read.insert(identity_of(outcome.sources.path(file.source)));
     }
     if (is_remembering()) outcome.parsed.keep(std::move(model));
   }
@@ -233,9 +236,7 @@ class Run {
     std::set<SourceId> again;
     for (std::size_t i = memory_.sources.size(); i < outcome.sources.size(); ++i) {
       const SourceId source{static_cast<std::uint32_t>(i)};
-      const std::string& path = outcome.sources.path(source);
-      if (sources_read_.insert(identity(path, workshop_.desk.paths, workshop_.desk.files)).second)
-        continue;
+      if (sources_read_.insert(identity_of(outcome.sources.path(source))).second) continue;
       again.insert(source);
       rechecked_ += outcome.sources.text(source).size();
     }

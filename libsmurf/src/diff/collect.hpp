@@ -11,7 +11,7 @@ namespace smurf {
 /// What of a model is compared.
 enum class Scope : std::uint8_t { all, robot };
 
-/// The things of a URDF, appended.
+/// Appends the things of a URDF.
 void collect_robot(const LinkedModel& model, Things& things);
 /// Those of the main file and the annotations.
 void collect_annotations(const LinkedModel& model, YamlProperties& properties, Things& things);
@@ -20,7 +20,11 @@ Things collect(const LinkedModel& model, Scope scope, YamlProperties& properties
 /// Those of the scene files, each once however often it is included.
 Things collect(const LinkedScene& scene, const SourceMap& sources, YamlProperties& properties);
 
-/// By the place where the name stands, so that they are found by it.
+/// The order of places in files.
+inline bool is_before(const Span& a, const Span& b) {
+  return a.source != b.source ? a.source < b.source : a.begin < b.begin;
+}
+/// Sorts by the place of the name, by which references are looked up.
 void sort_by_place(std::vector<Reference>& references);
 
 }  // namespace smurf

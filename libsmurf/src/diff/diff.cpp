@@ -82,10 +82,7 @@ class SceneDiff {
 
   /// The models of entities, by their things; things of entities stand in the order of the files.
   static Models models_of(const LinkedScene& scene, const Things& things) {
-    std::map<Span, std::size_t, bool (*)(const Span&, const Span&)> places(
-        [](const Span& a, const Span& b) {
-          return a.source != b.source ? a.source < b.source : a.begin < b.begin;
-        });
+    std::map<Span, std::size_t, decltype(&is_before)> places(is_before);
     for (std::size_t i = 0; i < things.all.size(); ++i) {
       if (things.all[i].names == NameKind::entity) places.emplace(things.all[i].place, i);
     }

@@ -104,11 +104,9 @@ void collect_annotations(const LinkedModel& model, YamlProperties& properties, T
 }
 
 void sort_by_place(std::vector<Reference>& references) {
-  std::stable_sort(references.begin(), references.end(),
-                   [](const Reference& a, const Reference& b) {
-                     return a.span.source != b.span.source ? a.span.source < b.span.source
-                                                           : a.span.begin < b.span.begin;
-                   });
+  std::stable_sort(
+      references.begin(), references.end(),
+      [](const Reference& a, const Reference& b) { return is_before(a.span, b.span); });
 }
 
 Things collect(const LinkedModel& model, Scope scope, YamlProperties& properties) {

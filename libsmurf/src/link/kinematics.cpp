@@ -80,10 +80,8 @@ KinematicTree build_tree(const LinkedModel& model) {
   tree.joint_child.resize(joints.size());
   tree.parent_joint.resize(links.size());
   tree.child_joints.resize(links.size());
-  const auto find = [&](const Field<std::string>& name) -> std::optional<LinkIndex> {
-    if (!name) return std::nullopt;
-    const auto index = model.link_names.find(*name);
-    return index ? std::optional(LinkIndex{*index}) : std::nullopt;
+  const auto find = [&](const Field<std::string>& name) {
+    return name ? model.link_index(*name) : std::nullopt;
   };
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const JointIndex joint{static_cast<std::uint32_t>(i)};

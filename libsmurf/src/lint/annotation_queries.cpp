@@ -40,7 +40,7 @@ NameList texts_at(yaml::View mapping, std::string_view key) {
 bool has_misspelt(yaml::View mapping, std::string_view key) {
   const std::string_view known[] = {key};
   return std::any_of(mapping.begin(), mapping.end(),
-                     [&](yaml::View value) { return nearest(value.key(), known).has_value(); });
+                     [&](yaml::View member) { return nearest(member.key(), known).has_value(); });
 }
 
 bool is_slip(yaml::View mapping, std::string_view key, Findings& findings) {
@@ -52,6 +52,14 @@ bool is_slip(yaml::View mapping, std::string_view key, Findings& findings) {
     is_found = true;
   }
   return is_found;
+}
+
+void report_name_read_as_value(yaml::View entry, Findings& findings) {
+  const yaml::View name = entry.is_mapping() ? entry.find("name") : yaml::View();
+  if (!name || !name.is_scalar() || name.style() != yaml::Style::plain) return;
+  if (!name.number() && !name.boolean()) return;
+  findings.report(name.span(), "Phobos reads " + quoted(name.text()) + " as no text").help =
+      "put it in quotes";
 }
 
 std::vector<TopLevelKey> top_level_keys(const LinkedModel& model) {

@@ -27,6 +27,9 @@ bool has_misspelt(yaml::View mapping, std::string_view key);
 /// marked as a fault of this rule, too.
 bool is_slip(yaml::View mapping, std::string_view key, Findings& findings);
 
+/// Reports `name: 5` and `name: yes` of an entry, which Phobos reads as values of Python.
+void report_name_read_as_value(yaml::View entry, Findings& findings);
+
 /// A top-level key of the main file or of an annotation file.
 struct TopLevelKey {
   const ModelFile& file;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/unit_meshes.hpp"
-#include "base/exact_math.hpp"
 
 #include <cmath>
 #include <numbers>
+
+#include "base/exact_math.hpp"
 
 namespace smurf {
 namespace {

@@ -28,15 +28,6 @@ bool has_just(yaml::View mapping, std::initializer_list<std::string_view> names)
          });
 }
 
-/// Python's names are texts: `name: 5` is none.
-void check_name(yaml::View entry, Findings& findings) {
-  const yaml::View name = entry.is_mapping() ? entry.find("name") : yaml::View();
-  if (!name || !name.is_scalar() || name.style() != yaml::Style::plain) return;
-  if (!name.number() && !name.boolean()) return;
-  findings.report(name.span(), "Phobos reads " + quoted(name.text()) + " as no text").help =
-      "put it in quotes";
-}
-
 void check_offsets(yaml::View sensor, Findings& findings) {
   const yaml::View position = sensor.find("position_offset");
   const yaml::View orientation = sensor.find("orientation_offset");
@@ -81,7 +72,8 @@ void check_entries(yaml::View section, Findings& findings) {
   const std::string_view key = section.key();
   if (!section.is_sequence()) return;
   for (const yaml::View entry : section) {
-    if (key == "motors" || key == "sensors" || key == "poses") check_name(entry, findings);
+    const bool has_names = key == "motors" || key == "sensors" || key == "poses";
+    if (has_names) report_name_read_as_value(entry, findings);
     const bool is_link = key == "link" || key == "links";
     if (is_link && entry.is_mapping() && !entry.find("name")) {
       findings.report(entry.place(), "Phobos stops at an entry without `name`");
@@ -91,19 +83,15 @@ void check_entries(yaml::View section, Findings& findings) {
 
 /// Sections that Phobos walks through; others may be null.
 void check_sections(const LinkedModel& model, Findings& findings) {
-  for (const ModelFile& file : model.files) {
-    if (file.kind != ModelFile::Kind::annotation || !file.document) continue;
-    const yaml::View root = file.document->view();
-    if (!root || !root.is_mapping()) continue;
-    for (const yaml::View section : root) {
-      const std::string_view key = section.key();
-      const bool is_walked = is_section_name(key) && key != "lights" && key != "nodes" &&
-                             key != "graphics" && key != "submodels";
-      if (is_walked && section.is_null()) {
-        findings.report(section.key_span(), "Phobos finds no list in " + quoted(key));
-      }
-      check_entries(section, findings);
+  for (const auto& [file, section] : top_level_keys(model)) {
+    if (file.kind != ModelFile::Kind::annotation) continue;
+    const std::string_view key = section.key();
+    const bool is_walked = is_section_name(key) && key != "lights" && key != "nodes" &&
+                           key != "graphics" && key != "submodels";
+    if (is_walked && section.is_null()) {
+      findings.report(section.key_span(), "Phobos finds no list in " + quoted(key));
     }
+    check_entries(section, findings);
   }
 }
 

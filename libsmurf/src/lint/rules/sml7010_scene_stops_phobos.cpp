@@ -3,16 +3,12 @@
 
 #include "base/readers.hpp"
 #include "link/scene_link.hpp"
+#include "lint/annotation_queries.hpp"
 #include "lint/queries.hpp"
 #include "lint/scene_queries.hpp"
 
 namespace smurf::rules {
 namespace {
-
-/// Python's names are texts: `name: 5` is none.
-bool is_text(yaml::View name) {
-  return name.style() != yaml::Style::plain || (!name.number() && !name.boolean());
-}
 
 void check_position(yaml::View position, Findings& findings) {
   if (!position || !position.is_mapping() || position.size() == 3) return;
@@ -28,12 +24,7 @@ void check_entities(yaml::View entities, Findings& findings) {
   for (const yaml::View entity : entities) {
     if (!entity.is_mapping()) continue;
     check_position(entity.find("position"), findings);
-    const yaml::View name = entity.find("name");
-    if (!name || !name.is_scalar() || name.is_null()) continue;
-    if (!is_text(name)) {
-      findings.report(name.span(), "Phobos reads " + quoted(name.text()) + " as no text").help =
-          "put it in quotes";
-    }
+    report_name_read_as_value(entity, findings);
   }
 }
 
