@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -D BUILD=... -D SOURCE=... -D MODEL=... -D WORK=... -D GENERATOR=... -D FLAGS=...
-#   -D COMPILER=... [-D PYTHON=...] -P install_and_use.cmake
-# Installs the build into a prefix of its own, moves it, and builds and runs the consumer against it.
+#   -D COMPILER=... -D ROOT=... -D SCRIPTS=... [-D PYTHON=...] -P install_and_use.cmake
+# Installs the build into a prefix of its own, moves it, and builds and runs against it the consumer and the programs
+# of docs/library.md. ROOT is that of the repository, SCRIPTS the Python that runs scripts.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)
@@ -31,10 +32,28 @@ function(run_consumer program)
   endif()
 endfunction()
 
-run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR}
+file(MAKE_DIRECTORY ${WORK}/examples)
+run(${SCRIPTS} ${SOURCE}/examples.py ${ROOT}/docs/library.md ${WORK}/examples)
+string(REGEX MATCHALL "[^\n]+" examples "${out}")
+if(NOT examples)
+  message(FATAL_ERROR "no program was found in docs/library.md")
+endif()
+
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR} -D EXAMPLES=${WORK}/examples
   -D CMAKE_PREFIX_PATH=${WORK}/prefix -D CMAKE_CXX_FLAGS=${FLAGS})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run_consumer(${WORK}/build/consumer)
+
+foreach(example IN LISTS examples)
+  separate_arguments(words UNIX_COMMAND "${example}")
+  list(POP_FRONT words name)
+  list(TRANSFORM words PREPEND ${ROOT}/)
+  run(${WORK}/build/${name} ${words})
+  file(READ ${WORK}/examples/${name}.txt expected)
+  if(NOT out STREQUAL expected)
+    message(FATAL_ERROR "${name} of docs/library.md prints: ${out}")
+  endif()
+endforeach()
 
 find_program(PKG_CONFIG pkg-config)
 if(PKG_CONFIG)

@@ -108,9 +108,11 @@ struct Loaded {
   DiagnosticSink found;
   LoadedWith* with = nullptr;  ///< the settings, the configuration and the meshes
 };
+/// The result of Session::load_model().
 struct LoadedModel : Loaded {
   LinkedModel model;
 };
+/// The result of Session::load_scene().
 struct LoadedScene : Loaded {
   LinkedScene scene;
   OldScenes old_scenes;

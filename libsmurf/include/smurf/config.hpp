@@ -83,6 +83,7 @@ enum class SettingType : std::uint8_t {
   file
 };
 
+/// A setting of the configuration.
 struct SettingSpec {
   std::string_view name;
   SettingType type;

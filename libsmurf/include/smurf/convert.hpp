@@ -36,6 +36,7 @@ struct AppliedAnnotations {
   bool mimic = false;      ///< of motors
 };
 
+/// The options of export_urdf().
 struct UrdfExport {
   /// Folder the URDF is written to; mesh and texture paths are re-based so that they resolve there.
   std::string output_folder = ".";
@@ -91,6 +92,7 @@ enum class SmurfStyle : std::uint8_t {
   phobos,  ///< `joints`, contact sensors of links
 };
 
+/// The options of import_urdf().
 struct UrdfImport {
   std::string name{};  ///< of the files
   std::string output_folder = ".";

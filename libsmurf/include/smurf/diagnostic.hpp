@@ -118,6 +118,7 @@ struct Fix {
   std::optional<NewName> new_name = {};
 };
 
+/// A finding: the rule, the place, the message, and how to mend it.
 struct Diagnostic {
   const Rule* rule = nullptr;
   Severity severity = Severity::error;

@@ -20,6 +20,7 @@
 
 namespace smurf {
 
+/// How diff() compares values.
 struct DiffOptions {
   /// Values that differ by no more are equal: in metres and radians; relative to the larger one for
   /// masses, inertias, efforts and everything else with a unit of its own.

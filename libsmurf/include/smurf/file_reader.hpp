@@ -17,12 +17,14 @@ class CanonicalPaths;
 
 enum class ReadStatus : std::uint8_t { ok, not_found, not_a_file, too_large, denied };
 
+/// A file that was read, or why it was not.
 struct FileContent {
   ReadStatus status = ReadStatus::not_found;
   std::string text;    ///< set when status is ok
   std::string reason;  ///< for a person, when status is not ok: "is a directory"
 };
 
+/// Reads the files that models and scenes name.
 class FileReader {
  public:
   virtual ~FileReader() = default;

@@ -12,11 +12,13 @@
 
 namespace smurf {
 
+/// A file as it is with the fixes.
 struct FixedText {
   std::string path;  ///< as the SourceMap names it
   std::string text;  ///< the whole file; bytes that no fix touches are as they were
 };
 
+/// What apply_fixes() changed.
 struct AppliedFixes {
   std::vector<FixedText> texts;  ///< changed files only, sorted by path
   std::vector<Edit> edits;       ///< the same, one by one

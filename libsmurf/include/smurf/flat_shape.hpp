@@ -16,20 +16,25 @@ struct FlatPlane {
   double length = 0;  ///< along x, m
   double width = 0;   ///< along y, m
 };
+/// Centred on its origin.
 struct FlatBox {
   Vector3 size{};  ///< full edge lengths, m
 };
+/// Centred on its origin.
 struct FlatSphere {
   double radius = 0;  ///< m
 };
+/// Centred on its origin, along z.
 struct FlatCylinder {
   double radius = 0;  ///< m
   double length = 0;  ///< m, along z
 };
+/// A cylinder with two hemispheres, centred on its origin, along z.
 struct FlatCapsule {
   double radius = 0;  ///< m
   double length = 0;  ///< m, of the cylindrical part
 };
+/// A mesh file, scaled about its origin.
 struct FlatMesh {
   std::string file;  ///< relative to the output's folder
   Vector3 scale{1, 1, 1};
@@ -46,6 +51,7 @@ using FlatGeometry = std::variant<FlatPlane, FlatBox, FlatSphere, FlatCylinder, 
 
 using Rgba = std::array<double, 4>;  ///< 0..1
 
+/// One solid of an entity.
 struct FlatShape {
   std::string name;  ///< may be empty
   Pose X_ES;         ///< in the frame of the entity

@@ -31,11 +31,13 @@ struct Value {
   using Object = std::vector<ValueMember>;
   std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Object> data;
 };
+/// A key of an object, with its value.
 struct ValueMember {
   std::string key;
   Value value;
 };
 
+/// A model that instances share.
 struct FlatModel {
   std::string id;    ///< unique; the file's stem where that is
   std::string type;  ///< "smurf" or "urdf"
@@ -46,12 +48,14 @@ struct FlatModel {
   std::map<std::string, std::string, std::less<>> resources;
 };
 
+/// What an instance is attached to.
 struct FlatAttachment {
   Attachment::Kind kind = Attachment::Kind::none;
   std::string instance;  ///< its path; kind link
   std::string link;      ///< kind link
 };
 
+/// An entity in the world: a model, or shapes of its own.
 struct FlatInstance {
   std::string name;  ///< as written
   std::string path;  ///< unique: "outer/inner"
@@ -71,6 +75,7 @@ struct FlatInstance {
   std::vector<std::pair<std::string, Pose>> links;
 };
 
+/// Settings of the simulation; absent where the scene does not have them.
 struct FlatPhysics {
   std::optional<Vector3> gravity;   ///< m/s^2
   std::optional<double> step_size;  ///< s
@@ -88,6 +93,7 @@ struct FlatOldScene {
   std::vector<std::pair<std::string_view, std::size_t>> others;
 };
 
+/// The result of flatten(): all included scenes as one, without relative poses.
 struct FlatScene {
   std::string scene;  ///< the file
   FlatPhysics physics;
@@ -98,6 +104,7 @@ struct FlatScene {
   std::vector<FlatInstance> instances;  ///< depth-first, in file order
 };
 
+/// What a format asks flatten() for.
 struct FlattenOptions {
   bool links = false;           ///< fill FlatInstance::links
   bool repeats_models = false;  ///< the format writes the model of each instance out

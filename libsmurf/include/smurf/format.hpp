@@ -9,6 +9,7 @@
 
 namespace smurf {
 
+/// One key of a mapping.
 struct KeyDescription {
   std::string path;           ///< "maxSpeed", "ode.stepsize", "loop_constraints[].cut_joint"
   std::string type;           ///< "number, at least 0"

@@ -105,8 +105,8 @@ struct ModelFile {
   std::optional<yaml::Document> document;  ///< main and annotation files that are YAML
 };
 
-/// Views inside (names, XML, YAML) point into the SourceMap and into the vectors here, so the model
-/// is moved, not copied.
+/// A loaded model: its URDF, its annotations, and what their names mean. Views inside (names, XML,
+/// YAML) point into the SourceMap and into the vectors here, so the model is moved, not copied.
 struct LinkedModel {
   std::string path;       ///< as given: a .smurf, a .urdf or an annotation file
   bool has_main = false;  ///< false for a URDF or annotation file on its own

@@ -29,12 +29,14 @@ struct Annotation {
   Field<std::string> name;
 };
 
+/// An entry of `materials`.
 struct MaterialAnnotation : Annotation {
   Field<Color> ambient_color, diffuse_color, specular_color, emission_color;
   Field<double> shininess, transparency;
   Field<std::string> diffuse_texture, normal_texture, displacement_texture;
 };
 
+/// An entry of `motors`: what drives a joint, with its limits and its controller.
 struct Motor : Annotation {
   Field<std::string> joint, type;
   Field<double> max_speed, max_effort;       ///< rad/s or m/s; N m or N
@@ -45,27 +47,32 @@ struct Motor : Annotation {
   Field<double> mimic_multiplier, mimic_offset;
 };
 
+/// An entry of `sensors`.
 struct Sensor : Annotation {
   Field<std::string> type, link, joint;
   Field<NameList> id, links, joints, motors, collisions;  ///< targets by name
   Field<double> rate;
 };
 
+/// An entry of `controllers`: a plug-in of MARS with its inputs and outputs.
 struct Controller : Annotation {
   Field<NameList> sensors, motors;
   Field<double> rate;
   Field<std::string> dylib_path;
 };
 
+/// An entry of `collision`: which groups a collision of the URDF collides with.
 struct CollisionAnnotation : Annotation {
   Field<std::string> link;
   Field<std::int64_t> bitmask;
 };
 
+/// An entry of `visuals`: the material of a visual of the URDF.
 struct VisualAnnotation : Annotation {
   Field<std::string> link, material_name;
 };
 
+/// An entry of `links`.
 struct LinkAnnotation : Annotation {
   Field<std::string> link;  ///< MARS 2 selects entries by this key, MARS by `name`
 };
@@ -75,12 +82,14 @@ struct NodeAnnotation : Annotation {
   Field<std::string> parent, viz_link, material_name;
 };
 
+/// An entry of `joints`.
 struct JointAnnotation : Annotation {
   Field<std::string> type, parent, child;
   Field<double> low_stop, high_stop;  ///< axis 1; rad or m
   Field<Vector3> axis;
 };
 
+/// An entry of `lights`.
 struct Light : Annotation {
   Field<Vector3> position, look_at;  ///< world frame, m
   Field<Color> ambient, diffuse, specular;
@@ -100,6 +109,7 @@ struct Graphics : Annotation {
 
 /// One entry of `poses`: named joint positions.
 struct JointPoseSet : Annotation {
+  /// The position of one joint.
   struct Entry {
     Spanned<std::string> name;  ///< of a motor (MARS) or joint (Phobos)
     Field<double> position;     ///< rad or m
@@ -107,6 +117,7 @@ struct JointPoseSet : Annotation {
   std::vector<Entry> joints;
 };
 
+/// An entry of `submechanisms`: joints that belong together, as HyRoDyn solves them.
 struct Submechanism : Annotation {
   Field<std::string> contextual_name, type;
   Field<NameList> joint_names, joint_names_spanning_tree, joint_names_active,

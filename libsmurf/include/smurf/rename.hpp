@@ -16,11 +16,13 @@
 
 namespace smurf {
 
+/// A thing and its new name.
 struct Rename {
   std::optional<NameKind> kind;  ///< none: that of the only thing of this name
   std::string from, to;
 };
 
+/// The result of rename().
 struct Renamed {
   std::vector<FixedText> texts;       ///< changed files only, sorted by path
   std::vector<Edit> edits;            ///< the same, one by one

@@ -29,6 +29,7 @@ struct Summary {
 /// The counts by severity; the others are the caller's.
 Summary summarize(std::span<const Diagnostic> diagnostics);
 
+/// How text is laid out for a terminal.
 struct TextStyle {
   bool color = false;
   int width = 0;  ///< columns of the terminal; 0: only lines above 2000 columns are cut
@@ -81,6 +82,7 @@ struct NamedText {
   std::string name;
   std::string text;
 };
+/// The result of merge_json_reports().
 struct MergedReport {
   std::string json;
   Summary summary;

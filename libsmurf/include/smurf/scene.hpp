@@ -27,6 +27,7 @@ enum class RotationForm : std::uint8_t {
   invalid      ///< reported; no rotation
 };
 
+/// The rotation of an entity as it is written.
 struct Rotation {
   RotationForm form = RotationForm::absent;
   Span span;
@@ -55,6 +56,7 @@ struct Entity {
 /// Where a finding about the whole entity points: its name, else its first key.
 Span place_of(const Entity& entity);
 
+/// Settings of the simulation.
 struct Physics {
   Span span;
   yaml::NodeId node = yaml::kNoNode;
@@ -63,6 +65,7 @@ struct Physics {
   Field<double> cfm, erp;
 };
 
+/// A scene file: its entities and its world.
 struct Scene {
   std::vector<Entity> entities;  ///< in MARS's order: `smurfs`, `entities`, `smurfa`
   std::optional<Physics> physics;

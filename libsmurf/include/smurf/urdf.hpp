@@ -26,6 +26,7 @@ struct Origin {
 /// The rigid transform of an origin; absent parts are zero.
 Pose to_pose(const Origin& origin);
 
+/// Mass and inertia of a link.
 struct Inertial {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -35,20 +36,25 @@ struct Inertial {
   Field<double> ixx, ixy, ixz, iyy, iyz, izz;
 };
 
+/// Centred on its origin.
 struct Box {
   Field<Vector3> size;  ///< full edge lengths, m
 };
+/// Centred on its origin.
 struct Sphere {
   Field<double> radius;  ///< m
 };
+/// Centred on its origin, along z.
 struct Cylinder {
   Field<double> radius;  ///< m
   Field<double> length;  ///< m, along z
 };
+/// A cylinder with two hemispheres, centred on its origin, along z.
 struct Capsule {
   Field<double> radius;  ///< m
   Field<double> length;  ///< m, of the cylindrical part
 };
+/// A mesh file as the URDF names it. LinkedModel::meshes says where it was found.
 struct Mesh {
   Field<std::string> filename;
   Field<Vector3> scale;
@@ -56,12 +62,14 @@ struct Mesh {
 /// `std::monostate`: no geometry, or a shape URDF does not know.
 using Shape = std::variant<std::monostate, Box, Sphere, Cylinder, Capsule, Mesh>;
 
+/// The shape of a visual or collision.
 struct Geometry {
-  xml::ElementId element = xml::kNoElement;        ///< <geometry>
+  xml::ElementId element = xml::kNoElement;        ///< `geometry`
   xml::ElementId shape_element = xml::kNoElement;  ///< its first child
   Shape shape;
 };
 
+/// A material of the robot, or one that a visual defines or names.
 struct Material {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -70,6 +78,7 @@ struct Material {
   Field<std::string> texture;
 };
 
+/// What a link looks like.
 struct Visual {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -79,6 +88,7 @@ struct Visual {
   std::optional<Material> material;
 };
 
+/// What a link collides with.
 struct Collision {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -87,6 +97,7 @@ struct Collision {
   Geometry geometry;
 };
 
+/// A rigid body with its frame.
 struct Link {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -96,6 +107,7 @@ struct Link {
   std::vector<Collision> collisions;
 };
 
+/// How a joint lets its child link move.
 enum class JointType : std::uint8_t {
   revolute,
   continuous,
@@ -106,6 +118,7 @@ enum class JointType : std::uint8_t {
   unknown  ///< absent, or a word URDF does not define
 };
 
+/// The range of a joint and what its motor can do.
 struct Limit {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -114,6 +127,7 @@ struct Limit {
   Field<double> velocity;      ///< rad/s or m/s
 };
 
+/// Damping and friction of a joint.
 struct Dynamics {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -121,25 +135,32 @@ struct Dynamics {
   Field<double> friction;  ///< N m or N
 };
 
+/// A joint that follows another one: its position is multiplier * position + offset.
 struct Mimic {
   xml::ElementId element = xml::kNoElement;
   Span span;
   Field<std::string> joint;
-  Field<double> multiplier, offset;
+  Field<double> multiplier;
+  Field<double> offset;  ///< rad or m
 };
 
+/// Bounds that a controller keeps before the hard limits.
 struct SafetyController {
   xml::ElementId element = xml::kNoElement;
   Span span;
-  Field<double> soft_lower_limit, soft_upper_limit, k_position, k_velocity;
+  Field<double> soft_lower_limit, soft_upper_limit;  ///< rad or m
+  Field<double> k_position;                          ///< 1/s
+  Field<double> k_velocity;                          ///< N m s/rad or N s/m
 };
 
+/// Positions of the edges of a reference signal, rad or m.
 struct Calibration {
   xml::ElementId element = xml::kNoElement;
   Span span;
   Field<double> rising, falling;
 };
 
+/// Connects two links. Its frame, in which its axis is, is that of the child at position 0.
 struct Joint {
   xml::ElementId element = xml::kNoElement;
   Span span;
@@ -164,6 +185,7 @@ struct Joint {
   }
 };
 
+/// A URDF. Links and joints are in the order of the file.
 struct Robot {
   xml::Document document;  ///< all elements, unknown ones included
   Field<std::string> name;

@@ -27,6 +27,7 @@ struct DecodedValue {
   std::string value;
 };
 
+/// An attribute of an element: its name and value, with their places.
 class Attribute {
  public:
   /// Both places are in the source whose text is `source`.
@@ -79,6 +80,7 @@ struct Text {
   Span span;               ///< without the blanks around it
 };
 
+/// An element; its parent, siblings and attributes are indices of the document.
 struct Element {
   const char* name_begin = nullptr;  ///< in the source, right behind the '<'
   std::uint32_t name_size = 0;
@@ -159,6 +161,7 @@ class View {
   View child(std::string_view name) const;
   View parent() const { return document_ ? View(*document_, element().parent) : View(); }
 
+  /// Over the child elements.
   class Iterator {
    public:
     using difference_type = std::ptrdiff_t;

@@ -167,6 +167,7 @@ class View {
   /// First child with this key; the first wins in configmaps (MARS) and yaml-cpp.
   View find(std::string_view key) const;
 
+  /// Over the children: members of a mapping, items of a sequence.
   class Iterator {
    public:
     using difference_type = std::ptrdiff_t;
