@@ -26,7 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (files.size() > 1) {
     diagnostic.notes.push_back("so it does " + std::to_string(files.size()) + " STL files");
   }
-  diagnostic.help = "add a .bobj or name an .obj, which it leaves as they are";
+  diagnostic.help = "add a .bobj beside it, which MARS loads instead and does not turn";
 }
 
 constexpr Fact kFacts[] = {
@@ -43,7 +43,7 @@ extern constinit const Rule sml1640_mars_stl_visual_rotated{
     .severity = Severity::warning,
     .summary = "A visual of a SMURF model is an STL file without a .bobj beside it.",
     .why = "The visual does not match the collision.",
-    .remedy = "Convert visual meshes to .obj, or add .bobj files.",
+    .remedy = "Add .bobj files.",
     .check_model = check,
     .facts = kFacts};
 

@@ -6,8 +6,9 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::crashes, "recurses until its stack overflows",
-     "MARS SMURFLoader.cpp:350-380"},
+    {&readers::mars, Effect::crashes,
+     "reads it until the path, which grows, cannot be opened, and ends with an uncaught exception",
+     "MARS SMURFLoader.cpp:350-380, run"},
     {&readers::phobos, Effect::refuses, "stops with a RecursionError", "Phobos multiple.py:28-33"},
 };
 

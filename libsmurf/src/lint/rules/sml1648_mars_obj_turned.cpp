@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <set>
+
+#include "base/path.hpp"
+#include "base/readers.hpp"
+#include "lint/mesh_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// Phobos 2 writes meshes for MARS alone, y up, as mars_obj/NAME.mars.obj.
+bool is_for_mars(std::string_view path) {
+  return path.ends_with(".mars.obj") || path.find("mars_obj/") != std::string_view::npos;
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::set<std::string_view> files;
+  const MeshReference* first = nullptr;
+  for (const MeshReference& reference : model.meshes) {
+    if (reference.is_texture || !reference.mars_exists) continue;
+    if (path::to_lower(path::extension(reference.mars_path)) != ".obj") continue;
+    if (is_for_mars(reference.filename)) continue;
+    if (first == nullptr) first = &reference;
+    files.insert(reference.filename);
+  }
+  if (first == nullptr) return;
+  Diagnostic& diagnostic = findings.report(
+      first->span, "MARS turns this OBJ by 90 degrees about x; URDF readers do not");
+  if (files.size() > 1) {
+    diagnostic.notes.push_back("so it turns all " + std::to_string(files.size()) + " OBJ files");
+  }
+  diagnostic.help = "add a .bobj beside it, which MARS loads instead and does not turn";
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::changes,
+     "turns the mesh of visuals and collisions by 90 degrees about x: y becomes z",
+     "MARS gui_helper_functions.cpp:384; OpenSceneGraph 3.6.5, run"},
+};
+
+}  // namespace
+
+extern constinit const Rule sml1648_mars_obj_turned{
+    .id = "SML1648",
+    .name = "mars-obj-turned",
+    .severity = Severity::warning,
+    .summary = "A mesh of a SMURF model is an OBJ file without a .bobj beside it.",
+    .why = "The mesh points another way in the simulation than everywhere else.",
+    .remedy =
+        "Add .bobj files. A mesh that is y up for MARS alone is called NAME.mars.obj, as Phobos "
+        "writes it.",
+    .check_model = check,
+    .facts = kFacts};
+
+}  // namespace smurf::rules
