@@ -17,11 +17,11 @@ class OpenFolder {
   OpenFolder& operator=(const OpenFolder&) = delete;
 
   void open(const std::string& path);
-  /// A folder in this one, which is no link, or "..". One that is not there has nothing in it.
+  /// Opens a folder in this one that is not a link, or "..". One that does not exist is empty.
   void enter(const std::string& name);
   bool is_open() const { return number_ >= 0; }
 
-  /// A link counts, wherever it leads.
+  /// True when there is an entry of this name, even a link that leads nowhere.
   bool has(std::string_view name) const;
   /// Where a link leads, as it is written; none when this is no link.
   std::optional<std::string> target_of(const std::string& name) const;

@@ -59,7 +59,7 @@ bool leads_out(const fs::path& target, const fs::path& root) {
 
 bool is_repository(const fs::path& folder) {
   std::error_code ignored;
-  // A link counts wherever it leads: whether something is there is not for a checkout to ask.
+  // Any link is reported, wherever it leads: a checkout must not learn whether something is there.
   return ranges::any_of(kHistories, [&](std::string_view history) {
     return fs::exists(fs::symlink_status(folder / history, ignored));
   });

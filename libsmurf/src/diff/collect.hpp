@@ -11,9 +11,9 @@ namespace smurf {
 /// What of a model is compared.
 enum class Scope : std::uint8_t { all, robot };
 
-/// The things of a URDF, appended.
+/// Appends the things of a URDF.
 void collect_robot(const LinkedModel& model, Things& things);
-/// Those of the main file and the annotations.
+/// Appends those of the main file and the annotations.
 void collect_annotations(const LinkedModel& model, YamlProperties& properties, Things& things);
 Things collect(const LinkedModel& model, Scope scope, YamlProperties& properties);
 
