@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is written in a URDF.
+// The contents of a URDF.
 #include <array>
 #include <variant>
 
@@ -49,7 +49,7 @@ void bind_shapes(py::module_& module) {
             if (mesh == nullptr || mesh->path.empty()) return py::none();
             return to_path(mesh->path);
           },
-          "Where the file is, as URDF readers look for it; None when that cannot be told.")
+          "Where the file is, as URDF readers look for it; None when it is unknown.")
       .attribute(
           "exists",
           [](const Ref<urdf::Mesh>& self) {
@@ -103,7 +103,8 @@ void bind_parts(py::module_& module) {
           "material",
           [](const Ref<urdf::Visual>& self) { return to_optional(self.owner, self->material); },
           "smurf.Material or None.");
-  ReferenceClass<urdf::Collision>(module, "Collision", "What is touched of a link.")
+  ReferenceClass<urdf::Collision>(module, "Collision",
+                                  "The shape of a link for collision detection.")
       .field("name", &urdf::Collision::name, "Name.")
       .attribute(
           "X_LC",
@@ -134,11 +135,11 @@ void bind_joint(py::module_& module) {
       .field("upper", &urdf::Limit::upper, "Highest position, rad or m.")
       .field("effort", &urdf::Limit::effort, "N m or N.")
       .field("velocity", &urdf::Limit::velocity, "rad/s or m/s.");
-  ReferenceClass<urdf::Dynamics>(module, "Dynamics", "What resists the motion of a joint.")
+  ReferenceClass<urdf::Dynamics>(module, "Dynamics", "Damping and friction of a joint.")
       .field("damping", &urdf::Dynamics::damping, "N m s/rad or N s/m.")
       .field("friction", &urdf::Dynamics::friction, "N m or N.");
   ReferenceClass<urdf::Mimic>(module, "Mimic", "A joint follows another one.")
-      .field("joint", &urdf::Mimic::joint, "Name of the joint that leads.")
+      .field("joint", &urdf::Mimic::joint, "Name of the joint that it follows.")
       .field("multiplier", &urdf::Mimic::multiplier, "1 when it is not written.")
       .field("offset", &urdf::Mimic::offset, "rad or m; 0 when it is not written.");
   ReferenceClass<urdf::Joint>(module, "Joint", "A joint.")
@@ -170,7 +171,7 @@ void bind_joint(py::module_& module) {
           "smurf.Mimic or None.")
       .attribute(
           "is_movable", [](const Ref<urdf::Joint>& self) { return self->is_movable(); },
-          "Whether it is of a type that moves.");
+          "True for a joint that can move.");
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ class CopyPlan {
   AssetCopies list_;
 };
 
-/// Where copies are made: not where the file itself is already.
+/// Tells whether a copy is made: not where the file itself is.
 std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& inputs);
 
 /// Copies the files and then calls `write_result`: all or nothing. False when something cannot be

@@ -50,7 +50,7 @@ struct Command {
   std::string_view name{};      ///< "smurf-lint"
   std::string_view summary{};   ///< one sentence
   std::string_view operands{};  ///< "[PATH]..."; "": none are taken
-  std::string_view details{};   ///< what the operands are and the like
+  std::string_view details{};   ///< what the operands are, and details
   std::vector<Option> options{};
   Setter set_operand{};
   std::vector<Example> examples{};  ///< the two most useful ones first: --help shows only those
@@ -92,7 +92,7 @@ Setter choose(Enum& variable, std::vector<std::pair<std::string_view, Enum>> wor
 /// The items of "a, b,c"; empty ones are dropped.
 std::vector<std::string_view> split_items(std::string_view list);
 
-/// "'x' is none of a, b, c; did you mean 'a'?"
+/// "'x' is not one of a, b, c; did you mean 'a'?"
 std::string none_of(std::string_view value, std::span<const std::string_view> known);
 
 /// "; did you mean 'x'?" for the nearest of `known`, else for those that begin with `name`; or "".

@@ -12,7 +12,7 @@ std::string joined(const std::vector<std::string_view>& words) {
   return out;
 }
 
-/// What the option's value may be, as far as that is known.
+/// The known values of an option.
 std::vector<std::string_view> words_of(const Option& option) {
   return option.values.empty() && option.suggestions != nullptr ? option.suggestions()
                                                                 : option.values;

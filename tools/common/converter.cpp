@@ -166,7 +166,7 @@ std::string count_by_section(std::span<const Diagnostic> losses) {
 
 }  // namespace
 
-/// In full what spoils the result and what only the converter tells; the rest is counted.
+/// Shows findings that make the result wrong and findings of the converter; counts the others.
 std::string Conversion::render_for_people(const Report& report, const LossOf& loss_of) {
   const SourceMap& sources = session_.loaded_sources();
   const TextStyle style = style_for(Stream::error, options_.color);

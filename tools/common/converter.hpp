@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What converters do before they convert: load, check, report on standard error, refuse.
+// The steps before a conversion: load, check, report on standard error, refuse.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,7 @@ struct ConverterOptions {
   bool allow_outside = false;  ///< read what models name wherever it lies
   Limits limits;
   bool quiet = false;
-  std::vector<const Reader*> targets;  ///< whom the result is for; empty: all
+  std::vector<const Reader*> targets;  ///< readers of the result; empty: all
 };
 
 /// Rows of the option table that all converters have.
@@ -64,7 +64,7 @@ class Conversion {
     return write_reports(session_.check(loaded), loss_of);
   }
   const std::string& why() const { return why_; }
-  /// What the last report was about.
+  /// The findings of the last report.
   std::span<const Diagnostic> findings() const { return findings_; }
 
   /// Before anything is written, and when all is read: complains when one of the outputs, or a file

@@ -18,7 +18,7 @@ struct Found {
   std::size_t xacro = 0;                ///< .xacro files, which have to be expanded first
 };
 
-/// Says of a path inside a folder that is searched whether it is left out, with all that is in it.
+/// Decides whether a path inside a searched folder is left out, with everything in it.
 using LeftOut = std::function<bool(const std::string& path, bool is_folder)>;
 
 /// The .smurf, .smurfs, .smurfa and .urdf files in a folder and the folders below it. Hidden ones

@@ -33,12 +33,12 @@ class FileSet {
       : files_(files), missing_(missing) {}
   FileSet(const FileSet&) = delete;
   FileSet& operator=(const FileSet&) = delete;
-  /// Takes everything back that was not finished.
+  /// Undoes everything that was not finished.
   ~FileSet();
 
   /// Puts all files in their places, or none.
   std::optional<Problem> write(bool overwrite);
-  /// The same, but takes it back at the end unless keep() was called.
+  /// The same, but undoes it at the end unless keep() was called.
   std::optional<Problem> write_for_now(bool overwrite);
   void keep() { is_done_ = true; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is planned, loaded, and the names in it: for all who ask what a name means.
+// The planned files, loaded, and the names in them: for code that asks what a name means.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ class LoadedNames {
   const std::vector<std::vector<Reference>>& names() const { return names_; }
   /// As a model or scene, or a file of one.
   bool has_read(const std::string& path) const;
-  /// Why names are missing; "" when all are there.
+  /// Why names are missing; "" when none is.
   const std::string& problem() const { return problem_; }
 
   /// Gives up what was loaded: the names stay, with what is written for each instead of the name.

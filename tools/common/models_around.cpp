@@ -12,8 +12,8 @@
 namespace smurf::tools {
 namespace {
 
-/// What a file may demand that is only looked at to find out whether it uses another one: whoever
-/// names a file has not asked for the ones around it. A robot of 5,000 links is within.
+/// Limits for files that are read only to find out whether they use another one: the user did not
+/// name them. A robot of 5,000 links is within the limits.
 constexpr Limits kNeighbour{
     .file_bytes = 8U << 20U, .yaml_nodes = 50'000, .xml_elements = 100'000, .findings = 0};
 

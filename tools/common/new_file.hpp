@@ -53,8 +53,8 @@ class NewFile {
   /// and sticky bits, which were given to other bytes.
   int write(std::string_view text, const std::optional<struct stat>& replaced);
 
-  /// 0 or an errno; EEXIST when nothing was to be replaced and there is a file by now. Other names
-  /// of a replaced file (hard links) keep the old content.
+  /// 0 or an errno; EEXIST when a file has appeared that was not there before. Other names of a
+  /// replaced file (hard links) keep the old content.
   int take_place();
 
   int folder() const { return folder_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Standard output, standard error and files, so written that nothing is lost unnoticed.
+// Writes to standard output, standard error and files without losing anything unnoticed.
 #pragma once
 
 #include <functional>
@@ -53,7 +53,7 @@ enum class ColorChoice { automatic, always, never };
 
 enum class Stream : int { output = 1, error = 2 };
 
-/// How text for a person is to look there. Automatic colour: NO_COLOR says no, then FORCE_COLOR
+/// How text for people looks in this place. Automatic colour: NO_COLOR says no, then FORCE_COLOR
 /// says yes, then TERM=dumb says no, then it takes a terminal.
 TextStyle style_for(Stream stream, ColorChoice choice);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // New names in all files of the models and scenes that are planned, with the proof that every name
-// means what it meant.
+// still means the same.
 #pragma once
 
 #include <span>

@@ -35,8 +35,8 @@ void prepare_streams() {
 
 /// A run fills its memory once and ends: page by page, the kernel would take a quarter of the time
 /// that a large robot needs. So blocks come from one heap, and the kernel is asked to give its
-/// first part in large pages. No page is taken before it is used. Under a limit on addresses it is
-/// as ever.
+/// first part in large pages. No page is taken before it is used. With a limit on addresses,
+/// nothing changes.
 void prepare_memory() {
 #ifdef __GLIBC__
   constexpr std::size_t kPage = std::size_t{2} << 20U;
@@ -51,7 +51,7 @@ void prepare_memory() {
   if (block == nullptr) return;
   const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
   const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(block) + kPage - 1) & ~(kPage - 1);
-  // Whether large pages are to be had does not matter.
+  // It does not matter whether large pages are available.
   if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
   std::free(block);
 #endif

@@ -15,7 +15,7 @@ namespace smurf::tools {
 /// under CI and on terminals that cannot erase (TERM=dumb).
 class Progress {
  public:
-  /// `verb` is what becomes of each of the `count` things: "checked".
+  /// `verb` says what is done to each of the `count` things: "checked".
   Progress(std::string verb, std::size_t count, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
@@ -31,7 +31,7 @@ class Progress {
 
   std::string verb_;
   std::size_t count_;
-  bool is_shown_;  ///< anybody would see it
+  bool is_shown_;  ///< somebody would see it
   std::atomic<std::size_t> done_ = 0;
   std::mutex line_;
   Clock::time_point next_;  ///< when it is written next; guarded by `line_`

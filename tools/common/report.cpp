@@ -18,7 +18,7 @@ std::string most_frequent(const Results& results, const TextStyle& style) {
          "\n";
 }
 
-/// That findings are not shown because they matter less.
+/// Tells that less severe findings are not shown.
 std::string hidden(const Results& results) {
   const Severity least = results.overview.least;
   const std::size_t infos = results.summary.infos;
@@ -27,7 +27,7 @@ std::string hidden(const Results& results) {
          " not shown; --min-severity info shows " + (infos == 1 ? "it" : "them") + "\n";
 }
 
-/// Where one reads more about the worst finding.
+/// Where to read more about the worst finding.
 std::string pointer_to_page(const Results& results) {
   const auto worst = std::max_element(
       results.diagnostics.begin(), results.diagnostics.end(),

@@ -14,7 +14,7 @@
 
 namespace smurf::tools {
 
-/// All that a report may speak of. Owns nothing.
+/// The contents of a report. Owns nothing.
 struct Results {
   std::span<const Diagnostic> diagnostics;  ///< finished: sorted, without repetitions
   const SourceMap& sources;

@@ -111,7 +111,7 @@ class GitDiff {
     return text;
   }
 
-  /// An annotation file that is not there says nothing.
+  /// A missing annotation file is empty.
   std::optional<std::string> read(const GitFile& file) const {
     if (!file.exists()) return "";
     FileContent content = disk_.read(file.file, options_.limits.file_bytes);

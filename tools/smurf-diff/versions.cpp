@@ -8,10 +8,10 @@
 namespace smurf::tools {
 namespace {
 
-/// What is missing then is not only a part of what the file says.
+/// Without these files, the robot itself may be missing, not only a part of it.
 constexpr std::array<std::string_view, 2> kMissingFiles = {"SML0001", "SML2001"};
 
-/// What is wrong with a file that cannot be read is told; smurf-lint tells the rest.
+/// At most this many reasons why a file cannot be read; smurf-lint reports all of them.
 constexpr std::size_t kMostTrouble = 20;
 
 bool is_about_missing_file(const Diagnostic& finding) {

@@ -22,9 +22,9 @@ struct Version {
 
 struct Compared {
   std::vector<Difference> differences;
-  /// Findings because of which nothing could be compared.
+  /// Findings that prevent the comparison.
   std::vector<Diagnostic> trouble;
-  /// Findings that leave something out: files that are missing, where that is no reason to stop.
+  /// Missing files without which the comparison is incomplete, but possible.
   std::vector<Diagnostic> remarks;
   std::string problem;  ///< in words; "": none
 

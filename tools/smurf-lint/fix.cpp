@@ -22,7 +22,7 @@ namespace {
 constexpr std::string_view kTool = "smurf-lint";
 /// A fix may uncover the next fault; this bounds the number of rounds.
 constexpr int kRounds = 10;
-/// With those that only fix what was left out before, because there were too many findings.
+/// Includes rounds that only fix findings that were left out before, because there were too many.
 constexpr int kMostRounds = 100;
 
 /// Lines with their line ends, so that a change of these shows too.
@@ -70,7 +70,7 @@ std::string diff_of(const std::string& path, const Change& change) {
   return text;
 }
 
-/// What a check has taken, as `rechecked-bytes` counts it.
+/// The cost of a check, as `rechecked-bytes` counts it.
 std::uint64_t cost_of(const Report& report, const SourceMap& sources) {
   std::uint64_t cost = report.diagnostics.size() * kBytesOfFinding;
   for (std::size_t i = 0; i < sources.size(); ++i) {

@@ -32,8 +32,8 @@ struct Fixed {
   FixEnd end = FixEnd::nothing_left;
 };
 
-/// Applies fixes and checks again until a round finds none, or that takes too much. The fixed texts
-/// go to the session, in front of those on the disk; nothing is written.
+/// Applies fixes and checks again until a round finds none, or the limit is reached. The fixed
+/// texts go to the session, in front of those on the disk; nothing is written.
 Fixed fix_all(const LintOptions& options, Session& session, Report report,
               const std::function<Report()>& check);
 

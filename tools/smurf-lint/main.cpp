@@ -63,7 +63,7 @@ ExitCode list_rules(const LintOptions& options) {
   return write_text(options, render_rule_list(all_rules(), style_of(options, options.output)));
 }
 
-/// What a report for a person shows: infos only when they were asked for.
+/// Settings of a report for a person: infos only when they were asked for.
 OverviewOptions overview(const LintOptions& options, const Threshold& threshold) {
   const bool is_asked_for =
       options.shows_all || !options.selection.select.empty() || threshold.fail_on == Severity::info;
@@ -82,7 +82,7 @@ ExitCode write_reports(const LintOptions& options, const std::string& place, con
                        std::string remarks) {
   const Report& report = checked.report;
   const RunSettings settings = merge_run(report.wishes, options);
-  // What went wrong has been said; "no findings" would reassure.
+  // The failure has been reported; "no findings" would hide it.
   const bool is_nothing = report.summary.files == 0 && !report.problems.empty();
   const Results results{.diagnostics = report.diagnostics,
                         .sources = checked.sources,
@@ -155,7 +155,7 @@ ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session,
   return kFailed;
 }
 
-/// `found` is what the renamed files come to.
+/// `found` are the findings in the renamed files.
 ExitCode rename(const LintOptions& options, const LintPlan& plan, const Session& session,
                 const Changes& changes, const Report& found) {
   if (options.diff) return show_diff(options, changes);
@@ -164,8 +164,8 @@ ExitCode rename(const LintOptions& options, const LintPlan& plan, const Session&
   return report(options, plan, {found, session.sources()}, 0);
 }
 
-/// Where the baseline is written, which no configuration that came with the files decides.
-/// None when that one names another place; that has been said.
+/// Where the baseline is written. A configuration that came with the files does not decide that;
+/// none, and a message, when it names another place.
 std::optional<std::string> baseline_to_write(const LintOptions& options, const std::string& known) {
   const bool is_chosen = !options.baseline.empty() || (!options.config.empty() && !known.empty());
   if (is_chosen) return known;
@@ -177,7 +177,7 @@ std::optional<std::string> baseline_to_write(const LintOptions& options, const s
   return std::nullopt;
 }
 
-/// What is overwritten has to be a baseline.
+/// Only a baseline may be overwritten.
 bool may_be_overwritten(const std::string& path, const LintOptions& options) {
   const FileContent old = DiskFiles().read(path, options.limits.file_bytes);
   if (old.status == ReadStatus::not_found) return true;

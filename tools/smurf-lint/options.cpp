@@ -242,7 +242,7 @@ std::vector<Option> fix_options(LintOptions& options) {
 
 std::vector<Option> output_options(LintOptions& options) {
   return {
-      // Converters call it --report, because their --format is that of the result.
+      // Converters call this --report, because their --format is the format of the result.
       report_option("format", options.reports),
       output_option(options.output, "Write the report to FILE instead of standard output."),
       {.group = "Output",

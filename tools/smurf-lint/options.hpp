@@ -68,10 +68,10 @@ struct LintOptions {
   std::string list_rules;  ///< "text" or "json": list the rules and do nothing else
 };
 
-/// The table refers to `options`.
+/// The result refers to `options`.
 Command lint_command(LintOptions& options);
 
-/// Says what does not go together, such as two reports to one place.
+/// Reports options that exclude each other, such as two reports to one place.
 std::optional<std::string> find_conflict(const LintOptions& options);
 
 /// Is there such a rule, and if not, which is meant: "there is no rule 'x'; did you mean 'y'?"

@@ -30,7 +30,7 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path, ignored);
 }
 
-/// What a configuration says of the files it leaves out.
+/// The files that a configuration leaves out.
 struct Exclusions {
   struct Patterns {
     std::string folder;  ///< absolute
@@ -136,7 +136,7 @@ class Planner {
                                                : config_found_from(folder);
   }
 
-  /// Has the folder surely the configuration of the one above it?
+  /// Is it certain that the folder has the configuration of the one above it?
   bool is_as_above(const std::string& folder) const {
     if (options_.isolated || !options_.config.empty()) return false;
     const std::string normal = path::normalize(folder);
@@ -157,7 +157,7 @@ class Planner {
     return known->second;
   }
 
-  /// Whether a folder is searched, the configuration around it says, not the one in it.
+  /// The configuration around a folder decides whether it is searched, not the one in it.
   bool is_left_out(const std::string& path, bool folder) {
     const Exclusions& exclusions = exclusions_[config_of_entry(path)];
     if (!ignore_files_.may_check(exclusions.size())) return true;

@@ -14,7 +14,7 @@
 namespace smurf::tools {
 
 /// The renamed texts go to the session, in front of those on the disk, where they are loaded again
-/// to see that every name means what it meant; nothing is written. None when something cannot be
+/// to check that every name still means the same; nothing is written. None when something cannot be
 /// renamed, which was said.
 std::optional<std::map<std::string, Change>> rename_all(const LintOptions& options,
                                                         const LintPlan& plan, Session& session);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line over the configuration: what holds in the end.
+// The command line combined with the configuration: what applies.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace smurf::tools {
 
-/// What the options say of a check.
+/// The options that apply to a check.
 CheckSettings check_settings(const LintOptions& options);
 
-/// What holds for the whole run.
+/// The settings of the whole run.
 struct RunSettings {
   std::vector<ReportRequest> reports;
   Threshold threshold;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --show-config: what holds for a path, and who says so.
+// --show-config: the settings of a path, and where each is set.
 #pragma once
 
 #include "smurf-lint/options.hpp"
 
 namespace smurf::tools {
 
-/// Writes the configuration that holds for options.show_config as one that could be read, each
-/// value with its origin in a comment. What is wrong with it goes to standard error.
+/// Writes the configuration of options.show_config as a readable configuration, each value with its
+/// origin in a comment. Mistakes in it go to standard error.
 ExitCode show_config(const LintOptions& options);
 
 }  // namespace smurf::tools

@@ -10,7 +10,7 @@ namespace smurf::load_check {
 
 /// What is wrong with an inertia.
 enum class InertiaFault : std::uint8_t { refused, impossible };
-/// `refused` when ODE takes no such body, `impossible` when it does although no body is like that.
+/// `refused` when ODE refuses such a body, `impossible` when it accepts one that cannot exist.
 std::optional<InertiaFault> fault_of(const Eigen::Matrix3d& inertia);
 
 /// Reports bodies without mass or with an inertia that cannot be, joints without axis, and masses

@@ -67,7 +67,7 @@ class SceneCheck {
       const LinkPlan& link = plan_.links[i];
       link_index_[{link.instance, link.link}] = i;
     }
-    // What a model does wrong is reported where the model is checked on its own.
+    // Faults of a model are reported by the separate check of the model.
     DiagnosticSink of_models;
     result.figures = check_bodies(plan_, run_.options().bounds, of_models);
     add_shapes(plan_, files_, of_models);

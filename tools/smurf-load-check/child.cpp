@@ -82,7 +82,7 @@ struct Batch {
   constexpr std::int64_t kLongest = std::numeric_limits<int>::max();
   ::alarm(static_cast<unsigned>(std::min(kPatience * limits.seconds, kLongest)));
 #ifdef __GLIBC__
-  // What the parent keeps in its heap for later would be the child's beside the limit.
+  // The free heap of the parent would let the child exceed its limit.
   ::malloc_trim(0);
 #endif
   if (kHasMemoryLimit) limit(RLIMIT_AS, address_space() + limits.memory_bytes);

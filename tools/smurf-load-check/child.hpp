@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work in child processes: what crashes or runs away there is an outcome here.
+// Work in child processes: a crash or an endless loop there is an outcome here.
 #pragma once
 
 #include <cstddef>

@@ -121,7 +121,7 @@ class Loader {
     add_jobs(file, loaded, std::move(found));
   }
 
-  /// An obstacle goes to the first job that it stands in the way of.
+  /// An obstacle goes to the first job that it prevents.
   void add_jobs(const std::string& file, const LoadedScene& loaded, std::vector<Diagnostic> found) {
     const LinkedScene& scene = loaded.scene;
     const bool has_scene = is_scene(input_kind(file));

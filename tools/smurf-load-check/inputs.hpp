@@ -21,7 +21,7 @@ struct Job {
   const LinkedModel* model = nullptr;   ///< null: the scene
   const LinkedScene* scene = nullptr;   ///< null: the model
   const LoadedScene* loaded = nullptr;  ///< what either is part of
-  /// What stands in the way of a check; nothing is run then.
+  /// What prevents a check; nothing is run then.
   std::vector<Diagnostic> obstacles;
 };
 

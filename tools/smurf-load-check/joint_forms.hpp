@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a joint of a robot is in the engine.
+// How a joint of a robot is built in the engine.
 #pragma once
 
 #include <Eigen/Core>

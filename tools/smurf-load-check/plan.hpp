@@ -23,7 +23,7 @@ inline constexpr std::size_t kWorld = std::numeric_limits<std::size_t>::max();
 /// The body of the ground, of planes and of heightfields; unlike kWorld it is no part of a robot.
 inline constexpr std::size_t kEnvironment = kWorld - 1;
 
-/// What the root link of a model stands on.
+/// What the root link of a model is attached to.
 struct Base {
   enum class Kind : std::uint8_t { free, world, link };
   Kind kind = Kind::free;

@@ -35,7 +35,7 @@ class Panel {
     low_ = std::min(0.0, *std::min_element(curve.values.begin(), curve.values.end()));
     peak_ = *std::max_element(curve.values.begin(), curve.values.end());
     high_ = std::max(0.0, peak_);
-    // What is rounding is not to be blown up.
+    // Rounding errors must not fill the picture.
     constexpr double kSmallest = 1e-7;  // m
     if (high_ - low_ < kSmallest) high_ = low_ + kSmallest;
     // A bound that is far above would flatten the curve.

@@ -48,7 +48,7 @@ struct StageResult {
   std::string note;  ///< what was built, why it was skipped
 };
 
-/// State after one step.
+/// The state after one step.
 struct Sample {
   Stage stage = Stage::hang;
   double time = 0;    ///< s, from the start of the stage

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where meshes and images are read from: what a model may name, not all of the disk.
+// The meshes and images that a model may name; other files of the disk are not read.
 #pragma once
 
 #include "smurf/file_reader.hpp"

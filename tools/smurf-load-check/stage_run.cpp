@@ -45,7 +45,7 @@ void StageRun::stage(Stage stage, const StageBody& body) {
   }
   if (!messages.empty()) give_no_verdict(messages, result);
   keep_findings(result);
-  // What BUILD refuses has stand-ins, with which the rest is looked at.
+  // Parts that BUILD refuses are replaced, so that the rest can be checked.
   has_failed_ = stage != Stage::build && result.verdict == Verdict::fail;
   result_.stages.push_back(std::move(result));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What all stages share: their order, their verdicts, stepping and sampling.
+// Code that all stages share: their order, their verdicts, stepping and sampling.
 #pragma once
 
 #include <cmath>

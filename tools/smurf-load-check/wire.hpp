@@ -14,7 +14,7 @@ std::string encode_begin(Stage stage);
 std::string encode_fault(const std::string& message);
 /// But for the trace, which is sent before.
 std::string encode(const CheckResult& result);
-/// What goes before the rows of a trace, which are sent as they are.
+/// The text before the rows of a trace, which are sent unchanged.
 std::string encode_trace_begin(std::size_t size);
 
 /// What a child wrote before its end.

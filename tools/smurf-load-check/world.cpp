@@ -233,7 +233,7 @@ World::~World() = default;
 void World::step() {
   if (engine_->setup.contacts) dSpaceCollide(engine_->space, engine_.get(), Engine::on_near);
   for (const OdeJoint& joint : engine_->joints) joint.prepare(engine_->setup.step);
-  // Without memory ODE leaves everything where it is, which would look like a very calm robot.
+  // When ODE has no memory, nothing moves, which would look like a robot at rest.
   if (dWorldStep(engine_->world, engine_->setup.step) == 0) throw std::bad_alloc();
   dJointGroupEmpty(engine_->contacts);
   engine_->time += engine_->setup.step;

@@ -32,7 +32,7 @@ std::string package_folder(const LinkedModel& model, const Options& options) {
   return path::join(urdf_folder, "..");
 }
 
-/// What keeps the options from being carried out on this model; "" when nothing does.
+/// Why the options cannot be applied to this model; "" when they can.
 std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
   if (options.base != BaseJoint::as_is) {
     if (model.tree.roots.size() != 1) return "has no single root that --base could hold";

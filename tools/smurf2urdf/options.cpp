@@ -32,7 +32,7 @@ Setter append_items(std::vector<std::string>& list) {
   };
 }
 
-/// What the readers need, as the options that a preset stands for.
+/// What the readers need: the options of each preset.
 struct Preset {
   std::string_view name;
   std::string_view options;

@@ -24,7 +24,7 @@ struct Options {
 
 Command make_command(Options& options);
 
-/// The options that a preset stands for, as a line of text.
+/// The options of a preset, as a line of text.
 std::string preset_text(std::string_view name);
 
 /// What is wrong with the options as a whole; "" when nothing is. Fills in the folder of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last look at an exported URDF before it is written.
+// The last check of an exported URDF before it is written.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ namespace {
 std::string join(const Vector3& vector) {
   std::string text;
   for (const double component : vector) {
-    // The noise of a sine is no news to a person.
+    // Rounding errors of a sine would only distract people.
     const double shown = std::fabs(component) < 1e-12 ? 0 : component;
     text += (text.empty() ? "" : " ") + format_rounded(shown, 9);
   }

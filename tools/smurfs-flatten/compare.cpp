@@ -35,7 +35,7 @@ std::string row(const std::string& label, const std::optional<Pose>& pose) {
   if (!pose) return text + "  not loaded\n";
   for (const double component : pose->position) text += cell(short_number(component), 11);
   for (const double angle : to_rpy(pose->orientation)) {
-    // Tenths of a thousandth of a degree would not fit and tell nothing.
+    // More digits of an angle would not fit, and have no use.
     const double degrees = std::round(angle * 180 / std::numbers::pi * 1e3) / 1e3;
     text += cell(format_rounded(degrees == 0 ? 0 : degrees, 9), 9);
   }

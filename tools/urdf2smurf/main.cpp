@@ -138,7 +138,7 @@ std::string file_name_of(const Options& options, const LinkedModel& model) {
   return "robot";
 }
 
-/// All that is to be written.
+/// Everything that will be written.
 struct Plan {
   std::string folder;
   NewModel made;
@@ -234,7 +234,8 @@ std::string describe(const NewModel& made, const AssetCopies& copies) {
   return text;
 }
 
-/// What a user may miss: without motors, or with such, a robot does not move.
+/// What a user may miss: a robot does not move without motors, or with motors that have no speed or
+/// effort.
 std::string remark_on_motors(const NewModel& made, MotorChoice choice, std::size_t dead_motors) {
   if (dead_motors > 0) {
     return counted(dead_motors, "motor value") + " missing, which MARS takes for 0 (SML4103): "

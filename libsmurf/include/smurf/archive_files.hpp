@@ -24,13 +24,13 @@ bool is_archive(std::string_view path);
 /// Whether a folder on the way to a file is an archive, by its name.
 bool is_in_archive(std::string_view path);
 
-/// Reads what lies in archives, and archives in archives, in memory; everything else is read by the
-/// reader behind it. Each archive is unpacked once, when something in it is first asked for. May be
-/// used by several threads.
+/// Reads files in archives, nested ones included, in memory; passes everything else to the reader
+/// behind it. Unpacks each archive once, when something in it is first asked for. Several threads
+/// may use it.
 class ArchiveFiles final : public FileReader {
  public:
-  /// `behind` must outlive this. All archives together unpack to `archive_bytes` and not more, and
-  /// to `archive_growth` times what they have.
+  /// `behind` must outlive this. All archives together unpack to at most `archive_bytes`, and to at
+  /// most `archive_growth` times their own size.
   ArchiveFiles(const FileReader& behind, const Limits& limits);
   ~ArchiveFiles() override;
 
@@ -57,7 +57,8 @@ class ArchiveFiles final : public FileReader {
   mutable std::map<std::string, std::unique_ptr<Opened>, std::less<>> opened_;
 };
 
-/// What an archive is about: its only .smurf (.smurfs, .smurfa), or the one of its own name.
+/// The main file of an archive: its only .smurf (.smurfs, .smurfa), or the one with the name of the
+/// archive.
 struct ArchivedMain {
   std::string path;    ///< "cell.zsmurfs/cell.smurfs"; empty when there is none
   std::string reason;  ///< why, for a person: "holds no .smurfs"

@@ -86,14 +86,14 @@ struct ReportWishes {
   std::vector<std::string> formats;                ///< "FORMAT[=FILE]"
   std::optional<std::optional<Severity>> fail_on;  ///< none inside: never
   std::optional<int> max_warnings;
-  std::string baseline;  ///< a file; that of the settings first
+  std::string baseline;  ///< a file; the setting overrides it
 };
 
 /// The result of a check.
 struct Report {
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
-  /// For the targets of the settings and all configurations; suppressed findings are included.
+  /// For the targets of the settings and of all configurations, with suppressed findings included.
   std::vector<TargetVerdict> targets;
   std::vector<std::string> problems;  ///< of the plan
   ReportWishes wishes;
@@ -161,11 +161,11 @@ class Session {
   LoadedModel load_model(const std::string& path, const CheckSettings& settings = {});
   /// Loads a scene; a .smurf or .urdf counts as one.
   LoadedScene load_scene(const std::string& path, const CheckSettings& settings = {});
-  /// Lets these files be loaded, each once. To tell of all of them first is quicker: links are
-  /// followed and a configuration is read once for all. What was loaded before stays; what is read
-  /// again of it does not count as repeated.
+  /// Allows these files to be loaded, each once. Announcing all of them first is faster: links are
+  /// followed and configurations are read only once. Loaded models stay valid; reading their files
+  /// again does not count as repeated reading.
   void announce(std::span<const std::string> paths, const CheckSettings& settings = {});
-  /// Gives up what was loaded, none of which may be used any more.
+  /// Releases everything that was loaded; none of it may be used afterwards.
   void forget_loaded();
   /// The texts of all that was loaded.
   const SourceMap& loaded_sources() const;
@@ -178,7 +178,8 @@ class Session {
   /// sorted.
   std::vector<Diagnostic> finish(const LoadedModel& loaded, std::vector<Diagnostic> found) const;
   std::vector<Diagnostic> finish(const LoadedScene& loaded, std::vector<Diagnostic> found) const;
-  /// Only what is in one model of the scene: takes time for that model, not for the scene.
+  /// Checks only what belongs to one model of the scene: takes time for that model, not for the
+  /// scene.
   std::vector<Diagnostic> finish(const LoadedScene& loaded, const LinkedModel& model,
                                  std::vector<Diagnostic> found) const;
 

@@ -28,14 +28,14 @@ struct ConfigPattern {
   std::string folder;
 };
 
-/// What holds for the files of a pattern.
+/// The settings for the files of a pattern.
 struct ConfigPath {
   ConfigPattern pattern;
   std::vector<Spanned<std::string>> ignore;
   std::map<std::string, Spanned<Severity>> severities;
 };
 
-/// What a configuration file says, with what it takes over by `extends`; what it does not say is
+/// The settings of a configuration file and of those that it extends; what they do not set is
 /// empty. Every value knows where it was written. Paths start from where the configuration's own
 /// path starts.
 struct Config {
@@ -54,18 +54,18 @@ struct Config {
   UserSchemas schemas;
 };
 
-/// Who chose a configuration. One that was found beside the files may come from a stranger, and
-/// does not choose what is written.
+/// Who chose a configuration. One that was found beside the files may come from a stranger, so it
+/// must not choose output files.
 enum class ConfigOrigin : std::uint8_t { found, named };
 
-/// Reads a configuration with those it extends and the schemas it names. Everything wrong is
-/// reported at its place (SML90xx); the rest counts. `formats` are the names that reports may
-/// have; empty: any.
+/// Reads a configuration with those it extends and the schemas it names. Reports mistakes at
+/// their place (SML90xx), and ignores them. `formats` are the names that reports may have; empty:
+/// any.
 Config read_config(const std::string& path, SourceMap& sources, const FileReader& files,
                    DiagnosticSink& sink, std::span<const std::string_view> formats = {},
                    ConfigOrigin origin = ConfigOrigin::found);
 
-/// What the value of a setting may be.
+/// The kinds of values of settings.
 enum class SettingType : std::uint8_t {
   files,       ///< a path or a list of them
   rules,       ///< ids, names or prefixes
@@ -91,7 +91,7 @@ struct SettingSpec {
 };
 /// All settings, by name; schemas/config.schema.json is made from them.
 std::vector<SettingSpec> config_settings();
-/// Those of the files of a pattern.
+/// The settings for the files of a pattern.
 std::vector<SettingSpec> config_path_settings();
 
 }  // namespace smurf

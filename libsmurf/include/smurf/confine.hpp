@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where files that a model names may lie: a model from a stranger has no business elsewhere.
+// Which files a model may name: a model from a stranger must not open any other.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// Lets these files be read, with symbolic links followed before it is judged:
+/// Allows these files to be read, judged after following symbolic links:
 /// - Those in the project of each input. The project is the nearest folder around the input with
 ///   `.git`, `.hg` or `.svn`; without one, the folder above its package (package.xml); without
 ///   that, the folder two above its own (scenes name `../../models/...`).
@@ -21,10 +21,10 @@ namespace smurf {
 /// below the shared folders around it, and a shared current folder allows nothing. Where the input
 /// itself lies in a shared folder, only the files beside it that are not hidden are read. Where a
 /// shared folder is to be searched, only configurations and ignore files in it are read: what is
-/// found is to be confined as inputs of their own.
-/// What a repository keeps of itself (.git, .hg, .svn) is not part of the project, but for
+/// found must be confined as an input of its own.
+/// The data of the repository (.git, .hg, .svn) are not part of the project, except for
 /// .git/info/exclude.
-/// Everything is let be read when `allow_outside`.
+/// With `allow_outside`, every file may be read.
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside);
 

@@ -28,7 +28,7 @@ enum class BaseJoint : std::uint8_t { as_is, fixed, floating };
 /// What motors are written as.
 enum class Actuation : std::uint8_t { none, ros2_control, transmission };
 
-/// Values of annotations that take the place of the URDF's.
+/// The values of annotations that replace those of the URDF.
 struct AppliedAnnotations {
   bool materials = false;  ///< colours, and textures where the URDF has none
   bool limits = false;     ///< of motors
@@ -48,7 +48,7 @@ struct UrdfExport {
   Actuation actuation = Actuation::none;
   bool adds_gazebo_sensors = false;
   bool adds_mujoco_settings = false;  ///< those without which it does not find meshes
-  bool has_srdf = false;              ///< poses and bitmasks are said there
+  bool has_srdf = false;              ///< which has the poses and bitmasks
   bool strips_extensions = false;     ///< what URDF does not define
   bool strips_comments = false;
   bool collapses_fixed = false;
@@ -72,11 +72,11 @@ std::string export_urdf(const LinkedModel& model, const SourceMap& sources,
 std::optional<std::string> export_srdf(const LinkedModel& model, const std::string& prefix,
                                        std::uint64_t most);
 
-/// Reports every annotation that the export cannot say or was not asked to say (SML8001, 8002), and
-/// every extension it leaves out (SML8004).
+/// Reports every annotation that the export cannot express or was not asked to write (SML8001,
+/// 8002), and every extension it leaves out (SML8004).
 void report_losses(const LinkedModel& model, const UrdfExport& options, DiagnosticSink& sink);
 
-/// Where the files of a new model stand.
+/// Where the files of a new model are.
 enum class SmurfLayout : std::uint8_t {
   phobos,   ///< smurf/NAME.smurf, smurf/NAME_*.yml, urdf/NAME.urdf
   flat,     ///< all in one folder
@@ -86,7 +86,7 @@ enum class SmurfLayout : std::uint8_t {
 /// Which joints get a motor.
 enum class MotorChoice : std::uint8_t { declared, all, none };
 
-/// Of what the two readers want differently, what the first one wants.
+/// How to write what the two readers expect differently.
 enum class SmurfStyle : std::uint8_t {
   mars,    ///< `joint`, contact sensors of collisions
   phobos,  ///< `joints`, contact sensors of links
@@ -102,14 +102,14 @@ struct UrdfImport {
   MotorChoice motors = MotorChoice::declared;
   SmurfStyle style = SmurfStyle::mars;
   const xml::Document* srdf = nullptr;  ///< may be null
-  /// Where meshes and textures will have copies, which the model is to name instead: absolute paths
-  /// by MeshReference::path.
+  /// The copies of meshes and textures that the model should name instead: absolute paths by
+  /// MeshReference::path.
   std::map<std::string, std::string> copies{};
 };
 
-/// A SMURF model around a URDF, which stays whole: mesh paths are re-based, also those in packages,
-/// and an unnamed collision gets a name where a sensor must refer to it. Reports what has no
-/// section as SML8101. Precondition: model.robot is set.
+/// Makes a SMURF model around a URDF. The URDF changes in two ways only: mesh paths are re-based,
+/// also those in packages, and an unnamed collision gets a name where a sensor must refer to it.
+/// Reports what has no section as SML8101. Precondition: model.robot is set.
 NewModel import_urdf(const LinkedModel& model, const SourceMap& sources, const UrdfImport& options,
                      DiagnosticSink& sink);
 
@@ -142,7 +142,7 @@ ProofScope proof_scope(const UrdfExport& options);
 Proof compare_models(const LinkedModel& source, const LinkedModel& result,
                      const ProofScope& scope = {});
 
-/// What urdfdom says of a URDF text.
+/// The verdict of urdfdom on a URDF text.
 struct RefereeVerdict {
   bool was_asked = false;  ///< false: the text is not safe to hand to urdfdom
   bool accepts = false;

@@ -12,9 +12,9 @@
 
 namespace smurf {
 
-/// The first line says what it is; names stand in backticks. Empty when the name is unknown.
+/// The first line says what it is; names are in backticks. Empty when the name is unknown.
 std::vector<std::string> describe(const LinkedModel& model, const Reference& reference);
-/// Of a scene also its entities.
+/// The same for a scene, which also has entities.
 std::vector<std::string> describe(const LinkedScene& scene, const Reference& reference);
 
 /// Where a link is when all joints are at zero, and the joints on the way there from the root.

@@ -105,7 +105,7 @@ enum class Applicability : std::uint8_t { safe, unsafe };
 /// A remedy as byte edits. Safe fixes never change what the model means to any reader that loads
 /// it.
 struct Fix {
-  /// A name that something gets and that nothing else beside it may have: a key, an attribute.
+  /// A name that must be unique in its place: a key of a mapping, an attribute of an element.
   struct NewName {
     Span among;  ///< the mapping, the start tag, the robot
     std::string name;
@@ -114,7 +114,7 @@ struct Fix {
 
   Applicability applicability = Applicability::unsafe;
   std::vector<Edit> edits;
-  /// Of two fixes with the same one, only the first is applied.
+  /// Of two fixes that create the same name, only the first is applied.
   std::optional<NewName> new_name = {};
 };
 
@@ -145,8 +145,8 @@ struct Diagnostic {
 /// Collects diagnostics. Passed by reference through all stages; never prints, never throws.
 class DiagnosticSink {
  public:
-  /// Of each rule, `most` findings are kept, and `all` of all rules together. The next one becomes
-  /// an SML0002 that says so. `suggestions` bounds the work of suggest().
+  /// Keeps at most `most` findings of each rule, and `all` of all rules together. The next one
+  /// becomes an SML0002 that reports this. `suggestions` limits the work of suggest().
   explicit DiagnosticSink(std::uint64_t most = Limits{}.findings,
                           std::uint64_t suggestions = Limits{}.suggestions,
                           std::uint64_t all = Limits{}.all_findings)

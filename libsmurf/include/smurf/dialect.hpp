@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the programs that read scenes make of one: the same file, different worlds.
+// How programs interpret scenes: the same file gives different worlds.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@
 
 namespace smurf {
 
-/// What a reader makes of one entity.
+/// How a reader interprets one entity.
 struct EntityReading {
   std::optional<Pose> X_WE;  ///< absent: the reader does not load it
   Attachment parent, anchor;
   JointPoseIndex joint_pose{};  ///< in SceneReading::joint_poses
-  /// What it does otherwise than the author is taken to mean, or why it does not load it: "takes
-  /// the angles for radians". May be empty.
+  /// How it differs from the documented meaning, or why the entity is not loaded: "reads the angles
+  /// as radians". May be empty.
   std::string note;
 };
 
-/// What it makes of a scene.
+/// How a reader interprets a scene.
 struct SceneReading {
   std::vector<EntityReading> entities;  ///< by instance
   /// Those that entities are in, each once; the first has all joints at zero.
@@ -42,7 +42,7 @@ struct Dialect {
   bool (*is_moved_by_include)(const Entity& entity) = nullptr;
 };
 
-/// `spec`, which takes scenes as documented and as `load_scene` does, comes first.
+/// All dialects. `spec` comes first: it reads scenes as documented, as `load_scene` does.
 std::span<const Dialect* const> dialects();
 /// Null when there is none of that name.
 const Dialect* find_dialect(std::string_view name);
@@ -51,7 +51,7 @@ const Dialect* find_dialect(std::string_view name);
 /// Those that it does not load have no pose then, and are reported.
 void apply_dialect(const Dialect& dialect, LinkedScene& scene, DiagnosticSink& sink);
 
-/// Whether two poses are the same to a person with a ruler: within 1e-9 m and 1e-9 rad.
+/// True when two poses are equal within 1e-9 m and 1e-9 rad.
 bool is_same_pose(const std::optional<Pose>& a, const std::optional<Pose>& b);
 
 }  // namespace smurf

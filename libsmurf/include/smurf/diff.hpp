@@ -22,10 +22,10 @@ namespace smurf {
 
 /// How diff() compares values.
 struct DiffOptions {
-  /// Values that differ by no more are equal: in metres and radians; relative to the larger one for
-  /// masses, inertias, efforts and everything else with a unit of its own.
+  /// Values that differ by at most this are equal. Absolute for metres, radians and numbers without
+  /// a unit; relative to the larger value for masses, inertias, efforts and all others.
   double tolerance = 1e-9;
-  /// To compare the contents of meshes, textures and other files. Null: they are equal when their
+  /// Compares the contents of meshes, textures and other files. Null: files are equal when their
   /// names are.
   const FileReader* files = nullptr;
   Limits limits = {};
@@ -34,7 +34,7 @@ struct DiffOptions {
 enum class Change : std::uint8_t { added, removed, renamed, changed };
 std::string_view to_string(Change change);
 
-/// A value as it is compared; nothing where there is none.
+/// A value as it is compared; empty when it is absent.
 using DiffValue = std::variant<std::monostate, bool, double, std::string, std::vector<double>, Pose,
                                Quaternion, std::vector<std::string>>;
 
@@ -52,13 +52,13 @@ struct Difference {
   std::span<const std::string_view> parts{};  ///< names of the numbers in the values; may be empty
   std::string detail{};                       ///< "moves 7 links"; may be empty
   std::size_t number = 0;                     ///< of several without a name: which one, from 1
-  /// Where it is written, or would be; none where what it is about is not there.
+  /// Where it is written, or would be; none when its element or entry is not in that version.
   std::optional<Span> old_place{}, new_place{};
 };
 
 /// The differences in the order of the new version, then what was removed. Both must be loaded into
-/// `sources`. Formatting, order, comments, and values that readers take anyway, are none. Of a
-/// model without annotations, and its counterpart with them, only the robots are compared.
+/// `sources`. Formatting, order, comments, and values that equal the default are ignored. When only
+/// one of the models has annotations, only the robots are compared.
 std::vector<Difference> diff(const LinkedModel& before, const LinkedModel& after,
                              const SourceMap& sources, const DiffOptions& options = {});
 /// The same with the models that both scenes place under one name.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only door to the file system: a reader that can be replaced by files in memory.
+// The only access to the file system: a reader that can be replaced by files in memory.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +35,8 @@ class FileReader {
   virtual bool is_file(const std::string& path) const = 0;
   /// Names (not paths) of the entries of a folder, sorted; empty when there is no such folder.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
-  /// True when nothing is told about a path, not even whether there is something: `is_file` is
-  /// false then, and `read` gives the reason.
+  /// True when a path must stay unknown, even whether something is there: `is_file` is false then,
+  /// and `read` gives the reason.
   virtual bool is_denied(const std::string&) const { return false; }
   /// Equal for all names of one file or folder, whatever links they go through. The normalised path
   /// when nothing else is known.
@@ -52,11 +52,11 @@ class DiskFiles final : public FileReader {
   std::string identity(const std::string& path) const override;
 };
 
-/// Files of the machine that really lie in one of some folders, symbolic links followed: what a
-/// model from a stranger may name. Others are denied, whether they exist or not. What is read is
-/// judged by the file that was found, not by its path, so that a link that changes meanwhile leads
-/// nowhere else. Where links lead and what is in a folder is looked up once: make a new one after
-/// that has changed. May be used by several threads once all is allowed.
+/// Files of the machine inside of the allowed folders, after following symbolic links: what a model
+/// from a stranger may name. All others are denied, whether they exist or not. The opened file is
+/// judged, not its path, so that a link that changes meanwhile leads nowhere else. Links and
+/// folders are looked up once: make a new reader after they have changed. Several threads may use
+/// it once everything is allowed.
 class ConfinedFiles final : public FileReader {
  public:
   ConfinedFiles();
@@ -67,8 +67,8 @@ class ConfinedFiles final : public FileReader {
   void allow_files_in(const std::string& folder);
   /// The files of this name in a folder and in all folders in it.
   void allow_named(const std::string& name, const std::string& folder);
-  /// Denies what has this name, in whatever case, and all that is in it, wherever it lies in an
-  /// allowed folder. `but` is a path in it that stays allowed; "": none.
+  /// Denies everything of this name, in any case, with its contents, wherever it is in an allowed
+  /// folder. `but` is a path in it that stays allowed; "": none.
   void deny_named(const std::string& name, const std::string& but = {});
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;

@@ -67,7 +67,7 @@ struct FlatInstance {
   std::optional<Pose> X_WE;  ///< of the root link frame; absent when the scene has errors
   FlatAttachment anchor;
   FlatAttachment parent;  ///< kind none: the world
-  /// Of the joints that the named joint pose set gives, in the model's order; rad or m.
+  /// Positions from the named joint pose set, in the order of the model's joints; rad or m.
   std::vector<std::pair<std::string, double>> joint_positions;
   Value::Object properties;       ///< all other keys
   std::vector<FlatShape> shapes;  ///< of an entity without model
@@ -89,7 +89,7 @@ struct FlatOldScene {
   std::vector<Light> lamps;            ///< the same, read; their places are that of the entity
   std::vector<std::string> movable;    ///< names of nodes that MARS lets move
   std::vector<std::string> shapeless;  ///< names of nodes without a shape that is known here
-  /// What else it lists, each with its number: "joint", "motor", ...; none is 0.
+  /// Numbers of other things in it, by their names: "joint", "motor", ...; only those above 0.
   std::vector<std::pair<std::string_view, std::size_t>> others;
 };
 
@@ -112,21 +112,21 @@ struct FlattenOptions {
   std::string output_folder = ".";
   /// Absolute path that relative paths start from.
   std::string current_folder = "/";
-  /// What stands in the old scenes; null: their entities have no shapes.
+  /// The contents of the old scenes; null: their entities have no shapes.
   const OldScenes* old_scenes = nullptr;
 };
 
-/// False, and a finding, when what flatten() gives and a format writes of it would be larger than
-/// `limits.scene_bytes`.
+/// False, and a finding, when the result of flatten(), or what a format writes of it, would be
+/// larger than `limits.scene_bytes`.
 bool check_scene_size(const LinkedScene& scene, const SourceMap& sources,
                       const FlattenOptions& options, const Limits& limits, DiagnosticSink& sink);
 
-/// Total: what is in error has no pose. Nothing is read.
+/// Never fails: entities with errors have no pose. Reads no files.
 FlatScene flatten(const LinkedScene& scene, const SourceMap& sources,
                   const FlattenOptions& options);
 
-/// False, and a finding for each entity concerned, when poses or sizes are so large that what a
-/// format computes of them would not be finite.
+/// False, and a finding for each entity concerned, when poses or sizes are too large for the
+/// formats to compute with.
 bool check_flat_numbers(const FlatScene& flat, const LinkedScene& scene, DiagnosticSink& sink);
 
 /// One transform on the way from the world to an instance.
@@ -137,7 +137,7 @@ struct TransformStep {
   Pose X_W;          ///< all steps so far
 };
 
-/// A chain of more transforms is not told: each parent of a chain of parents brings its joints.
+/// Longer chains are not shown: each parent in a chain of parents adds its joints.
 inline constexpr std::size_t kMostSteps = 10'000;
 
 /// The chain of transforms of an instance, from the world on; empty when the instance has no pose.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What may stand in a file, and what it means: for those who write one. Made from the tables that
-// the readers use.
+// Which keys a file may have, and what they mean: for people who write one. Made from the tables
+// that the readers use.
 #pragma once
 
 #include <cstdint>
@@ -62,10 +62,10 @@ struct ElementHelp {
 };
 /// None for one that URDF does not define.
 std::optional<ElementHelp> element_help(std::string_view name);
-/// That of a document.
+/// The root element of a document.
 std::string_view root_element();
 
-/// Meaning, value, unit, default and readers; the first line is the name. Names stand in backticks.
+/// Meaning, value, unit, default and readers; the first line is the name. Names are in backticks.
 std::vector<std::string> describe(const KeyHelp& help);
 
 /// All keys of this name: "maxEffort", or "motors.maxEffort" and "limit.effort" for one of them.

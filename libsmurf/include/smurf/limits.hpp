@@ -8,7 +8,7 @@
 
 namespace smurf {
 
-/// What each of them means is said in kLimits.
+/// kLimits explains each of them.
 struct Limits {
   std::uint64_t file_bytes = 256ULL << 20U;
   std::uint64_t mesh_bytes = 128ULL << 20U;

@@ -175,7 +175,7 @@ struct Attachment {
 struct Placement {
   Attachment parent;  ///< the frame of X_PE; none: the world
   Attachment anchor;
-  /// Own pose, after those of the includes up to the one that brings the parent.
+  /// The own pose, composed with those of the includes up to the one that gives the parent.
   Pose X_PE;
   bool is_known = true;  ///< false when a parent or a pose is unreadable
 };

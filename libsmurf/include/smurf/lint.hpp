@@ -24,7 +24,7 @@ struct PathRules {
   std::map<std::string, Severity> severities;
 };
 
-/// Which rules run, and how severe they are. Ids may be ids, names or prefixes ("SML3").
+/// Which rules run, and their severities. Ids may be ids, names or prefixes ("SML3").
 struct RuleSelection {
   std::vector<std::string> select;  ///< empty: all
   std::vector<std::string> ignore;
@@ -34,7 +34,7 @@ struct RuleSelection {
   std::vector<PathRules> paths;              ///< where several cover a file, the last one wins
 
   bool is_enabled(const Rule& rule) const;
-  /// As set, else the rule's own.
+  /// The severity that is set, else the rule's own.
   double tolerance_of(const Rule& rule) const;
 };
 /// True when `pattern` is the rule's id or name or a prefix of its id.
@@ -70,7 +70,7 @@ class Findings {
                                           std::span<const std::string_view> known) {
     return sink_.suggest(name, known);
   }
-  /// Those of the model that is checked.
+  /// The doubtful references of the model that is checked.
   std::span<const Reference> doubtful_references() { return references_.list(); }
   /// Rule::tolerance, or the value from the configuration.
   double tolerance() const { return tolerance_; }

@@ -19,8 +19,8 @@
 
 namespace smurf {
 
-/// The files read so far, to count repeated reading: thousands of models may share one large URDF,
-/// and each keeps its own copy.
+/// Files that were read, to limit repeated reading: thousands of models may share one large URDF,
+/// and each keeps a copy.
 struct ReadFiles {
   std::unordered_set<std::string> known;  ///< by identity
   std::uint64_t repeated = 0;             ///< bytes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a mesh file is and how large its content is, without its triangles.
+// The format of a mesh file and the size of its content, without its triangles.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles of a mesh file, for those who show it. Nobody keeps them but the caller.
+// The triangles of a mesh file, for programs that show it. Only the caller keeps them.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct MeshTriangles {
 
 /// STL, OBJ and bobj. `extension` as for the facts of a mesh.
 MeshTriangles read_triangles(std::string_view bytes, std::string_view extension);
-/// The same of a file.
+/// The same for a file.
 MeshTriangles read_triangles_of(const std::string& path, const FileReader& files,
                                 const Limits& limits);
 

@@ -19,7 +19,7 @@ struct NewValue {
   bool boolean = false;
   std::vector<NewValue> children;
   std::string comment;          ///< above a list entry or mapping, behind a scalar; may be empty
-  bool is_on_one_line = false;  ///< {x: 0, y: 0, z: 1} for what is one thing to the reader
+  bool is_on_one_line = false;  ///< {x: 0, y: 0, z: 1} on one line
 };
 
 NewValue text_value(std::string key, std::string text, std::string comment = {});

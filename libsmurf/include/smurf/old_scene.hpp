@@ -14,7 +14,7 @@
 
 namespace smurf {
 
-/// One of the two is there.
+/// Exactly one of the two is set.
 struct OldSceneFile {
   std::optional<yaml::Document> yaml;
   std::optional<xml::Document> xml;

@@ -27,7 +27,7 @@ struct Reader {
   std::string_view title;  ///< "MuJoCo"
   std::string_view basis;  ///< which version, and whether it was executed or read
   const Reader* like = nullptr;
-  /// What it is executed as: a fact whose evidence is kRun was seen with this version.
+  /// The version that was run: facts whose evidence is kRun were seen with it.
   std::string_view version{};
   std::span<const FamilyFact> families{};
   bool is_target = true;           ///< false for libraries that other readers are built on
@@ -42,14 +42,14 @@ std::span<const Reader* const> all_readers();
 const Reader* find_target(std::string_view name);
 std::vector<std::string_view> target_names();
 
-/// Where a finding is, as facts see it: its XPath or YAML pointer without predicates and indices,
-/// then its construct: "/robot/link/collision/geometry/mesh/@filename/#dae".
+/// The place of a finding, as facts name it: its XPath or YAML pointer without predicates and
+/// indices, then its construct: "/robot/link/collision/geometry/mesh/@filename/#dae".
 std::string fact_path(const Diagnostic& diagnostic);
-/// What the reader makes of a finding and of its consequences, the worst of it; null when that is
-/// not known. Of one rule the first fact counts whose reader and place fit: first those of the
-/// reader in the row of the rule, then those about the rule's family, then those of Reader::like.
+/// The worst effect of a finding and its consequences on the reader; null when it is not known. Of
+/// each rule, the first fact that fits reader and place applies: first those of the reader in the
+/// row of the rule, then those about the rule's family, then those of Reader::like.
 const Fact* find_fact(const Reader& reader, const Diagnostic& diagnostic);
-/// Is anything known about a rule: of this reader, or of any.
+/// True when there is a fact about a rule: for this reader, or for any.
 bool has_facts(const Reader& reader, const Rule& rule);
 bool has_facts(const Rule& rule);
 /// All that is known about a rule, that of its family included, in the order of the readers.
@@ -61,7 +61,7 @@ std::string describe(const Fact& fact);
 /// All evidence of the facts about a rule, each once, and the rule's own sources.
 std::string sources_of(const Rule& rule);
 
-/// What becomes of files in a reader, best first.
+/// What a reader does with files, best first.
 enum class Answer : std::uint8_t { takes, loses, unknown, refuses };
 std::string_view to_string(Answer answer);
 
@@ -71,8 +71,8 @@ struct TargetVerdict {
   std::size_t refusals = 0;     ///< findings it refuses or crashes on
   std::size_t unknown = 0;      ///< errors without a fact about it
   std::size_t losses = 0;       ///< findings that leave something out or make something else of it
-  std::size_t ignored = 0;      ///< of those that decide, let pass by comments
-  std::size_t in_baseline = 0;  ///< of those that decide, let pass by a baseline
+  std::size_t ignored = 0;      ///< of those that decide, suppressed by comments
+  std::size_t in_baseline = 0;  ///< of those that decide, suppressed by a baseline
   const Fact* fact = nullptr;   ///< the worst of what it makes of them, and of which finding
   const Rule* rule = nullptr;
   Span span{};
@@ -82,10 +82,10 @@ struct TargetVerdict {
   std::size_t count(Answer answer) const;
   /// Counts `count` more findings of a rule as unknown.
   void add_unknown(const Rule& of, std::size_t faults);
-  /// What becomes of more files.
+  /// Adds the verdict on more files.
   void add(const TargetVerdict& other);
 };
-/// Diagnostics are those of finish(), before any of them are let pass.
+/// The diagnostics are those of finish(), before any are suppressed.
 TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> diagnostics);
 
 }  // namespace smurf

@@ -13,12 +13,12 @@
 
 namespace smurf {
 
-/// A place where a name stands. `name` points into the model.
+/// A place where a name is written. `name` points into the model.
 struct Reference {
   static constexpr std::uint32_t kNothing = 0xffffffffU;
   enum class Notation : std::uint8_t { yaml, yaml_key, xml_attribute, xml_text };
 
-  /// Of what is named; where nothing is, the first kind that the place may name.
+  /// The kind of what is named; for an unknown name, the first kind that the place may name.
   NameKind kind{};
   Notation notation{};
   bool is_definition = false;
@@ -30,7 +30,7 @@ struct Reference {
   std::string_view name;  ///< decoded
   Span span;              ///< of the name: within quotes, and of `inertial_LINK` the LINK
   /// The whole text that the name is in or all of: a YAML scalar with its quotes, an attribute
-  /// without them. Where a YAML alias stands for it, `span` is the alias.
+  /// without them. Where the text is a YAML alias, `span` is the alias.
   Span text;
   /// What is named, as NameTable has it: an index of a link, joint, motor, sensor; of a visual or
   /// collision, that of its link; of an entity, its number in the scene files in order.

@@ -35,8 +35,8 @@ struct Renamed {
 Renamed rename(std::span<const std::vector<Reference>> loaded, std::span<const Rename> renames,
                const SourceMap& sources);
 
-/// Where the renamed files, loaded again, do not say the same as before: "arm.yml:3:5: ...". Empty
-/// when every name means what it meant.
+/// Where the renamed files, loaded again, differ from before: "arm.yml:3:5: ...". Empty when every
+/// name refers to the same thing.
 std::vector<std::string> changed_meanings(std::span<const std::vector<Reference>> before,
                                           std::span<const std::vector<Reference>> after,
                                           const SourceMap& sources);

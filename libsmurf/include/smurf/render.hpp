@@ -26,7 +26,7 @@ struct Summary {
   std::size_t scenes = 0;
   std::size_t xacro = 0;  ///< .xacro files, which were not checked
 };
-/// The counts by severity; the others are the caller's.
+/// Counts findings by severity; the caller sets the other counts.
 Summary summarize(std::span<const Diagnostic> diagnostics);
 
 /// How text is laid out for a terminal.
@@ -60,7 +60,7 @@ std::string render_targets(std::span<const TargetVerdict> targets, const SourceM
 std::string render_statistics(std::span<const Diagnostic> diagnostics, const TextStyle& style,
                               std::size_t most = std::numeric_limits<std::size_t>::max());
 
-/// What an overview shows.
+/// What a report for a person shows.
 struct OverviewOptions {
   Severity least = Severity::warning;
   bool shows_all = false;  ///< all findings, however many

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where files stand in their repository.
+// Where files are in their repository.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which findings make the result of a conversion wrong. The others are as true of the result as of
-// the files it is made from.
+// Which findings make the result of a conversion wrong. The others are just as true of the files it
+// is made from.
 #pragma once
 
 #include <optional>
@@ -25,10 +25,10 @@ std::optional<std::string> loss_in_urdf(const Diagnostic& finding, const LinkedM
 std::optional<std::string> loss_in_model(const Diagnostic& finding);
 
 /// Why poses or shapes of a flattened scene would be wrong with this finding. A wrong mass or motor
-/// of a robot does not move it.
+/// changes neither.
 std::optional<std::string> loss_in_scene(const Diagnostic& finding, const SourceMap& sources);
 
-/// Whether urdfdom surely survives a text with these findings: it crashes on some.
+/// True when urdfdom certainly survives a text with these findings: it crashes on some.
 bool may_ask_urdfdom(std::span<const Diagnostic> findings);
 
 /// The section of the annotations that a finding is about: "motors" of "/motors/3/joint".

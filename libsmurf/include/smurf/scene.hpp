@@ -15,7 +15,7 @@
 
 namespace smurf {
 
-/// The list an entity stands in; all three may coexist in MARS.
+/// The list that contains an entity; all three may coexist in MARS.
 enum class EntityList : std::uint8_t { smurfs, entities, smurfa };
 
 /// How a rotation is written.

@@ -47,7 +47,7 @@ template <class T>
 class Field {
  public:
   Field() = default;
-  /// What is written at a place; no value when it cannot be understood.
+  /// What is written at a place; without a value when it cannot be understood.
   Field(std::optional<T> read, Span place)
       : value_(read ? *std::move(read) : T{}), span(place), written(true), has_value_(read) {}
 
@@ -93,7 +93,7 @@ class SourceMap {
  public:
   /// `path` is the name shown to the user, with '/' separators.
   SourceId add(std::string path, std::string text);
-  /// A file that could not be read but is named in messages; it has a path and no text.
+  /// Adds a file that cannot be read but is named in messages: it has a path and no text.
   SourceId add_unreadable(std::string path);
   /// Takes over the sources of a map that began as a copy of the first `common` sources of this
   /// one. A text that was taken before under the same path is kept once, so that views into the

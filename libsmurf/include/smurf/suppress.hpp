@@ -31,10 +31,10 @@ class Suppressions {
   /// Adds the comments of another part of the run, after its sources were merged.
   void take(Suppressions&& other, const SourceShift& shift);
 
-  /// Takes away what is suppressed and returns how much that is. Adds what is wrong with the
-  /// comments: malformed, of unknown rules, or without effect. The last only for comments in models
-  /// that were read as a whole, and for rules that `selection` lets run. Precondition: the
-  /// diagnostics are finished; afterwards they have to be finished again.
+  /// Removes suppressed findings and returns their number. Reports mistakes in the comments:
+  /// malformed, of unknown rules, or without effect. The last only for comments in models that were
+  /// read as a whole, and for rules that `selection` lets run. Precondition: the diagnostics are
+  /// finished; afterwards they have to be finished again.
   std::size_t apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
                     const RuleSelection& selection);
 
@@ -62,7 +62,7 @@ class Suppressions {
 
   template <class Document>
   void add(const Document& document, bool is_complete, const SourceMap& sources);
-  /// Marks the items that were needed; the indices of what they silence.
+  /// Marks the items that were needed; returns the indices of the findings that they suppress.
   static std::vector<std::size_t> silence(std::span<const Diagnostic> diagnostics,
                                           std::vector<Comment>& comments);
   static void judge(const Comment& comment, const std::function<bool(const Item&)>& is_unused,
@@ -75,8 +75,8 @@ class Suppressions {
 /// own, so that one entry would suppress all of them.
 bool may_be_in_baseline(const Diagnostic& diagnostic);
 
-/// The comment that lets a finding in a file pass: at the end of its line, or where none can stand
-/// there, above its entry. None when neither can.
+/// The comment that suppresses a finding in a file: at the end of its line or, if it cannot be
+/// there, above its entry. None when neither is possible.
 std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const yaml::Document& document,
                                   std::string_view text);
 std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const xml::Document& document,
@@ -91,15 +91,15 @@ using BaselinePath = std::function<std::string(const std::string& path)>;
 ///       SML3101:
 ///       - /motors/name=elbow/joint
 ///
-/// One is known again by file, rule and named pointer, so that it stays known when lines are added
-/// and entries are moved; an equal one that comes new is one too many, and is reported.
+/// A finding is recognised by file, rule and named pointer, so lines and entries may move. A new
+/// finding that equals a recorded one is one too many, and is reported.
 class Baseline {
  public:
   explicit Baseline(BaselinePath name_of) : name_of_(std::move(name_of)) {}
 
-  /// What is wrong with the file is reported.
+  /// Reports mistakes in the file.
   void read(const yaml::Document& document, DiagnosticSink& sink);
-  /// Takes away what is known and returns how much that is. Precondition: as Suppressions::apply.
+  /// Removes recorded findings and returns their number. Precondition: as Suppressions::apply.
   std::size_t apply(std::vector<Diagnostic>& diagnostics, const SourceMap& sources);
   /// Reports the entries that no finding of a file in `sources` has matched, of rules that ran.
   void report_stale(const SourceMap& sources, const RuleSelection& selection,

@@ -16,8 +16,8 @@ namespace smurf {
 
 struct UserSchema;
 
-/// What checking values by schemas may take in all, so that many small values cost no more than a
-/// large one. For one model or scene.
+/// Limits the total work of checking values by schemas, so that many small values cost no more than
+/// a large one. For one model or scene.
 struct SchemaWork {
   std::int64_t steps = 100'000;  ///< each value adds some for its size
 };

@@ -33,12 +33,12 @@ struct SceneExport {
   const FlatScene& flat;
   const LinkedScene& scene;  ///< what `flat` was made of: instances are the same, in the same order
   const SourceMap& sources;  ///< what `scene` was read from
-  DiagnosticSink& losses;    ///< takes what the format cannot say (SML82xx)
+  DiagnosticSink& losses;    ///< receives what the format cannot express (SML82xx)
   bool links = false;  ///< write the world poses of all links, where there is a place for them
   SceneForm form = SceneForm::expand;
   bool names_copies = false;  ///< the files of models in `flat` are copies that will be made
   MeshSource meshes = {};     ///< for previews; when there is none, meshes are lost
-  /// Of the text. What is larger is of no use and may end anywhere.
+  /// Limit of the text. A longer text is of no use and may end anywhere.
   std::uint64_t most_bytes = Limits{}.scene_bytes;
 };
 

@@ -19,9 +19,9 @@ enum class ElementId : std::uint32_t {};
 inline constexpr ElementId kNoElement{0xffffffffU};
 inline constexpr std::uint32_t kNoText = 0xffffffffU;
 
-// Robots have hundreds of thousands of both, so what can be told from the rest is not kept.
+// Robots have hundreds of thousands of both, so values that follow from others are not stored.
 
-/// The value of an attribute when it is not what is written there: entities were decoded.
+/// The decoded value of an attribute, when it differs from what is written.
 struct DecodedValue {
   const char* name = nullptr;  ///< of the attribute, in the source
   std::string value;
@@ -76,7 +76,7 @@ class Attribute {
 
 /// Character data directly inside an element, the first piece only.
 struct Text {
-  std::string_view value;  ///< untrimmed; empty when a child stands before it
+  std::string_view value;  ///< untrimmed; empty when a child comes before it
   Span span;               ///< without the blanks around it
 };
 
@@ -209,7 +209,7 @@ class XPaths {
   std::vector<std::string> steps_;  ///< by element; empty as long as nobody asked
 };
 
-/// The deepest element whose span holds the byte.
+/// The deepest element whose span contains the byte.
 ElementId element_at(const Document& document, std::uint32_t offset);
 
 }  // namespace smurf::xml

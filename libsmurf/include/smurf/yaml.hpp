@@ -31,7 +31,7 @@ class Node {
 
   NodeId parent = kNoNode;
   NodeId next_sibling = kNoNode;
-  Span span;  ///< the value's bytes; empty where an absent value would stand
+  Span span;  ///< the value's bytes; empty, where an absent value would be
   Style style = Style::plain;
   bool is_repeated = false;  ///< its key stands before it in the same mapping
 
@@ -202,9 +202,9 @@ inline View Document::view() const { return {*this, root}; }
 /// JSON-pointer-like path of a node: "/motors/3/joint".
 std::string pointer(const Document& document, NodeId id);
 /// The same with names in place of positions where there are any: "/motors/name=elbow/joint". It
-/// outlives that entries are added, removed or moved.
+/// stays valid when entries are added, removed or moved.
 std::string named_pointer(const Document& document, NodeId id);
-/// The deepest node whose key or value holds the byte.
+/// The deepest node whose key or value contains the byte.
 NodeId node_at(const Document& document, std::uint32_t offset);
 
 }  // namespace smurf::yaml

@@ -115,7 +115,7 @@ class Reader {
       return refuse("holds more than " + std::to_string(most_files) + " files; " +
                     raise_limit("archive-files"));
     }
-    // Else a small archive could have the same bytes unpacked thousands of times.
+    // Otherwise a small archive could have the same bytes unpacked thousands of times.
     if (info.compressed_size > packed_left_) return refuse("holds files that share their bytes");
     packed_left_ -= info.compressed_size;
     if ((info.flag & 1U) != 0) return refuse("is encrypted");

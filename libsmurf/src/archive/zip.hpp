@@ -47,10 +47,10 @@ class ArchiveBudget {
   std::uint64_t unpacked_ = 0;
 };
 
-/// Unpacks an archive within the budget. What names a place outside of the archive, is encrypted or
-/// is broken makes all of it unreadable.
+/// Unpacks an archive within the budget. An entry that is encrypted, broken or outside of the
+/// archive makes all of it unreadable.
 Archive read_zip(std::string_view bytes, ArchiveBudget& budget);
-/// The same of one archive on its own.
+/// The same for a single archive.
 inline Archive read_zip(std::string_view bytes, const Limits& limits) {
   ArchiveBudget budget(limits);
   return read_zip(bytes, budget);

@@ -44,7 +44,7 @@ constexpr AttributeSpec kPositive[] = {{"value", number, positive}};
 constexpr AttributeSpec kVector[] = {{"value", vector}};
 constexpr AttributeSpec kNotNegativeVector[] = {{"value", vector, not_negative}};
 
-/// Those of one parent stand together.
+/// Rows with the same parent are adjacent.
 constexpr ElementSpec kElements[] = {
     {"robot", "link"},
     {"robot", "joint"},

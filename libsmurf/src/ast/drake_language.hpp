@@ -37,7 +37,7 @@ enum class Occurs : std::uint8_t {
   never          ///< Drake refuses it
 };
 
-/// An element and where it stands. Those of URDF are there for what they hold.
+/// An element and its parent. Elements of URDF are listed for their children.
 struct ElementSpec {
   std::string_view parent, name;
   Occurs occurs = Occurs::any;

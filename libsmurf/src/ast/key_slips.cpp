@@ -34,7 +34,7 @@ bool differ_in_style(std::string_view a, std::string_view b) {
 std::optional<std::string_view> meant_key(std::string_view key,
                                           std::span<const std::string_view> known) {
   constexpr std::size_t kShortest = 3;
-  constexpr std::size_t kLong = 9;  // from here on two slips are still one word
+  constexpr std::size_t kLong = 9;  // from this length on, two mistakes are still one word
   constexpr std::size_t kLongest = 64;
   if (key.size() > kLongest) return std::nullopt;
   for (const std::string_view other : known) {

@@ -47,7 +47,7 @@ void report_not_number(const KeySpec& spec, yaml::View value, std::string_view e
   }
 }
 
-/// What readers with other grammars than ours make of a number or a text. JSON has one meaning.
+/// How readers with other grammars read a number or a text. JSON has one meaning.
 void check_notation(const KeySpec& spec, yaml::View value, double number, bool is_whole,
                     DiagnosticSink& sink) {
   if (is_in_all_notations(value.text(), is_whole)) return;
@@ -68,7 +68,7 @@ void check_notation(const KeySpec& spec, yaml::View value, double number, bool i
   }
 }
 
-/// Words that YAML 1.1 takes for booleans, times and dates.
+/// Words that YAML 1.1 reads as booleans, times and dates.
 void check_text(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   if (value.style() != yaml::Style::plain) return;
   const std::optional<std::string> in_yaml11 = text_by_yaml11(value.text());
@@ -258,7 +258,7 @@ std::vector<std::string_view> missing_components(ValueType type, yaml::View valu
   return missing;
 }
 
-/// Keys that are no components, else components that are not there: one finding.
+/// Unknown components, else missing ones: one finding.
 void check_components(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   const auto names = components_of(spec.type);
   for (const yaml::View member : value) {
@@ -386,7 +386,7 @@ void check_list(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
 }  // namespace
 
 void read_value(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
-  // configmaps and PyYAML both treat a null as a key that says nothing.
+  // configmaps and PyYAML both treat a null as an absent key.
   if (value.is_null()) return;
   switch (spec.type) {
   case ValueType::text:

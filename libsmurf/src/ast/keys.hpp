@@ -21,7 +21,7 @@
 
 namespace smurf {
 
-/// How a value is written. Quoted text is text; a null says nothing, as if the key were absent.
+/// How a value is written. Quoted text is text; a null means the same as an absent key.
 enum class ValueType : std::uint8_t {
   text,          ///< any scalar
   frame,         ///< any scalar; one that names no frame is reported where frames are looked up
@@ -62,7 +62,7 @@ struct KeyTable {
 struct Naming {
   NameKinds kinds = {};   ///< empty: it is no name
   bool defines = false;   ///< the thing gets its name here
-  bool is_vague = false;  ///< the name may be known elsewhere, so that only a slip is a fault
+  bool is_vague = false;  ///< it may be known elsewhere, so that only a misspelling is a fault
 };
 constexpr Naming defines(NameKinds kinds) { return {kinds, true, false}; }
 constexpr Naming may_name(NameKinds kinds) { return {kinds, false, true}; }

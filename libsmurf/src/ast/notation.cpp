@@ -62,7 +62,8 @@ std::string octal_value(std::string_view digits) {
 
 }  // namespace
 
-/// PyYAML wants a point, and a sign in the exponent; a sign and no digit before the point is text.
+/// PyYAML requires a point, and a sign in the exponent; a sign without a digit before the point is
+/// text.
 std::optional<std::string> number_by_yaml11(std::string_view text) {
   const std::string_view digits = without_sign(text);
   if (digits.starts_with("0x")) return std::nullopt;
@@ -85,7 +86,7 @@ std::optional<std::string> number_by_yaml11(std::string_view text) {
 }
 
 std::optional<std::string> text_by_yaml11(std::string_view text) {
-  // All that is special there begins with one of these.
+  // All special values begin with one of these.
   constexpr std::string_view kStarts = "yYnNoO+-0123456789";
   if (text.empty() || kStarts.find(text.front()) == std::string_view::npos) return std::nullopt;
   if (is_boolean(text)) return "a boolean";

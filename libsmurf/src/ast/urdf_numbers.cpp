@@ -20,7 +20,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Of what is no number: is it written like one?
+/// True for a text that is not a number, but is written like one.
 bool is_out_of_range(std::string_view text) {
   return !text.empty() &&
          std::all_of(

@@ -18,7 +18,7 @@ namespace {
 
 using xml::View;
 
-/// Names are compared without case, as a link written `Link` is reported and meant as a link.
+/// Names are compared without case: a link written `Link` is reported, and read as a link.
 bool is(View element, std::string_view name) {
   return std::equal(element.name().begin(), element.name().end(), name.begin(), name.end(),
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
@@ -317,8 +317,8 @@ struct XacroTrace {
   }
 };
 
-/// Readers ignore the elements, and the robot is read without them; they stumble over expressions,
-/// and most of all in joints: so each of these is a finding.
+/// Readers ignore the elements and read the robot without them, but they fail on expressions, most
+/// of all in joints: so expressions in joints, other expressions, and elements are a finding each.
 void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
   XacroTrace elements, in_joints, elsewhere;
   std::set<xml::ElementId> dropped;  // with all that is in them

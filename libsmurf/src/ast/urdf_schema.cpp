@@ -53,7 +53,7 @@ constexpr std::string_view kLinkExtensions[] = {
 
 constexpr ChildSpec kInertialChildren[] = {{"origin", true}, {"mass", true}, {"inertia", true}};
 constexpr AttributeSpec kMassAttributes[] = {{"value", true, "Mass of the link.", "kg"}};
-/// What is missing of a tensor, or written below its diagonal, has rules of its own.
+/// Separate rules report missing entries of a tensor and entries below its diagonal.
 constexpr AttributeSpec kInertiaAttributes[] = {
     {"ixx", false, "Moment about the x axis through the centre of mass.", "kg m^2"},
     {"ixy", false, "Product of inertia: minus the integral of x y.", "kg m^2"},

@@ -87,7 +87,7 @@ class ShapeChecker {
     return known->second;
   }
 
-  /// Nothing is unknown and nothing is missing: nearly every element.
+  /// True when nothing is unknown and nothing is missing, as in nearly every element.
   static bool has_what_it_needs(View element, const ElementSpec& spec) {
     std::ptrdiff_t required = 0;  // of those that are there; none is twice
     std::size_t next = 0;
@@ -119,7 +119,7 @@ class ShapeChecker {
       }
       if (const auto meant = urdf::meant_name(name, absent)) {
         misspelt_attribute(element, attribute, *meant, is_required(spec, *meant));
-        // One cause, one finding: what was meant is not missing as well.
+        // One finding per cause: the name that was meant is not reported as missing, too.
         std::erase(absent, *meant);
       } else {
         foreign.push_back(&attribute);
@@ -255,7 +255,7 @@ class ShapeChecker {
     diagnostic.help = "did you mean " + quoted(*near) + "?";
   }
 
-  /// Names of another vocabulary come with every joint; each is one finding.
+  /// Names of another vocabulary occur in every joint; each name is one finding.
   void add_foreign(const Rule& rule, Span place, std::string message) {
     const auto [known, is_new] = foreign_by_message_.emplace(message, foreign_.size());
     if (is_new) foreign_.push_back({&rule, place, std::move(message), 0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of the wrong kind (SML4001), with what stands where: readers treat a list where a number
-// is wanted, a text there, and a text where a mapping is wanted differently.
+// Values of the wrong kind (SML4001), with what was expected and found: readers treat a list in
+// place of a number, a text there, and a text in place of a mapping differently.
 #pragma once
 
 #include <string>

@@ -45,7 +45,8 @@ std::optional<std::string> canonical_now(const std::string& path);
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path, const CanonicalPaths& paths);
 
-/// The same, but what is denied has the identity of its name: where it leads is not to be told.
+/// The same, but a denied path has the identity of its name, so that it does not show where it
+/// leads.
 std::string identity(const std::string& path, const CanonicalPaths& paths, const FileReader& files);
 
 /// `path` as seen from `folder`, which is an identity; "" when it lies elsewhere.

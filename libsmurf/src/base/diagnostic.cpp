@@ -81,7 +81,7 @@ std::optional<std::string_view> DiagnosticSink::suggest(std::string_view name,
 }
 
 std::vector<Diagnostic> DiagnosticSink::take() {
-  if (suggestions_end_) {  // not at once: the finding that asked may still be written to
+  if (suggestions_end_) {  // later, because the finding that asked may still be changed
     Diagnostic& told =
         report(rules::sml0002_file_too_large, *suggestions_end_,
                "from here on no names are suggested: it took more than " +

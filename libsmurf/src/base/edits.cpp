@@ -45,7 +45,7 @@ std::string escape_xml(std::string_view text) {
     if ((c < 0x20 && !is_space) || c >= 0xFFFD) {
       escaped += c > 0xFFFF ? bytes : utf8::kReplacement;
     } else if (utf8::is_control(c)) {
-      // A reader makes blanks of line ends in attributes, unless they are written like this.
+      // Readers turn line ends in attributes into spaces, unless they are written like this.
       escaped += "&#" + std::to_string(static_cast<std::uint32_t>(c)) + ";";
     } else {
       escaped += bytes;

@@ -14,7 +14,7 @@ namespace smurf {
 /// that overlaps an earlier one is left out.
 std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 
-/// Text as it stands inside an XML attribute of either quote, or in an element. What XML cannot
+/// Text as it is written inside an XML attribute of either quote, or in an element. What XML cannot
 /// hold at all becomes U+FFFD.
 std::string escape_xml(std::string_view text);
 

@@ -140,7 +140,7 @@ struct ConfinedFiles::Allowed {
   }
 
  private:
-  /// What is inside of a denied folder may be allowed for itself.
+  /// A path inside of a denied folder may be allowed itself.
   bool is_whole(std::string_view whole_path) const {
     for (std::string_view path = whole_path; path.size() > 1; path = path::parent(path)) {
       if (whole.contains(path)) return true;
@@ -171,8 +171,8 @@ ConfinedFiles::ConfinedFiles()
 }
 ConfinedFiles::~ConfinedFiles() = default;
 
-/// Where a link of the project goes through folders outside and comes back, nobody is to learn
-/// whether there are such folders.
+/// A link of the project that goes through folders outside and comes back must not show whether
+/// these folders exist.
 void ConfinedFiles::judge_ways_anew() {
   const auto is_known = [this](const std::string& place) {
     return allowed_->holds(place) || allowed_->is_above(place);

@@ -12,7 +12,7 @@
 namespace smurf {
 namespace {
 
-/// The edits of one file that do not get in each other's way.
+/// The edits of one file that do not conflict with each other.
 class FileEdits {
  public:
   bool contains(const Edit& edit) const {
@@ -23,8 +23,8 @@ class FileEdits {
     });
   }
 
-  /// Edits that only meet are in the way too: which insertion comes first would be chance. Not so
-  /// deletions.
+  /// Edits that only meet conflict, too, because the order of two insertions would be arbitrary.
+  /// Deletions may meet.
   bool is_free(const Edit& edit) const {
     const auto [first, last] = range(edit.span);
     return std::all_of(first, last, [&](const auto& one) {

@@ -72,7 +72,7 @@ int FoundFile::open() const {
     const int opened = ::open(in_proc(place_.number()).c_str(), kRead);
     if (opened >= 0 || errno != ENOENT) return opened;
   }
-  // What was judged is opened, and has to be what was found.
+  // The judged path is opened, and must be the file that was found.
   const auto real = looked_up_ ? looked_up_ : looked_up(path_);
   const int opened = real ? ::open(real->c_str(), kRead | O_NOFOLLOW) : -1;
   struct stat status {};

@@ -22,8 +22,8 @@ class Descriptor {
   int number_;
 };
 
-/// What a path leads to. Devices and pipes notice nothing of it, and what is opened later is what
-/// was found, whatever becomes of the path in between.
+/// The file that a path leads to. Devices and pipes are not opened, and what is opened later is the
+/// file that was found, even if the path has changed.
 class FoundFile {
  public:
   explicit FoundFile(const std::string& path);

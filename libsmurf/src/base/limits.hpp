@@ -8,7 +8,7 @@
 
 namespace smurf {
 
-/// What a finding counts as in `rechecked-bytes`: it takes as long as so many bytes.
+/// The cost of a finding in `rechecked-bytes`: it takes as long as this many bytes.
 inline constexpr std::uint64_t kBytesOfFinding = 600;
 
 /// `name` is that of a row of kLimits.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Characters of a name that a screen or a build server takes for more than a name.
+// Characters in names that terminals and build servers interpret.
 #pragma once
 
 #include <algorithm>

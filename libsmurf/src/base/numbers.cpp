@@ -34,8 +34,8 @@ std::size_t decimal_prefix(std::string_view text) {
   return at;
 }
 
-/// A number of few digits without exponent, as nearly all are: digits and power of ten are exact
-/// in a double, so their quotient is the nearest one.
+/// A number of few digits without an exponent, as nearly all are: its digits and the power of ten
+/// are exact in a double, so their quotient is the nearest double.
 std::optional<double> parse_short(std::string_view text) {
   constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                    1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

@@ -18,11 +18,12 @@ class OpenFolder {
   OpenFolder& operator=(const OpenFolder&) = delete;
 
   void open(const std::string& path);
-  /// A folder in this one, which is no link, or "..". One that is not there has nothing in it.
+  /// Opens a folder in this one that is not a link, or "..". One that does not exist is empty.
   void enter(const std::string& name);
   bool is_open() const { return number_ >= 0; }
 
-  /// True for a link as well, even to nothing: a checkout must not learn what is outside of it.
+  /// True when there is an entry of this name, even a link that leads nowhere: a checkout must not
+  /// learn what is outside of it.
   bool has(std::string_view name) const;
   bool has_any(std::span<const std::string_view> names) const;
   /// Where a link leads, as it is written; none when this is no link.

@@ -8,7 +8,7 @@
 
 namespace smurf::path {
 
-/// No system opens a longer name (PATH_MAX of Linux); what it says of folders does not matter.
+/// No system opens a longer name (PATH_MAX of Linux); such a name is never valid.
 inline constexpr std::size_t kLongest = 4096;
 
 /// Folder part without the trailing '/'; "" when there is none, "/" for the root.
@@ -21,7 +21,8 @@ std::string_view stem(std::string_view path);
 bool is_absolute(std::string_view path);
 /// `path` when absolute, otherwise folder/path, normalised.
 std::string join(std::string_view folder, std::string_view path);
-/// Resolves "." and ".." and doubled '/' in the text; "" becomes ".". Names above kLongest stay.
+/// Resolves "." and ".." and doubled '/' in the text; "" becomes ".". Names longer than kLongest
+/// are not changed.
 std::string normalize(std::string_view path);
 /// A relative path from `folder` to `path` when both are of one kind, otherwise `path`.
 /// Both are normalised first; ".." inside `folder` beyond its start cannot be undone, then `path`.

@@ -99,7 +99,7 @@ bool match_path(const std::vector<std::string>& pattern, const std::vector<std::
       steps);
 }
 
-/// Blanks at the end do not count unless a backslash stands before them.
+/// Spaces at the end are ignored unless a backslash precedes them.
 std::string_view without_blanks(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   std::size_t end = 0;

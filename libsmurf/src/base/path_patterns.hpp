@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// What patterns say of a path.
+/// The verdict of patterns on a path.
 enum class PathVerdict : std::uint8_t { unmentioned, excluded, included };
 
 /// Paths are relative to the folder that the patterns are written for. `*`, `?` and `[a-z]` stay
@@ -18,19 +18,19 @@ enum class PathVerdict : std::uint8_t { unmentioned, excluded, included };
 /// the end means folders only, `!` takes an exclusion back, and the last pattern that fits counts.
 class PathPatterns {
  public:
-  /// What compares an ordinary pattern with a path; a long one takes as long as many.
+  /// The cost of comparing an ordinary pattern with a path; a long pattern costs a multiple.
   static constexpr std::uint64_t kStepsOfCheck = 64;
 
-  /// One line of a file; blank lines, comments and what is longer than any path say nothing.
+  /// One line of a file; blank lines, comments and lines longer than any path are ignored.
   void add(std::string_view line);
   void add_lines(std::string_view text);
   bool empty() const { return patterns_.empty(); }
   std::size_t size() const { return patterns_.size(); }
 
-  /// Of the path alone, without what is said of the folders above it. `steps` grows by the
-  /// characters that were compared.
+  /// The verdict on the path alone, without the folders above it. `steps` grows by the characters
+  /// that were compared.
   PathVerdict judge(std::string_view path, bool is_folder, std::uint64_t* steps = nullptr) const;
-  /// Is a file excluded, itself or with a folder that it lies in?
+  /// Is a file excluded, itself or with a folder that contains it?
   bool excludes(std::string_view file, std::uint64_t* steps = nullptr) const;
 
  private:

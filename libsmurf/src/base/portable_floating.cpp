@@ -48,7 +48,7 @@ std::size_t length_of_number(std::string_view text, bool (*is_wanted)(char),
   return end == exponent ? at : end;
 }
 
-/// `text` has a digit other than 0 before the exponent.
+/// `text` has no digit other than 0 before the exponent.
 bool is_written_as_zero(std::string_view text, std::string_view exponents) {
   return text.substr(0, text.find_first_of(exponents)).find_first_not_of("-.0") ==
          std::string_view::npos;
@@ -131,8 +131,8 @@ bool step_to_neighbour(Decimal& decimal, Float magnitude) {
   return false;
 }
 
-/// What has `digits10` digits comes back from a number as it was, so that fewer are found by
-/// rounding to these; but not from the smallest numbers.
+/// A text of `digits10` digits survives the conversion to a number and back, so a shorter text is
+/// found by rounding to that many digits; but not for the smallest numbers.
 template <class Float>
 Decimal shortest_decimal(Float magnitude) {
   using Limits = std::numeric_limits<Float>;

@@ -108,7 +108,7 @@ double angle_between(const Quaternion& a, const Quaternion& b) {
 }
 
 Quaternion from_rpy(const Vector3& rpy) {
-  if (rpy == Vector3{}) return {};  // most are zero, and sines are dear
+  if (rpy == Vector3{}) return {};  // most are zero, and sines are slow
   const auto half = [](double angle) { return sine_cosine(angle / 2); };
   return normalized(from_half_angles(half(rpy[0]), half(rpy[1]), half(rpy[2])));
 }

@@ -53,12 +53,12 @@ bool is_about_robots(const Rule& rule) {
   return rule.reported_by == Tool::lint && !rule.id.starts_with("SML9");
 }
 
-/// Of findings that are left out, what is known is about those that are left.
+/// The rule whose facts apply: for "further findings are left out", the rule of those findings.
 const Rule& subject_of(const Diagnostic& diagnostic) {
   return diagnostic.left_out == nullptr ? *diagnostic.rule : *diagnostic.left_out;
 }
 
-/// What is no XML, or no text, is wrong wherever it stands.
+/// Malformed XML and invalid text are faults wherever they are.
 bool is_about_content(const Rule& rule) {
   if (!rule.id.starts_with("SML1")) return false;
   return !rule.id.starts_with("SML10") || rule.id == "SML1009" || rule.id == "SML1012";

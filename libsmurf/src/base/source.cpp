@@ -132,7 +132,7 @@ Position SourceMap::position(SourceId id, std::uint32_t offset) const {
   const std::uint32_t line = line_of(id, offset);
   std::uint32_t start = line_start(at(id), line);
   if (at(id).is_ascii) return {line, offset - start + 1};
-  // A byte order mark is not something the author sees as a column.
+  // Authors do not see a byte order mark as a column.
   if (line == 1 && at(id).text.starts_with("\xEF\xBB\xBF")) {
     start = std::min<std::uint32_t>(3, offset);
   }

@@ -122,7 +122,7 @@ nearest(std::string_view name, std::span<const std::string_view> known, std::uin
   for (const std::string_view candidate : known) {
     if (candidate == name) return std::nullopt;
     spend(1, steps_left);
-    if (best == 1) continue;  // nothing is nearer; only the name itself is still looked for
+    if (best == 1) continue;  // nothing is nearer; from here on, search only for the name itself
     spend(std::min(candidate.size(), kLongestName), steps_left);
     if (steps_left == 0) return std::nullopt;
     if (fewest_edits(own, characters(candidate)) >= best) continue;

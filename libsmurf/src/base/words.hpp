@@ -6,7 +6,7 @@
 
 namespace smurf {
 
-/// What separates words.
+/// The characters that separate words.
 inline constexpr std::string_view kBlanks = " \t\r\n";
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 

@@ -32,7 +32,7 @@ bool is_home(std::string_view folder) {
   if (above == "/home" || above == "/Users" || folder == "/root") return true;
   static const std::string home = [] {
     const char* variable = std::getenv("HOME");
-    // What an empty path is, the libraries do not agree on.
+    // The standard libraries disagree about empty paths.
     if (variable == nullptr || *variable == '\0') return std::string();
     std::error_code error;
     const fs::path found = fs::weakly_canonical(variable, error);
@@ -41,7 +41,7 @@ bool is_home(std::string_view folder) {
   return home.size() > 1 && home.starts_with('/') && is_around(folder, home);
 }
 
-/// As confine() says. What is above a shared folder is shared.
+/// See confine(). Folders above a shared folder are shared, too.
 bool is_shared(std::string_view folder) {
   if (folder.size() <= 1 || is_home(folder)) return true;
   return path::parent(folder) == "/" && !OpenFolder(std::string(folder)).has_any(kHistories);

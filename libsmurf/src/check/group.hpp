@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The settings over the configurations: what holds in the end.
+// The settings combined with the configurations: what applies.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct PathChecks {
   }
 };
 
-/// What holds for the files of one configuration.
+/// What applies to the files of one configuration.
 struct CheckGroup {
   Config config;
   RuleSelection selection;
@@ -47,7 +47,7 @@ using CheckGroups = std::deque<CheckGroup>;
 CheckGroups read_configurations(const std::vector<std::string>& paths,
                                 const CheckSettings& settings, const FileReader& files,
                                 SourceMap& sources);
-/// Fills in what holds for each group. `paths` must outlive the selections.
+/// Fills in what applies to each group. `paths` must outlive the selections.
 void merge(const CheckSettings& settings, const CanonicalPaths& paths, CheckGroups& groups);
 
 /// Those of the group for a whole report.

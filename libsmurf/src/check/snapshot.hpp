@@ -34,9 +34,9 @@ class Snapshot final : public FileReader {
   }
   bool is_denied(const std::string& path) const override { return files_.is_denied(path); }
   std::string identity(const std::string& path) const override { return files_.identity(path); }
-  /// Another one whenever the content may be another one.
+  /// Changes whenever the content may have changed.
   std::uint64_t version(const std::string& path) const;
-  /// Another one whenever the names in a folder may be other ones.
+  /// Changes whenever the names in a folder may have changed.
   std::uint64_t list_version(const std::string& folder) const;
 
  private:

@@ -42,14 +42,14 @@ ValueForm form_of(ValueType type) {
   }
 }
 
-/// Where it depends on the rest of an entry, whatever it may be.
+/// All kinds that the key may name, when that depends on the rest of the entry.
 NameKinds kinds_of(const KeySpec& spec) {
   return spec.names_in == nullptr
              ? spec.names.kinds
              : NameKind::joint | NameKind::motor | NameKind::link | NameKind::collision;
 }
 
-/// `read_by` is who reads what the key is in.
+/// `read_by` names the readers of the section, for keys without readers of their own.
 KeyHelp help_of(const KeySpec& spec, std::string_view owner, std::string_view read_by = {}) {
   KeyHelp help{std::string(owner), std::string(spec.name), spec.doc, describe(spec.type),
                spec.unit,          spec.fallback};
@@ -65,7 +65,7 @@ KeyHelp help_of(const KeySpec& spec, std::string_view owner, std::string_view re
   return help;
 }
 
-/// What a place in a file may hold: keys, and what is below each.
+/// The keys that a place in a file may have, and what is below each.
 struct Place {
   std::string_view owner;
   std::vector<const KeySpec*> keys;
@@ -245,7 +245,8 @@ KeyHelp help_of(const urdf::AttributeSpec& attribute, std::string_view element) 
   return help;
 }
 
-/// Calls `visit` with every key there is and what stands before it in a name for it.
+/// Calls `visit` with the prefix of a key's full name ("motors" of "motors.maxEffort"), and the
+/// key.
 template <class Visit>
 void for_each_key(const Visit& visit) {
   for (const SectionSpec* section : all_sections()) {

@@ -12,7 +12,7 @@ std::string nearest_config(const std::string& path, const FileReader& files) {
   const bool is_folder = std::filesystem::is_directory(path, ignored);
   std::string folder = is_folder ? path : std::string(path::parent(path));
   if (folder.empty()) folder = ".";
-  // The text "..", not links, leads upwards.
+  // The search removes the last part of the path; it does not follow links.
   const auto absolute = std::filesystem::absolute(folder, ignored);
   for (auto level = std::distance(absolute.begin(), absolute.end()); level > 0; --level) {
     std::string config = path::join(folder, kConfigName);

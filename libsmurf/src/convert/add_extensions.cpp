@@ -313,7 +313,7 @@ void add_mujoco_settings(const LinkedModel& model, bool has_new_paths, XmlEdits&
   if (!settings) {
     edits.add_child(robot, "<mujoco>\n  " + compiler + "\n</mujoco>");
   } else if (const xml::View known = settings.child("compiler")) {
-    // What the author says of it stays, unless it is about other paths than those that are written.
+    // A setting of the author stays, unless it is about paths that were rewritten.
     if (has_new_paths || known.attribute("strippath") == nullptr) {
       edits.set_attribute(known, "strippath", "false");
     }

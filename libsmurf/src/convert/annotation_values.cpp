@@ -9,7 +9,7 @@ namespace smurf {
 AnnotationValues::AnnotationValues(const LinkedModel& model) : model_(model) {
   const auto add = [&](const urdf::Material& material) {
     if (!material.name) return;
-    // A definition is worth more than a use; the first definition counts.
+    // Definitions take precedence over uses, and the first definition over later ones.
     const urdf::Material*& known = materials_[*material.name];
     const bool is_definition = material.rgba || material.texture;
     if (known == nullptr || (is_definition && !known->rgba && !known->texture)) known = &material;

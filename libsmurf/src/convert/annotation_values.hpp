@@ -45,7 +45,7 @@ enum class LimitValue : std::uint8_t { lower, upper, effort, velocity };
 /// The URDF value that a key of a motor is about.
 std::optional<LimitValue> limit_value(std::string_view key);
 const Field<double>& limit_field(const urdf::Limit& limit, LimitValue value);
-/// What the motor says of it; the newer of two names wins, as in MARS.
+/// The value of the motor for it; the newer of two names takes precedence, as in MARS.
 std::optional<double> limit_of(const Motor& motor, LimitValue value);
 
 enum class DynamicsValue : std::uint8_t { damping, friction };

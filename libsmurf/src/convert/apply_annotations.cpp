@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of the annotations that a URDF can say take the place of the URDF's. Where both agree,
+// Values of the annotations that a URDF can express replace those of the URDF. Where both agree,
 // nothing changes.
 #include <map>
 #include <set>

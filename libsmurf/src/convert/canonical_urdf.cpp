@@ -100,7 +100,7 @@ class CanonicalWriter {
     is_written = true;
     std::vector<xml::View> children;
     for (const xml::View child : element) children.push_back(child);
-    // Readers take the first child of a geometry for the shape, whatever it is.
+    // Readers use the first child of a geometry as its shape, whatever it is.
     if (element.name() != "geometry") {
       std::stable_sort(children.begin(), children.end(), [](xml::View a, xml::View b) {
         return rank(kChildren, a.name()) < rank(kChildren, b.name());

@@ -36,7 +36,7 @@ class MaterialMaker {
   void add(const urdf::Material& material) {
     if (!material.name || (!material.rgba && !material.texture)) return;
     std::vector<NewValue> members = {text_value("name", *material.name)};
-    // What is no colour in a URDF is none in an annotation either.
+    // An invalid colour of the URDF is not copied to an annotation.
     if (material.rgba && std::all_of(material.rgba->begin(), material.rgba->end(),
                                      [](double part) { return part >= 0 && part <= 1; })) {
       const auto& [r, g, b, a] = *material.rgba;

@@ -71,7 +71,7 @@ class MotorMaker {
     }
   }
 
-  /// A joint that can be commanded in several ways becomes a position motor when it can.
+  /// A joint that can be commanded in several ways becomes a position motor if that is one of them.
   static void command_interface(xml::View interface, Drive& drive) {
     const std::string_view name = attribute_of(interface, "name");
     const std::string type = motor_type(name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The URDF stays whole: annotations are added beside it. What becomes an entry of a section stands
-// in the URDF as well, and what no section can say is repeated as text, so that readers of the
-// annotations miss nothing.
+// The URDF is kept, and annotations are added beside it. Entries of sections repeat parts of the
+// URDF, and text sections repeat what no section can express, so that readers of the annotations
+// miss nothing.
 #include "base/edits.hpp"
 #include "base/path.hpp"
 #include "base/rules.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the extensions of a URDF say of its links, as far as it matters when links become one.
+// What the extensions of a URDF say about its links, as far as it matters when links are merged.
 #pragma once
 
 #include <map>
@@ -17,15 +17,15 @@ class LinkReferences {
  public:
   explicit LinkReferences(const LinkedModel& model);
 
-  /// Something means the link or joint itself: its frame, a plugin, a transmission, a mimic, or an
-  /// extension inside of it.
+  /// True when something refers to the link or joint itself: its frame, a plugin, a transmission, a
+  /// mimic, or an extension inside of it.
   bool needs(std::string_view name) const { return needed_.contains(name); }
 
-  /// What Gazebo is told of the link (friction, colour, ...) is right for both as one.
+  /// True when the Gazebo settings of the link (friction, colour, ...) fit both links as one.
   bool may_join(const urdf::Link& link, const urdf::Link& carrier) const;
 
-  /// Sensors of the link stand on the carrier from now on; what is said of the carrier as well
-  /// goes.
+  /// Moves the sensors of the link to the carrier; deletes settings that the carrier has as
+  /// well.
   void move(const std::string& link, const std::string& carrier, const Pose& X_CL,
             XmlEdits& edits) const;
 

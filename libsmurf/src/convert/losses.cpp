@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a URDF cannot say of a model. What it says already is no loss, and neither are the names by
-// which annotations refer to it.
+// What a URDF cannot express of a model. Neither values that it already has nor the names by which
+// annotations refer to it are losses.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -126,7 +126,7 @@ class LossReport {
          quoted(key.key()) + " of " + title(entry, kind), "has no place in a URDF");
   }
 
-  /// True when the key is an old name, which has been said then.
+  /// True when the key is an old name; reports it then.
   bool lose_old_name(const Annotation& entry, std::string_view kind, yaml::View key) {
     for (const auto& [old_name, name] : kOldNames) {
       if (key.key() != old_name) continue;
@@ -177,7 +177,7 @@ class LossReport {
     }
   }
 
-  /// `key` says something else than the URDF.
+  /// Reports a `key` whose value differs from the URDF.
   void of_limit(const Motor& motor, const urdf::Joint& joint, yaml::View key) {
     const auto value = limit_value(key.key());
     const bool is_bound = value == LimitValue::lower || value == LimitValue::upper;

@@ -15,8 +15,8 @@ Eigen::Vector3d position(const Pose& pose) {
   return {pose.position[0], pose.position[1], pose.position[2]};
 }
 
-/// a b, for a matrix or a vector b. Eigen adds up in another order with vector instructions than
-/// without, which would be seen in the last digits.
+/// a b, for a matrix or a vector b. Eigen adds in a different order with vector instructions, which
+/// would change the last digits.
 template <class Right>
 Right product(const Eigen::Matrix3d& a, const Right& b) {
   Right result;

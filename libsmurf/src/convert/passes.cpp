@@ -58,7 +58,7 @@ void add_prefix(const LinkedModel& model, const std::string& prefix, XmlEdits& e
     const bool has_prefix = one.kind == NameKind::link || one.kind == NameKind::joint ||
                             one.kind == NameKind::material || one.kind == NameKind::group ||
                             one.kind == NameKind::extension;
-    // A text that may name several things and names none is no name.
+    // A text that may name several things but names none is not a name.
     const bool is_name = one.is_known() || one.kinds == one.kind;
     const bool is_of_world = one.kind == NameKind::link && is_world(one.name);
     if (one.span.source != urdf || !has_prefix || !is_name || is_of_world) continue;
@@ -81,7 +81,8 @@ void rewrite_paths(const LinkedModel& model, const UrdfExport& options, XmlEdits
   const std::string folder = path::join(options.current_folder, options.output_folder);
   for (const MeshReference& mesh : model.meshes) {
     const bool is_relative = is_relative_path(mesh.filename);
-    // What leads nowhere is left alone, unless it is relative: then it leads to the same nowhere.
+    // Paths to missing files stay as they are, unless they are relative: those are re-based to the
+    // same missing file.
     if (!is_relative && (options.mesh_uri == MeshUri::rebase || !mesh.exists)) continue;
     const std::string target = path::join(options.current_folder, mesh.path);
     std::string uri = path::relative(target, folder);

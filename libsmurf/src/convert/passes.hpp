@@ -56,11 +56,11 @@ struct CollapsedLink {
 /// to be kept, or an extension means the link itself (link_references.hpp).
 std::vector<CollapsedLink> collapse_fixed(const LinkedModel& model,
                                           const std::vector<std::string>& keep, XmlEdits& edits);
-/// A link of this name stands for the world: DART, Gazebo and MuJoCo hold fast what hangs on it.
+/// A link of this name is the world: DART, Gazebo and MuJoCo fix whatever is attached to it.
 inline bool is_world(std::string_view link) { return link == "world"; }
 /// Names of links, joints, materials and transmissions, and all references to them; not the world.
 void add_prefix(const LinkedModel& model, const std::string& prefix, XmlEdits& edits);
-/// What only later versions of URDF can say, said in the words of `version` where it has any.
+/// Rewrites what only later versions of URDF have for `version`, where that is possible.
 void set_version(const LinkedModel& model, const std::string& version, XmlEdits& edits);
 /// The attributes of limits that are new in URDF 1.2; nothing before says the same.
 std::vector<const xml::Attribute*> newer_limits(const LinkedModel& model, std::string_view version);

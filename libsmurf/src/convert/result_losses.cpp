@@ -102,7 +102,7 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Source
   case InputKind::resource: return std::nullopt;
   case InputKind::urdf: return loss_in_robot(rule);
   case InputKind::annotation:
-    // Of annotations, only the named poses say where a link stands.
+    // Of annotations, only the named poses decide where a link is.
     if (rule.id.starts_with("SML0")) return "a file cannot be read";
     if (section_of(finding) == "poses") return "a named pose is not understood";
     return std::nullopt;
@@ -118,7 +118,7 @@ bool may_ask_urdfdom(std::span<const Diagnostic> findings) {
   return std::none_of(findings.begin(), findings.end(), [](const Diagnostic& finding) {
     const Fact* fact = find_fact(readers::urdfdom, finding);
     if (fact != nullptr) return fact->effect >= Effect::refuses;
-    // Values that were read are safe, whatever a rule thinks of them.
+    // Values that could be read are usable, even when a rule reports them.
     return finding.severity == Severity::error && is_unread(*finding.rule);
   });
 }

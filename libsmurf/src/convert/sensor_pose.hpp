@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a sensor of Gazebo, or of an old URDF, stands on its link.
+// The pose of a sensor of Gazebo, or of an old URDF, on its link.
 #pragma once
 
 #include "smurf/pose.hpp"

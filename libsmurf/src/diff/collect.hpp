@@ -13,7 +13,7 @@ enum class Scope : std::uint8_t { all, robot };
 
 /// Appends the things of a URDF.
 void collect_robot(const LinkedModel& model, Things& things);
-/// Those of the main file and the annotations.
+/// Appends those of the main file and the annotations.
 void collect_annotations(const LinkedModel& model, YamlProperties& properties, Things& things);
 Things collect(const LinkedModel& model, Scope scope, YamlProperties& properties);
 

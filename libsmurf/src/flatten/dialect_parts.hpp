@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the dialects have in common.
+// Functions that the dialects share.
 #pragma once
 
 #include <functional>
@@ -46,7 +46,7 @@ class JointPoseTable {
 std::optional<Pose> link_frame(const LinkedScene& scene, const SceneReading& reading,
                                InstanceIndex instance, std::string_view link, LinkFrames& frames);
 
-/// As documented; Phobos composes in the same way.
+/// The documented pose; Phobos composes in the same way.
 Pose documented_pose(const LinkedScene& scene, const SceneUse& use, const Entity& entity);
 bool has_no_parent_link(const Entity& entity);
 

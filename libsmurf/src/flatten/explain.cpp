@@ -63,7 +63,7 @@ class Explainer {
     const Entity& entity = scene_.entity(instance);
     Pose X_PE = dialect_.pose_of(scene_, scene_.use(instance), entity);
     const Pose X_WP = steps_.empty() ? Pose{} : steps_.back().X_W;
-    // Where a dialect has more to it than keys, the step is what it comes to.
+    // When a dialect uses more than the keys of the scene, the step is the resulting transform.
     if (!is_same_pose(X_WP * X_PE, instance.X_WE)) X_PE = inverse(X_WP) * *instance.X_WE;
     add("entity " + quoted(instance.path), place_of(entity), X_PE);
   }

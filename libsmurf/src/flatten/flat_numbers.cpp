@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The last look at the numbers of a flat scene: what carries its own keys (primitives, old scenes)
-// is read here and nowhere else.
+// Checks the numbers of a flat scene. The keys of primitives and old scenes are read here
+// only.
 #include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"

@@ -127,8 +127,8 @@ class Flattener {
     return flat;
   }
 
-  /// The keys that the rest of an instance does not show. What `pose` or `root` are to a type that
-  /// is not known is not known either.
+  /// The keys that no other member of an instance shows. They include `pose` and `root` for unknown
+  /// types, whose meaning there is unknown.
   static Value::Object properties(const Instance& instance, const Entity& entity,
                                   const SceneFile& file) {
     Value::Object kept;

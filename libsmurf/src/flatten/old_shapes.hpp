@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands in the scenes of MARS before SMURF.
+// The contents of the scenes of MARS before SMURF.
 #pragma once
 
 #include <string>

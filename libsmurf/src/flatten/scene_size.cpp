@@ -24,7 +24,7 @@ class SizeCheck {
         of_model_(scene.models.size()),
         of_pose_(scene.joint_poses.size()) {}
 
-  /// What does not fit any more; null when all of it does.
+  /// The entity that no longer fits; null when all of them do.
   const Entity* run() {
     for (const SceneUse& use : scene_.uses) {
       total_ += world_of(scene_.file(use));

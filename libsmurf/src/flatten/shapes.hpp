@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shapes of entities that are no models.
+// Shapes of entities that are not models.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ constexpr double kDegree = std::numbers::pi / 180;  // rad
 constexpr std::size_t kMostNames = 8;               // of a list in a line
 
 std::string number(double value) {
-  // The noise of a sine is no news to a person.
+  // Rounding errors of a sine would only distract people.
   return format_rounded(std::fabs(value) < 1e-12 ? 0 : value, 6);
 }
 

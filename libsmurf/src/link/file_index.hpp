@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Asks the file system each question once.
+// Asks the file system every question only once.
 #pragma once
 
 #include <map>

@@ -77,7 +77,7 @@ class ModelLoader {
     return document;
   }
 
-  /// What an earlier check has parsed.
+  /// Files that an earlier check has parsed.
   ParsedFiles::File* known_file(SourceId source) {
     return context_.parsed != nullptr ? context_.parsed->find(context_.sources, source) : nullptr;
   }
@@ -155,8 +155,8 @@ class ModelLoader {
     find_unlisted(path);
   }
 
-  /// What an annotation file says does not depend on its folder; where the meshes of a URDF are,
-  /// does.
+  /// The content of an annotation file does not depend on its folder; the places of the meshes of a
+  /// URDF do.
   std::string listed_key(const std::string& path) const {
     const bool is_urdf = path::to_lower(path::extension(path)) == ".urdf";
     return is_urdf ? key_of_file(path, context_.files) : context_.files.identity(path);
@@ -179,7 +179,7 @@ class ModelLoader {
       if (entry.value.starts_with('/')) {
         context_.sink.report(rules::sml2004_absolute_path, entry.span,
                              "MARS takes this path as relative to the .smurf's folder");
-        // One cause, one diagnostic.
+        // One diagnostic per cause.
         if (!context_.files.is_file(path) && !context_.files.is_denied(path)) {
           model_.is_complete = false;
           continue;

@@ -33,8 +33,8 @@ class Packages {
   FileIndex& index_;
   std::vector<std::string> folders_;  ///< the URDF's and those above it
   std::map<std::string, std::string> names_;
-  /// What is in the folders that hold packages, by name, the first of them first. Made when it is
-  /// first asked for.
+  /// The packages in the folders that contain packages, by name; earlier folders take precedence.
+  /// Made when it is first asked for.
   std::optional<std::unordered_map<std::string, std::vector<std::string>>> installed_;
 };
 

@@ -9,7 +9,7 @@
 namespace smurf {
 namespace {
 
-/// What MARS calls the inertia of a link.
+/// The name that MARS gives to the inertia of a link.
 constexpr std::string_view kInertial = "inertial_";
 
 bool is_naming(const KeySpec& row) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one place that knows who names what: rows of key tables for YAML, elements and attributes for
-// URDF and SRDF.
+// The only place that knows what refers to names: rows of key tables for YAML, elements and
+// attributes for URDF and SRDF.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace smurf {
 
-/// Where a name stands, as Reference has it.
+/// Where a name is written, as Reference has it.
 struct NamePlace {
   Reference::Notation notation{};
   std::uint32_t place = Reference::kNothing;
@@ -29,7 +29,7 @@ NamePlace part_of(NamePlace place, std::size_t offset, std::size_t size);
 
 /// A word for an address ("topicName"): "/arm/elbow" is no joint, whatever it is called.
 bool is_address(std::string_view word);
-/// What a word ("jointName", "base_link") says about the kind of what it names.
+/// The kinds that a word ("jointName", "base_link") suggests for the thing that it names.
 NameKinds kinds_in_word(std::string_view word);
 
 class ReferenceFinder {
@@ -47,7 +47,7 @@ class ReferenceFinder {
   void add(const Naming& naming, std::string_view name, const NamePlace& place);
   std::vector<Reference> take() { return std::move(found_); }
 
-  /// What has the name; none when nothing does.
+  /// The things of this name; none when nothing has it.
   std::optional<std::uint32_t> find(NameKind kind, std::string_view name);
 
  private:
@@ -59,7 +59,7 @@ class ReferenceFinder {
   using Rows = std::vector<const KeySpec*>;  ///< those of a section that name something
   void read_entry(const SectionSpec& section, const Rows& rows, yaml::View entry);
   void read_members(KeyTable members, yaml::View value);
-  /// What no table knows: names are told from the words of keys.
+  /// Keys that no table has: their words decide whether they name something.
   void read_unknown(yaml::View value, std::string_view word);
 
   void read_field(const Naming& naming, const Field<std::string>& field, xml::ElementId element);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of who names what, of models and of scenes.
+// The table of all references to names, of models and of scenes.
 #include "smurf/references.hpp"
 
 #include <algorithm>

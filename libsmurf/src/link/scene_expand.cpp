@@ -82,7 +82,7 @@ class SceneExpander {
       }
       std::optional<Scene> scene;
       if (file.document) {
-        // One above the limit, so that expand() can report it.
+        // One more than the limit, so that expand() can report it.
         scene = read_scene(*file.document, context_.sink,
                            static_cast<std::size_t>(context_.limits.instances + 1));
       }

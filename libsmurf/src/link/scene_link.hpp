@@ -14,7 +14,7 @@
 
 namespace smurf {
 
-/// What an entity's type makes of it.
+/// What an entity is, by its type.
 enum class EntityKind : std::uint8_t {
   model,  ///< smurf, particle, urdf, and zsmurf
   scene,  ///< smurfs, smurfa, and zsmurfs, zsmurfa: included in place
@@ -37,8 +37,8 @@ void check_world_files(const SceneFile& scene, LoadContext& context);
 /// 2. Fills the placements of uses and instances: parents, anchors, poses relative to the parent.
 void resolve_references(LoadContext& context, SceneNames& names, LinkedScene& scene);
 
-/// What a model is fixed to where its scene says nothing: the world when the annotation of its root
-/// link has the Phobos property `anchor: world`.
+/// What a model is fixed to when its scene sets no anchor: the world when the annotation of its
+/// root link has the Phobos property `anchor: world`.
 Attachment anchor_of_root(const LinkedModel& model);
 
 /// 3. Fills the joint positions of instances from their named joint pose sets.
@@ -47,7 +47,7 @@ void resolve_joint_poses(LoadContext& context, LinkedScene& scene);
 /// 4. Fills X_WE, whatever the order of the entities.
 void compose_world_poses(LoadContext& context, LinkedScene& scene);
 
-/// The text that gives an instance its parent: its own, or that of an include around it.
+/// The text that gives an instance its parent: the entity's own, or that of an enclosing include.
 Span parent_place(const LinkedScene& scene, const Instance& instance);
 
 /// Forward kinematics, once per model and joint pose as long as there is room for the results.

@@ -20,7 +20,7 @@ std::optional<std::pair<std::string_view, std::uint32_t>> other_kind(const Linke
   return std::nullopt;
 }
 
-/// A key that names a frame: which one, and under which rule its faults go.
+/// A key that names a frame, and the rule that reports its faults.
 struct Reference {
   const Field<std::string>& field;
   std::string_view key;
@@ -175,7 +175,7 @@ class ReferenceResolver {
     return attachment;
   }
 
-  /// Another finding says that this was to be a model.
+  /// Another finding reports that this should be a model.
   static bool is_type_reported(std::string_view type) {
     constexpr std::string_view kModels[] = {"smurf", "urdf"};
     return type.empty() || nearest(type, kModels).has_value();

@@ -56,7 +56,8 @@ const AttributeNames* find_row(xml::View element, std::string_view attribute) {
   return nullptr;
 }
 
-/// What an attribute names, by its own word or that of its element: <flexJoint name="...">.
+/// The kinds that an attribute names, by its own word or that of its element: <flexJoint
+/// name="...">.
 NameKinds kinds_of(xml::View element, std::string_view attribute) {
   if (attribute == "name") {
     if (element.parent() && element.parent().name() == "robot") return {};  // its own name
@@ -133,7 +134,7 @@ void ReferenceFinder::read_urdf() {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const urdf::Joint& joint = robot.joints[i];
     read_field(defines(NameKind::joint), joint.name, joint.element);
-    // What is in the tree is known.
+    // Names in the tree are known.
     if (keeps_all() || !model_.tree.joint_parent[i]) read_end(joint, "parent", joint.parent);
     if (keeps_all() || !model_.tree.joint_child[i]) read_end(joint, "child", joint.child);
     if (joint.mimic) read_field({NameKind::joint}, joint.mimic->joint, joint.mimic->element);

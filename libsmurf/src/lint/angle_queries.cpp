@@ -11,7 +11,7 @@
 namespace smurf {
 namespace {
 
-/// "0 0 0" and the like, as most are.
+/// "0 0 0" and similar texts, as most are.
 bool is_plainly_zero(std::string_view numbers) {
   return std::all_of(numbers.begin(), numbers.end(),
                      [](char c) { return c == '0' || c == '.' || c == ' '; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Angles that were meant to be others than they are.
+// Angles whose value differs from the intended one.
 #pragma once
 
 #include <functional>

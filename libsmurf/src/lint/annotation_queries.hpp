@@ -48,7 +48,7 @@ std::vector<const Motor*> leading_motors(const LinkedModel& model);
 /// The length of the quaternion that an orientation is written as; none for other forms.
 std::optional<double> quaternion_length(yaml::View orientation);
 
-/// What MARS makes of a motor, by its type.
+/// How MARS controls a motor, by its type.
 enum class MotorControl : std::uint8_t { position, velocity, torque };
 MotorControl control_in_mars(const Motor& motor);
 
@@ -65,7 +65,7 @@ const Field<double>& upper_bound(const Motor& motor);
 /// Numbers of 2.094 and 2.0944 are the same bound.
 bool is_clearly_less(double a, double b);
 
-/// True when a name is no name of this kind, but surely was meant to be one: it is nearly one, or
+/// True when a name is not one of this kind, but was certainly meant to be: it is nearly one, or
 /// the name of something else.
 bool is_slip(const LinkedModel& model, NameKind kind, std::string_view name);
 

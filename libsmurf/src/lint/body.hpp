@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A link as a body: what its inertial says against the space its shapes take.
+// A link as a body: its inertial compared with the space of its shapes.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,8 @@ struct Extent {
   Extent grown(double margin) const;
   bool contains(const Vector3& point) const;
 };
-/// Lighter bodies are frames of sensors and the like, whose numbers are made up and matter little.
+/// Lighter bodies are frames of sensors and similar links, whose numbers are made up and matter
+/// little.
 inline constexpr double kNegligibleMass = 0.01;  // kg
 /// Density of osmium; nothing is heavier.
 inline constexpr double kHeaviestMaterial = 22600;  // kg/m3

@@ -64,7 +64,7 @@ void check_type(xml::View joint, std::string_view type, Findings& findings) {
   }
 }
 
-/// Of a planar joint it is three numbers.
+/// A planar joint has three numbers.
 void check_damping(xml::View joint, std::string_view type, Findings& findings) {
   const xml::View dynamics = joint.child("dynamics");
   const xml::Attribute* damping = dynamics ? dynamics.attribute("damping") : nullptr;

@@ -10,7 +10,7 @@ namespace smurf::drake {
 /// The construct of elements that Drake ignores while it loads the file.
 inline constexpr std::string_view kUnread = "unread";
 
-/// Does nothing for elements about which there is nothing to say.
+/// Does nothing for elements without such faults.
 void check_meaning(xml::View element, const Names& names, Findings& findings);
 
 /// True when a joint of this type has such an element.

@@ -17,9 +17,9 @@ class FileSelection {
   /// The selection must outlive it.
   FileSelection(const RuleSelection& selection, const std::string& path);
 
-  /// Whether what the rule finds in the file is told.
+  /// True when findings of the rule in the file are reported.
   bool is_enabled(const Rule& rule) { return answer(rule).is_enabled; }
-  /// As the user wants it; none when he does not say.
+  /// The severity that the user has set; none when it is not set.
   std::optional<Severity> severity(const Rule& rule) { return answer(rule).severity; }
 
  private:

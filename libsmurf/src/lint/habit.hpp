@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One finding for what an author or exporter does all over a file.
+// One finding for a fault that an author or exporter repeats throughout a file.
 #pragma once
 
 #include <string>

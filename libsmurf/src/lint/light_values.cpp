@@ -17,7 +17,7 @@ struct Needed {
   bool of_spots_only = false;
 };
 
-/// What has no default in MARS. Colours have one.
+/// The keys without a default in MARS. Colours have one.
 constexpr Needed kNeeded[] = {
     {"type", [](const Light& light) { return light.type.written; }},
     {"position", [](const Light& light) { return light.position.written; }},
@@ -32,7 +32,7 @@ constexpr Needed kNeeded[] = {
 };
 constexpr std::int64_t kSpot = 2;
 
-/// A key that is none of a light's, but nearly this one, is reported.
+/// True for an unknown key that is nearly this one; it is reported as a misspelling.
 bool is_misspelt(yaml::View mapping, std::string_view key) {
   std::vector<std::string_view> known;
   for (const Needed& needed : kNeeded) known.push_back(needed.key);

@@ -25,7 +25,7 @@ auto order_key(const Diagnostic& diagnostic, const SourceMap& sources) {
                                         diagnostic.message);
 }
 
-/// What is deleted takes the line with it that it leaves blank.
+/// A deletion removes the whole line when nothing else is on it.
 void widen_deletion(Edit& edit, const SourceMap& sources) {
   if (!edit.text.empty() || edit.span.empty()) return;
   const std::string_view text = sources.text(edit.span.source);

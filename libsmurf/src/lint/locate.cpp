@@ -61,14 +61,14 @@ class BySource {
   std::unordered_map<SourceId, std::vector<Diagnostic*>> found_;
 };
 
-/// Adds to the construct of what is found at such places.
+/// Extends the construct of the findings at such places.
 void mark(std::string_view place, std::string_view construct, std::span<Diagnostic* const> found) {
   for (Diagnostic* diagnostic : found) {
     if (diagnostic->pointer.find(place) != std::string::npos) diagnostic->construct += construct;
   }
 }
 
-/// The one of links or joints, which are in the order of the file, that holds a place.
+/// The link or joint that contains a place; `parts` are in the order of the file.
 template <class Part>
 const Part* part_at(const std::vector<Part>& parts, Span place) {
   const auto next = std::upper_bound(
@@ -79,7 +79,7 @@ const Part* part_at(const std::vector<Part>& parts, Span place) {
   return place.begin < part.span.end ? &part : nullptr;
 }
 
-/// Does nothing but what the link is fixed to make it move, or nothing at all?
+/// True when the link moves only with the body that it is fixed to, or not at all.
 bool is_carried(const LinkedModel& model, const urdf::Link& link) {
   const auto index = static_cast<std::size_t>(&link - model.robot->links.data());
   const auto above = model.tree.parent_joint[index];

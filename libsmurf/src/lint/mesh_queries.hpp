@@ -10,8 +10,8 @@
 
 namespace smurf {
 
-/// Why nothing can be loaded from a path. Each cause is one rule's to report, so that a path gets
-/// one finding.
+/// Why nothing can be loaded from a path. One rule reports each cause, so that a path gets one
+/// finding.
 enum class PathFault : std::uint8_t {
   none,
   empty,              ///< SML1603

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who follows whom among mimic joints.
+// Which mimic joint follows which joint.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What can be wrong with the name of a link or joint, beyond being unknown.
+// Faults of the names of links and joints, other than being unknown.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// The gravest fault first: a name is reported once.
+/// The most severe fault first: each name is reported once.
 enum class NameFault : std::uint8_t {
   none,
   blank,         ///< begins or ends with one
@@ -36,8 +36,8 @@ Diagnostic* check_link_of_joint(const LinkedModel& model, const Reference& link,
                                 const std::string& who, const urdf::Link* unnamed,
                                 Findings& findings);
 
-/// What Isaac and USD make of a name: `_` for what is no letter, digit or underscore, and `a_`
-/// before a digit or underscore in front.
+/// The name that Isaac and USD use: `_` for what is no letter, digit or underscore, and `a_` before
+/// a digit or underscore in front.
 std::string as_identifier(std::string_view name);
 
 /// Different names of links, or of joints, that become equal.

@@ -21,8 +21,8 @@ Span definition(const LinkedModel& model, NameKind kind, std::string_view name);
 /// True when a name of this kind can be judged: the files that define such names were all read.
 bool can_judge(const LinkedModel& model, NameKind kind);
 
-/// Who a message is about. The text is made only where there is something to report, which is
-/// rare; until then this refers to what it was made from.
+/// The subject of a message. Its text is made only when there is something to report, which is
+/// rare; until then, this refers to the entry or element.
 class Subject {
  public:
   Subject(const char* words) : words_(words) {}

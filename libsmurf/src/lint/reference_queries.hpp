@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// References that name nothing: where they stand, and how it is said.
+// References to unknown names: where they are, and their messages.
 #pragma once
 
 #include <functional>

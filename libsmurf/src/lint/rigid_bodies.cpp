@@ -122,7 +122,7 @@ std::vector<bool> massless_bodies(const LinkedModel& model) {
   for (const LinkIndex link : model.tree.order) {
     const std::size_t i = to_size(link);
     const std::optional<urdf::Inertial>& inertial = model.link(link).inertial;
-    // A mass that cannot be read is another finding, and may be any.
+    // An unreadable mass is another finding; the mass may have any value.
     if (inertial ? inertial->mass.value_or(1) > 0 : !model.link(link).collisions.empty()) {
       has_mass[body[i]] = true;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What fixed joints hold together.
+// The bodies that fixed joints make of links.
 #pragma once
 
 #include <vector>

@@ -105,7 +105,7 @@ class Suppressions::Reader {
       const bool is_continued = i + 1 < markers.size() && markers[i + 1].hash < line.end;
       const std::size_t end =
           is_continued ? text_.find_last_not_of(kBlank, markers[i + 1].hash - 1) + 1 : line.end;
-      // Several in one comment speak of the same.
+      // Several in one comment apply to the same place.
       const bool is_first = i == 0 || markers[i - 1].hash < line.begin;
       if (is_first) is_above_entry = hash == line.text_begin;
       add({source_, offset(hash), offset(end)}, at, is_above_entry,
@@ -172,8 +172,8 @@ class Suppressions::Reader {
     return {next->span.begin, next->span.end};
   }
 
-  /// `at` is the marker. A comment above an entry speaks of what `find_next` finds behind it, any
-  /// other of its line.
+  /// `at` is the marker. A comment above an entry applies to what `find_next` finds after it, any
+  /// other comment to its line.
   template <class FindNext>
   void add(Span span, std::size_t at, bool is_above_entry, const FindNext& find_next) {
     const Line first = lines_.around(span.begin);
@@ -196,7 +196,7 @@ class Suppressions::Reader {
     comments_.push_back(std::move(comment));
   }
 
-  /// The first rule that a malformed comment speaks of; "ID" when it names none.
+  /// The first rule that a malformed comment names; "ID" when it names none.
   static std::string rule_in(std::string_view words) {
     constexpr std::string_view kNameCharacters =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-";

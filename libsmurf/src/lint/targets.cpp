@@ -27,7 +27,7 @@ bool is_meant(const Fact& fact) {
   return construct.starts_with(std::string(fact.reader->name) + "-");
 }
 
-/// What the targets make of a finding.
+/// The effects of a finding on the targets.
 struct Judgement {
   /// Facts other than that it is taken, each with the targets it holds for.
   std::vector<std::pair<const Fact*, std::string>> stumbles;
@@ -83,7 +83,7 @@ void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader*
     for (const auto& [fact, names] : judgement.stumbles) {
       diagnostic.notes.push_back(names + ": " + std::string(fact->makes));
     }
-    // What a target has no use for is no reason to report what is fine in general.
+    // A part that a target ignores is no reason to report what is fine in general.
     if (diagnostic.rule->needs_target && diagnostic.severity == Severity::info) continue;
     kept.push_back(std::move(diagnostic));
   }

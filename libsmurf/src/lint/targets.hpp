@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What findings mean for the readers somebody has in mind.
+// What findings mean for the targets.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reader of each format. Each fills in what it finds up to the first defect, and takes time and
-// memory linear in the file. `surface` is empty before.
+// The reader of each format. Each fills in the facts up to the first defect, in time and memory
+// linear in the file. `surface` is empty before the call.
 #pragma once
 
 #include <string_view>

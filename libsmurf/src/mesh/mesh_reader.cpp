@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a mesh file is: told from its bytes, as names lie.
+// Recognises the format of a mesh by its bytes, because file names can be wrong.
 #include "mesh/mesh_reader.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace smurf {
 namespace {
 
-/// As much of a text as tells what it is.
+/// The length of a text that is enough to recognise it.
 constexpr std::size_t kStart = 4096;
 
 bool is_binary_stl(std::string_view bytes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wavefront OBJ: positions, faces and the files it names; the rest is left alone, as every reader
-// takes another part of it.
+// Wavefront OBJ: positions, faces and the files it names; the rest is ignored, because each reader
+// uses a different part of it.
 #include <array>
 #include <vector>
 

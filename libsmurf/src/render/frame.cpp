@@ -117,7 +117,7 @@ std::string Frame::source_rows(std::uint32_t number) const {
   return out;
 }
 
-/// What stands between the gutter and the text when the main mark spans lines.
+/// The column between the gutter and the text when the main mark spans lines.
 std::string Frame::bracket(std::uint32_t line, bool opens_beside) const {
   if (!has_bracket_) return {};
   if (line == main_lines_.first && opens_beside) return paint_(main_.ink, "/") + " ";
@@ -131,7 +131,7 @@ int Frame::room() const {
   return style_.width - static_cast<int>(gutter_) - 3 - (has_bracket_ ? 2 : 0);
 }
 
-/// The text stands beside the mark, or below it and further left where the terminal is too narrow.
+/// The text is beside the mark or, when the terminal is too narrow, below it and further left.
 std::string Frame::mark_row(const SourceLine& line, const Mark& mark) const {
   const ByteRange range = on_first_line(mark.span);
   const std::uint32_t number = lines_of(mark.span).first;

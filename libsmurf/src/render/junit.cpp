@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clean files are test cases too, so that a green run shows what it has looked at.
+// Clean files are test cases too, so that a successful run shows which files it has checked.
 #include <algorithm>
 #include <map>
 #include <vector>

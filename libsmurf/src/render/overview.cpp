@@ -72,7 +72,7 @@ class Overview {
     bool is_told = false;
   };
 
-  /// How often a rule is in a section.
+  /// The number of findings of a rule in a section.
   struct Tally {
     std::size_t all = 0;
     std::size_t shown = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file under test may hold anything, and what is printed may move the cursor, colour the screen
-// or hide text; so nothing of a file reaches the terminal undecoded.
+// A checked file may contain anything, and printed characters may move the cursor, colour the
+// screen or hide text, so no text of a file reaches the terminal unescaped.
 #include "render/printable.hpp"
 
 #include "base/misread.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a rule says about itself, for `--explain` and `--list-rules`.
+// The page of a rule, for `--explain`, and its line for `--list-rules`.
 #include <algorithm>
 
 #include "base/numbers.hpp"

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kEllipsis = "...";
 constexpr int kFewestColumns = 20;
-constexpr int kTabColumns = 8;  ///< a tab is counted at its widest when a line is cut
+constexpr int kTabColumns = 8;  ///< a tab has its greatest width when a line is cut
 
 constexpr std::size_t kBytesPerColumn = 4;  ///< what a character takes at most, bar combining marks
 

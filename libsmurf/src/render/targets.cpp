@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What becomes of the files in each target, for people.
+// What each target does with the files, for people.
 #include <algorithm>
 
 #include "render/paint.hpp"
@@ -15,7 +15,7 @@ using render::Painter;
 
 constexpr std::size_t kColumns = 80;
 
-/// " (2)", and how many of them were let pass by whom: " (2, 1 in the baseline)".
+/// " (2)", and how many of them were suppressed by what: " (2, 1 in the baseline)".
 std::string count_of(const TargetVerdict& target) {
   const std::size_t count = target.count(target.answer());
   std::string text = " (" + std::to_string(count);

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What the value of a keyword is.
+/// The kinds of values of keywords.
 enum class Holds : std::uint8_t {
   nothing,  ///< that matters to validation; dropped
   anything,

@@ -15,7 +15,7 @@
 namespace smurf {
 namespace {
 
-/// What valijson says, the keyword that it is about, and what we say with the keyword's value.
+/// A message of valijson, the keyword that it is about, and our message with the keyword's value.
 struct Phrase {
   std::string_view description;
   std::string_view keyword;
@@ -199,7 +199,7 @@ class Explainer {
     return steps_left_ > 0;
   }
 
-  /// Of a choice of forms only the choice is reported. What is wrong with each form comes before
+  /// For a choice of forms, only the choice is reported. The faults of each form come before
   /// it.
   void drop_rejected_forms() {
     notes_.resize(faults_.size());

@@ -19,7 +19,7 @@ namespace smurf {
 /// references back and without `\p{...}`.
 class Pattern {
  public:
-  /// What compile() gives in place of a pattern: why the text is none.
+  /// The result of compile() for an invalid pattern: why it is invalid.
   using Fault = std::string;
   static std::variant<Pattern, Fault> compile(std::string_view text);
 

@@ -13,7 +13,7 @@
 namespace smurf {
 namespace {
 
-/// What a byte may be in a plain scalar. The first ones are content.
+/// The roles of a byte in a plain scalar. The first ones are content.
 enum class CharClass : std::uint8_t {
   plain,      ///< always content
   no_start,   ///< content, but not as the first byte
@@ -138,7 +138,7 @@ class Scanner {
     builder_.close();
   }
 
-  /// Begins an entry of the list or mapping in this column, which is opened when it is not.
+  /// Begins an entry of the list or mapping in this column, and opens that if necessary.
   bool begin_entry(std::uint32_t begin, bool is_list, std::uint32_t sign_end) {
     const std::uint32_t column = begin - line_begin_;
     const bool is_open =
@@ -158,7 +158,8 @@ class Scanner {
     return true;
   }
 
-  /// Closes what the column of the next token ends. False when it fits to nothing that is open.
+  /// Closes everything that the column of the next token ends. False when no open level fits the
+  /// column.
   bool close_deeper_levels() {
     const std::uint32_t column = at_ - line_begin_;
     while (!levels_.empty() && levels_.back().column > column) close_level();

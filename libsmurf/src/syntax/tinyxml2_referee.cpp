@@ -14,7 +14,7 @@ namespace {
 
 using xml::Element;
 
-/// Puts what tinyxml2 reads in the place of what is written.
+/// Replaces what is written by what tinyxml2 reads.
 class Decoder {
  public:
   Decoder(xml::Document& document, const SourceMap& sources)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an XML file says of itself before its first element.
+// What an XML file declares before its first element.
 #pragma once
 
 #include <cstddef>

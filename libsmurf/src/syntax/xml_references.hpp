@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `&` begins in an XML file, and what the values that hold it say.
+// References (`&...;`) in an XML file, and the decoded values that contain them.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ XmlReference read_reference(std::string_view text);
 /// from a wrong place, and cuts a value off at `&#0;`.
 bool has_wrong_reference(std::string_view written);
 
-/// What a value or text says: references to characters replaced, every line end a '\n'. Everything
+/// A decoded value or text: references to characters replaced, every line end a '\n'. Everything
 /// else that begins with '&' stays as it is.
 std::string decode_xml(std::string_view written);
 /// The same of a CDATA section, which has no references.

@@ -206,7 +206,7 @@ void YamlBuilder::report_duplicates(const Node& mapping) {
   if (!may_have_duplicates(mapping)) return;
   entries_.clear();
   for (NodeId child = mapping.first_child(); child != kNoNode; child = at(child).next_sibling) {
-    // A list or mapping as a key has no text; it is reported as such.
+    // A list or mapping used as a key has no text; it is reported.
     const Span key = at(child).key_span();
     if (at(child).key().empty() && !key.empty() && text_[key.begin] != '"' &&
         text_[key.begin] != '\'') {

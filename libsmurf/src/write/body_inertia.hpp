@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inertias as simulators take them, who refuse a world for one that no body has.
+// Inertias that simulators accept: they refuse a whole world because of an impossible one.
 #pragma once
 
 #include "write/scene_parts.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What SMURF says of the contacts of a shape. Two shapes collide when their bitmasks share a bit.
+// The contact settings of a shape in SMURF. Two shapes collide when their bitmasks share a bit.
 #pragma once
 
 #include <cstdint>

@@ -46,7 +46,7 @@ Found drivers(const LinkedModel& model, SceneColumn column, std::string_view ele
   return found;
 }
 
-/// Keys of the entry of a section besides those that the format says.
+/// Keys of an entry of a section other than those that the format expresses.
 Found other_keys(const LinkedModel& model, const Annotation& entry,
                  std::initializer_list<std::string_view> said) {
   Found found;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the things of the table (scene_things.hpp) are in a model or a scene: those that a format
-// does not keep.
+// Where a model or a scene has the things of the table (scene_things.hpp) that a format does not
+// keep.
 #pragma once
 
 #include "write/scene_things.hpp"
@@ -39,11 +39,11 @@ Found entries(const LinkedModel& model, SceneColumn) {
 }
 /// In MJCF those that move no joint.
 Found motors(const LinkedModel& model, SceneColumn column);
-/// Keys that an actuator of MuJoCo does not say.
+/// Keys that an actuator of MuJoCo does not have.
 Found motor_keys(const LinkedModel& model, SceneColumn);
-/// In SDF those that Gazebo has no like of.
+/// In SDF those without a counterpart in Gazebo.
 Found sensors(const LinkedModel& model, SceneColumn column);
-/// Keys that a sensor of Gazebo does not say.
+/// Keys that a sensor of Gazebo does not have.
 Found sensor_keys(const LinkedModel& model, SceneColumn);
 /// In SDF and MJCF keys, elsewhere entries.
 Found collision_settings(const LinkedModel& model, SceneColumn column);
@@ -55,7 +55,7 @@ Found no_step(const SceneExport& scene, SceneColumn);
 Found ambient_lights(const SceneExport& scene, SceneColumn);
 /// Of joints that do not start at zero.
 Found start_positions(const SceneExport& scene, SceneColumn);
-/// Keys of entities with a shape of their own that say nothing to the format.
+/// Keys of entities with a shape of their own that the format ignores.
 Found entity_keys(const SceneExport& scene, SceneColumn column);
 
 }  // namespace smurf::things

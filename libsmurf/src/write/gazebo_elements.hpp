@@ -25,7 +25,7 @@ class GazeboElements {
 
   bool empty() const { return by_reference_.empty(); }
 
-  /// What stands in <model>.
+  /// The contents of <model>.
   void add_to_model(XmlText& xml) const;
   /// What stands in the <link> that `part` is in; a part that is a frame of that link has its name
   /// in `frame`, and its pose in it in `X_BL`. `names` are those of the link's sensors.
@@ -53,7 +53,7 @@ class GazeboElements {
   void add_to_joint(XmlText& xml, std::string_view joint, UniqueNames& names) const;
 
  private:
-  /// What is said of one link or joint, or of the model.
+  /// The settings of one link or joint, or of the model.
   struct Part {
     std::vector<xml::View> elements;
     /// By name of the element. The last counts, as in libsdformat.

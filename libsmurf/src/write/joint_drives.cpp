@@ -39,7 +39,7 @@ class DriveReader {
   }
 
  private:
-  /// Null when the joint is driven already, or nothing can drive it.
+  /// Null when the joint is already driven, or nothing can drive it.
   JointDrive* drive_of(const urdf::Joint* joint) {
     if (joint == nullptr || !joint->has_one_axis() || joint->mimic || !joint->name) return nullptr;
     const auto at = static_cast<std::size_t>(joint - model_.robot->joints.data());

@@ -11,7 +11,7 @@
 
 namespace smurf {
 
-/// What is commanded.
+/// The quantity that is commanded.
 enum class DriveKind : std::uint8_t { position, velocity, effort };
 
 struct JointDrive {

@@ -59,7 +59,7 @@ MjcfParts::MjcfParts(const SceneExport& scene)
 }
 
 void MjcfParts::add_settings() {
-  // Bodies without mass stay so: the weight of a model is not to be guessed from its shapes.
+  // Bodies without mass keep none: the mass of a model must not be guessed from its shapes.
   xml_.empty("compiler", {{"angle", "radian"},
                           {"boundmass", "0"},
                           {"balanceinertia", "false"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every solid of an instance, for writers that show and do not simulate.
+// All solids of an instance, for formats that show scenes without simulating them.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& mode
 std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
                                       const FlatModel& flat);
 
-/// What glTF and USD mean by a colour: amounts of light. URDF and SMURF mean what a screen shows
+/// A colour in glTF and USD: amounts of light, where URDF and SMURF have values for a screen
 /// (sRGB). Within 0..1; the alpha stays.
 Rgba linear_color(const Rgba& color);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elements of a URDF that stand in another document as they are written.
+// Elements of a URDF that are copied to another document.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace smurf {
 
-/// XML for readers that forgive less than those of URDF. These accept `&name;` that nothing defines
+/// XML for readers that are stricter than those of URDF. These accept `&name;` that nothing defines
 /// as its letters, so the letters are written; `]]>` in a text and characters that XML does not
 /// have are replaced. `text` is part of what our reader accepted.
 std::string strict_xml(std::string_view text);

@@ -124,7 +124,7 @@ class GltfWriter {
     return add_node(std::move(node));
   }
 
-  /// What glTF has no words for and costs little.
+  /// Data that glTF has no place for, and that need little space.
   static void append_extras(std::string& node, const FlatInstance& instance) {
     append_key(node, "extras");
     node += '{';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flat JSON, one line per instance: large scenes stay readable and diff well.
+// Flat JSON, one line per instance: large scenes stay readable and easy to compare.
 #include <vector>
 
 #include "base/numbers.hpp"

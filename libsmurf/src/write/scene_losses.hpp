@@ -34,7 +34,7 @@ class SceneLosses {
   void note(std::string_view title, Span span, const std::string& name) {
     noted_[title].try_emplace({to_size(span.source), span.begin}, FoundThing{span, name});
   }
-  /// What the table says of this format: everything that is in the scene and not kept.
+  /// Reports everything in the scene that, by the table, the format does not keep.
   void table();
 
   /// Files that the result names and that lie in archives, which only our own tools look into: of

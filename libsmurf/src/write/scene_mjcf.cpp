@@ -37,7 +37,7 @@ class MjcfWriter : MjcfActuators {
  private:
   using PlaceOfLink = std::pair<std::size_t, std::size_t>;  ///< instance, link
 
-  /// What hangs on which link. A circle of anchors is cut at its end.
+  /// The instances that are anchored to each link. A circle of anchors is cut at its end.
   void find_children() {
     const std::vector<std::size_t> ends = anchor_groups(scene_.scene);
     is_top_level_.assign(count(), true);

@@ -46,7 +46,7 @@ LinkInertial smallest_mass();
 /// Of a solid of even density.
 LinkInertial solid_mass(const FlatGeometry& geometry, double mass);
 
-/// What MARS takes where a scene says nothing.
+/// The defaults of MARS for a scene.
 inline constexpr Vector3 kUsualGravity{0, 0, -9.81};  ///< m/s^2
 /// s; MARS's 10 ms are too long for the solvers of Gazebo and MuJoCo.
 inline constexpr double kUsualStep = 0.001;

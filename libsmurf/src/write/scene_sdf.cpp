@@ -49,7 +49,7 @@ class SdfWriter {
     if (is_new) known->second = sdf_names(model);
     return known->second;
   }
-  /// What else is known of a model, read once.
+  /// Other facts about a model, read once.
   const SdfModel& parts_of(const LinkedModel& model) {
     auto& known = models_[&model];
     if (!known) known = std::make_unique<SdfModel>(model, scene_.sources);
@@ -61,7 +61,7 @@ class SdfWriter {
 
   void add_pose(const Pose& pose) { add_sdf_pose(xml_, pose, is_old_); }
 
-  /// What the scene leaves open is written as well, so that all simulators read the same world.
+  /// Defaults are written as well, so that all simulators read the same world.
   void add_physics() {
     const FlatPhysics& physics = scene_.flat.physics;
     xml_.leaf("gravity", join_numbers(physics.gravity.value_or(kUsualGravity)));

@@ -190,8 +190,8 @@ class TopView {
     }
   }
 
-  /// One rainbow on the horizon must not shrink everything else to a dot: what is far beyond the
-  /// nearer half of the scene is only pointed at.
+  /// One entity far away must not shrink everything else to a dot: whatever is far beyond the
+  /// nearer half of the scene is only indicated by an arrow.
   void find_far_instances() {
     is_far_.assign(count(), false);
     std::vector<std::size_t> order;

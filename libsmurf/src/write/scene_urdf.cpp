@@ -79,7 +79,7 @@ class UrdfMerger {
 
   std::string prefix(std::size_t i) const { return names_[i] + "__"; }
 
-  /// What stands between the start and the end tag of <robot>.
+  /// The text between the start and the end tag of <robot>.
   std::string prefixed(const LinkedModel& model, std::size_t i) {
     const xml::Document& document = model.robot->document;
     std::vector<Edit> edits;
@@ -132,7 +132,7 @@ class UrdfMerger {
     }
   }
 
-  /// Inside <gazebo> stands SDF, whose names are its own.
+  /// <gazebo> contains SDF, which has names of its own.
   static bool is_inside_gazebo(const xml::Document& document, const xml::Element& element) {
     for (xml::ElementId at = element.parent; at != xml::kNoElement;
          at = document.elements[static_cast<std::size_t>(at)].parent) {

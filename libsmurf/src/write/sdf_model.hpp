@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What SDF says of a model besides its links, shapes and joints: read once, written with each
+// The parts of a model in SDF besides its links, shapes and joints: read once, written with each
 // instance.
 #pragma once
 

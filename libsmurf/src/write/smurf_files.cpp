@@ -27,7 +27,8 @@ std::vector<TextFile> write_smurf(const NewModel& model) {
     files.push_back({stem + "_" + file.suffix + ".yml",
                      yaml_comment(file.comment) + "\n" + yaml_text(file.section)});
   }
-  // Last: whoever watches the folder finds a whole model as soon as there is a main file.
+  // The main file is last: a program that watches the folder finds a complete model as soon as it
+  // exists.
   files.push_back({model.main_path, main_text(model)});
   return files;
 }

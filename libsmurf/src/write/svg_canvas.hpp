@@ -43,7 +43,7 @@ class SvgCanvas {
   }
   /// Grid lines at round numbers of metres, with their numbers at the border.
   void add_grid();
-  /// Keeps labels out of a place.
+  /// Keeps a place free of labels.
   void occupy(const Box2& pixels);
   /// A label beside a point, where it covers no other one.
   void add_label(const Point2& pixels, std::string_view text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a row reads of a value is what a model has: the same function reads it.
+// Values are read by the functions of the key rows, so that they equal those of a model.
 #include "write/yaml_json.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class TypedPrinter {
   }
 
  private:
-  /// With its key, or not at all.
+  /// Writes the value with its key, or nothing.
   void print_member(const KeySpec& spec, yaml::View value) {
     if (value.is_null()) return;
     switch (spec.type) {

@@ -94,7 +94,7 @@ class Writer {
       out += " " + one_line(value) + "\n";
     } else {
       out += "\n";
-      // A list stands at the depth of its key, as in the examples of the format.
+      // A list has the depth of its key, as in the examples of the format.
       children(value, value.kind == NewValue::Kind::list ? depth : depth + 1);
     }
   }

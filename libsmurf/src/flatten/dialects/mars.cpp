@@ -53,7 +53,7 @@ Keys keys_of(const Entity& entity) {
           .refusal = {}};
 }
 
-/// What an include does to an entity of its scene.
+/// Overwrites an entity of an included scene as the include does.
 void include(Keys& keys, const Entity& entity, const Keys& around) {
   if (!around.refusal.empty()) keys.refusal = around.refusal;
   if (keys.is_relative() || !keys.refusal.empty()) return;
@@ -111,7 +111,7 @@ class CreationOrder {
       ready_.emplace(is_old ? 0 : 1, index);
       return;
     }
-    // A reference that is missing counts as one to the entity without name.
+    // A missing reference counts as a reference to the entity without a name.
     wait(index, first);
     if (second != first) wait(index, second);
   }
@@ -263,7 +263,7 @@ class EntityReader {
     Pose X_WF;
   };
 
-  /// What exists already, or nothing.
+  /// The entity, if it exists already.
   std::optional<Frame> find_frame(const std::string& reference) {
     const std::size_t separator = reference.find("::");
     if (separator == std::string::npos) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MARS 2 reads a flat list: every entity stands in the world (MarsSceneLoader.cpp:187-397).
+// MARS 2 reads a flat list: every entity is placed in the world (MarsSceneLoader.cpp:187-397).
 #include "base/path.hpp"
 #include "flatten/dialect_parts.hpp"
 
@@ -18,7 +18,7 @@ class EntityReader {
   }
 
  private:
-  /// What ends the loading of the whole scene; empty when the entity does not.
+  /// Why the entity ends the loading of the whole scene; empty when it does not.
   static std::string_view why_it_stops(const Entity& entity) {
     if (entity.position_is_mapping) return "stops at a `position` that is a mapping";
     if (entity.rotation.is_mapping) return "stops at a `rotation` that is a mapping";

@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Authors name all parts by one scheme: one finding a file.
+/// One finding per file, because authors name all parts by one scheme.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   Span link_name;

@@ -11,7 +11,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.limit || !joint.has_one_axis()) return;
     const Field<double>& lower = joint.limit->lower;
     const Field<double>& upper = joint.limit->upper;
-    // With one of them absent readers disagree about more than the order; SML1406 says so.
+    // With one of them absent readers disagree about more than the order; SML1406 reports it.
     if (!lower || !upper || *lower <= *upper) return;
     if (joint.type == urdf::JointType::continuous) return;  // SML1409: it takes none
     Diagnostic& diagnostic = findings.report(

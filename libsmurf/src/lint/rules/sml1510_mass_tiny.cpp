@@ -29,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (mass <= 0 || mass > kDropped) return;
     Diagnostic& diagnostic = findings.report(
         link.inertial->mass.span, title(link) + " weighs " + format_rounded(mass, 3) + " kg");
-    // MuJoCo looks at every tensor, but at the mass of whole bodies.
+    // MuJoCo checks every tensor, but only the mass of whole bodies.
     const auto moments = principal_moments(*link.inertial);
     const bool is_too_small = moments && (*moments)[0] > 0 && (*moments)[0] < kMujocoMoment;
     if (is_frame) {

@@ -10,7 +10,7 @@ bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
 }
 
-/// Exporters write all paths alike: one finding a file.
+/// One finding per file, because exporters write all paths alike.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   bool has_model_scheme = false;

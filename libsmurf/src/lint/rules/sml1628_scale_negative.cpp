@@ -8,7 +8,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Authors mirror parts to make the left side from the right one: one finding a file.
+/// One finding per file, because authors mirror all parts of the left side to make the right one.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   for_each_geometry(model, [&](const GeometryUse& use) {

@@ -5,7 +5,7 @@
 namespace smurf::rules {
 namespace {
 
-/// The keys that MARS 2 reads without looking whether they are there.
+/// The keys that MARS 2 reads without checking whether they are there.
 std::vector<std::string_view> missing_keys(const Motor& motor) {
   std::vector<std::string_view> missing;
   const auto need = [&](bool is_written, std::string_view key) {

@@ -11,7 +11,7 @@ void report(Span section, std::string_view name, Findings& findings) {
   findings.report(section, "the section " + quoted(name) + " is a list");
 }
 
-/// With an `s` or without; `controllers` are read, and stop it all the same.
+/// With an `s` or without; `controllers` are read, and stop Phobos as well.
 bool is_read(std::string_view name) {
   constexpr std::string_view kRead[] = {"motors",        "sensors",      "materials",  "joints",
                                         "links",         "collisions",   "visuals",    "poses",
