@@ -38,7 +38,7 @@ constexpr Refusal kRefusals[] = {
     {"SML1001", "this end tag is not closed by `>`", true, true, "both skip to the next `>`"},
     {"SML1001", "closes nothing", true, false, "tinyxml2 stops at such an end tag behind the root"},
     {"SML1001", "begins no element here", true, true, "both take such a `<` for text"},
-    {"SML1001", "this is no attribute of the XML declaration", true, true,
+    {"SML1001", "this is not an attribute of the XML declaration", true, true,
      "neither looks for attributes it does not know there"},
     {"SML1001", "has no quotes", false, true, "TinyXML 1 needs none"},
     {"SML1001", "text before the root element", true, true, "both skip it"},

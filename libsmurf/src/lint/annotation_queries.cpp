@@ -58,8 +58,9 @@ void report_name_read_as_value(yaml::View entry, Findings& findings) {
   const yaml::View name = entry.is_mapping() ? entry.find("name") : yaml::View();
   if (!name || !name.is_scalar() || name.style() != yaml::Style::plain) return;
   if (!name.number() && !name.boolean()) return;
-  findings.report(name.span(), "Phobos reads " + quoted(name.text()) + " as no text").help =
-      "put it in quotes";
+  findings
+      .report(name.span(), "Phobos reads " + quoted(name.text()) + " as something other than text")
+      .help = "put it in quotes";
 }
 
 std::vector<TopLevelKey> top_level_keys(const LinkedModel& model) {

@@ -12,7 +12,7 @@ namespace {
 
 void check_position(yaml::View position, Findings& findings) {
   if (!position || !position.is_mapping() || position.size() == 3) return;
-  findings.report(position.key_span(), "Phobos wants a `position` of three numbers");
+  findings.report(position.key_span(), "Phobos expects a `position` of three numbers");
 }
 
 void check_entities(yaml::View entities, Findings& findings) {
