@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Entities and their links as a tree, as ARIA has trees: arrows move and open, Enter selects.
+import { element } from "./dom.js";
+
+const kOpenAtOnce = 60; // rows
+
+export class Tree {
+  constructor(host, scene, onSelect) {
+    this.host = host;
+    this.scene = scene;
+    this.onSelect = onSelect;
+    this.rows = new Map(); // by key
+    host.setAttribute("role", "tree");
+    host.addEventListener("keydown", (event) => this.onKey(event));
+    scene.entities.forEach((entity, index) => host.append(this.entityRow(entity, index)));
+    const count = scene.entities.reduce((sum, entity) => sum + 1 + (entity.model?.links.length ?? 0), 0);
+    if (count <= kOpenAtOnce) for (const row of [...host.children]) this.open(row, true, true);
+    const first = host.querySelector("[role=treeitem]");
+    if (first) first.tabIndex = 0;
+  }
+
+  static key(entity, link) {
+    return link === undefined ? `${entity}` : `${entity} ${link}`;
+  }
+
+  entityRow(entity, index) {
+    const note = entity.pose ? entity.type : "has no known place";
+    const model = entity.model;
+    return this.row(entity.path || entity.type, note, index, undefined, model?.root >= 0 ? [model.root] : []);
+  }
+
+  row(name, note, entity, link, children) {
+    const label = element("span", { class: "name" }, name);
+    const line = element(
+      "div",
+      { class: "line" },
+      element("span", { class: "arrow", "aria-hidden": "true" }),
+      label,
+    );
+    if (note) line.append(element("span", { class: "note" }, note));
+    const row = element(
+      "div",
+      { role: "treeitem", tabindex: "-1", "aria-selected": "false", "aria-label": name },
+      line,
+    );
+    row.entity = entity;
+    row.link = link;
+    row.below = children;
+    if (children.length > 0) row.setAttribute("aria-expanded", "false");
+    line.addEventListener("click", (event) => {
+      if (event.target.className === "arrow") this.open(row, row.getAttribute("aria-expanded") !== "true");
+      else this.onSelect(entity, link);
+    });
+    this.rows.set(Tree.key(entity, link), row);
+    return row;
+  }
+
+  /** Rows of links are made when they are first seen. */
+  open(row, isOpen, isDeep = false) {
+    if (row.below.length === 0) return;
+    row.setAttribute("aria-expanded", isOpen);
+    const { model } = this.scene.entities[row.entity];
+    if (!row.group) {
+      row.group = element("div", { role: "group" });
+      for (const link of row.below) {
+        const { name, children } = model.links[link];
+        row.group.append(this.row(name, "", row.entity, link, children));
+      }
+      row.append(row.group);
+    }
+    row.group.hidden = !isOpen;
+    if (isDeep) for (const child of row.group.children) this.open(child, isOpen, true);
+  }
+
+  select(entity, link) {
+    this.selected?.setAttribute("aria-selected", "false");
+    this.selected = undefined;
+    if (entity === undefined) return;
+    if (link !== undefined) this.reveal(entity, link);
+    this.selected = this.rows.get(Tree.key(entity, link));
+    this.selected?.setAttribute("aria-selected", "true");
+    this.focusable(this.selected);
+    this.selected?.firstChild.scrollIntoView({ block: "nearest" });
+  }
+
+  reveal(entity, link) {
+    const { model } = this.scene.entities[entity];
+    const way = [];
+    for (let at = link; at !== undefined; at = model.joints[model.links[at].joint]?.parent) way.unshift(at);
+    this.open(this.rows.get(Tree.key(entity)), true);
+    for (const at of way.slice(0, -1)) this.open(this.rows.get(Tree.key(entity, at)), true);
+  }
+
+  focusable(row) {
+    for (const other of this.host.querySelectorAll("[tabindex='0']")) other.tabIndex = -1;
+    if (row) row.tabIndex = 0;
+  }
+
+  onKey(event) {
+    const row = event.target.closest("[role=treeitem]");
+    if (!row) return;
+    const shown = [...this.host.querySelectorAll("[role=treeitem]")].filter(
+      (each) => each.offsetParent !== null,
+    );
+    const at = shown.indexOf(row);
+    const isOpen = row.getAttribute("aria-expanded") === "true";
+    const go = (other) => {
+      if (!other) return;
+      this.focusable(other);
+      other.focus();
+    };
+    const keys = {
+      ArrowDown: () => go(shown[at + 1]),
+      ArrowUp: () => go(shown[at - 1]),
+      Home: () => go(shown[0]),
+      End: () => go(shown.at(-1)),
+      ArrowRight: () => (isOpen ? go(shown[at + 1]) : this.open(row, true)),
+      ArrowLeft: () => (isOpen ? this.open(row, false) : go(row.parentElement.closest("[role=treeitem]"))),
+      Enter: () => this.onSelect(row.entity, row.link),
+      " ": () => this.onSelect(row.entity, row.link),
+    };
+    if (!keys[event.key]) return;
+    event.preventDefault();
+    event.stopPropagation();
+    keys[event.key]();
+  }
+}
