@@ -74,7 +74,7 @@ class Viewer {
   fillStage() {
     this.shapes = new Shapes(this.scene, this.motion, this.stage.root);
     const all = this.shapes.boxAround();
-    this.stage.setGround(all);
+    this.stage.setGround(all, this.scene.entities.length === 1);
     this.overlays = new Overlays(this.scene, this.motion, this.stage, this.sizes());
     this.stage.fit(all);
     this.stage.onPick((solid) => this.select(solid?.entity, solid?.link));

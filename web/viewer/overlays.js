@@ -8,13 +8,14 @@ import {
   LineBasicMaterial,
   LineSegments,
   Matrix4,
-  MeshBasicMaterial,
+  Color,
   SphereGeometry,
   Vector3,
 } from "three";
 
 import { element } from "./dom.js";
 import { isMovable, toMatrix } from "./motion.js";
+import { paint } from "./shading.js";
 
 const kAxisColors = [
   [0.9, 0.2, 0.2],
@@ -22,7 +23,7 @@ const kAxisColors = [
   [0.25, 0.45, 1],
 ];
 const kJointColor = [0.75, 0.2, 0.85];
-const kMassColor = 0xf0a000;
+const kMassColor = new Color(0.94, 0.63, 0);
 const kMostNames = 150;
 
 /** Lines of which the ends move: `count` times the same colours. */
@@ -59,13 +60,9 @@ export class Overlays {
       kAxisColors.flatMap((color) => [color, color]),
     );
     this.axisLines = linesOf(this.axes.length, [kJointColor, kJointColor]);
-    const paint = new MeshBasicMaterial({
-      color: kMassColor,
-      depthTest: false,
-      transparent: true,
-      opacity: 0.85,
-    });
-    this.balls = new InstancedMesh(new SphereGeometry(1, 16, 8), paint, this.masses.length);
+    const look = paint("UNLIT", { opacity: 0.85, depthTest: false });
+    this.balls = new InstancedMesh(new SphereGeometry(1, 16, 8), look, this.masses.length);
+    this.masses.forEach((_, index) => this.balls.setColorAt(index, kMassColor));
     this.balls.frustumCulled = false;
     this.balls.visible = false;
     this.balls.renderOrder = 1;
@@ -102,7 +99,7 @@ export class Overlays {
     this.moveAxes();
     const ball = new Matrix4();
     this.masses.forEach((mass, index) => {
-      const radius = 0.022 * this.sizes[mass.entity];
+      const radius = 0.012 * this.sizes[mass.entity];
       ball.multiplyMatrices(this.worldOf(mass), mass.local).scale(new Vector3(radius, radius, radius));
       this.balls.setMatrixAt(index, ball);
     });

@@ -5,6 +5,7 @@ import { Euler } from "three";
 import { byId, counted, element, short } from "./dom.js";
 import { isMovable } from "./motion.js";
 
+const kMoments = ["xx", "xy", "xz", "yy", "yz", "zz"];
 const kDegrees = 180 / Math.PI;
 
 export const massOf = (links) => links.reduce((sum, link) => sum + (link.mass ?? 0), 0);
@@ -21,8 +22,8 @@ function poseFacts(matrix) {
   const { elements } = matrix;
   const { x, y, z } = new Euler().setFromRotationMatrix(matrix, "ZYX"); // URDF's roll, pitch and yaw
   return [
-    ["World position", `${[...elements.slice(12, 15)].map(short).join("  ")} m`],
-    ["Roll, pitch, yaw", `${[x, y, z].map((angle) => short(angle * kDegrees)).join("  ")}°`],
+    ["World position", `${[...elements.slice(12, 15)].map(short).join(", ")} m`],
+    ["Roll, pitch, yaw", `${[x, y, z].map((angle) => short(angle * kDegrees)).join(", ")}°`],
   ];
 }
 
@@ -36,7 +37,7 @@ function jointFacts(model, joint) {
   const isTurning = joint.type !== "prismatic";
   const facts = [["Joint above", `${joint.name} (${joint.type || "of no type"})`]];
   if (!isMovable(joint)) return facts;
-  facts.push(["Axis", joint.axis.map(short).join("  ")], ["Limits", rangeOf(joint, isTurning ? "rad" : "m")]);
+  facts.push(["Axis", joint.axis.map(short).join(", ")], ["Limits", rangeOf(joint, isTurning ? "rad" : "m")]);
   const leader = model.joints[joint.leader];
   if (leader) facts.push(["Follows", `${short(joint.multiplier)} × ${leader.name} + ${short(joint.offset)}`]);
   const units = { effort: isTurning ? "N m" : "N", velocity: isTurning ? "rad/s" : "m/s" };
@@ -60,7 +61,8 @@ function linkFacts(entity, link, matrix) {
   if (below.length > 1)
     facts.push(["With all below", `${short(massOf(below))} kg in ${counted(below.length, "link")}`]);
   facts.push(...poseFacts(matrix), ...jointFacts(model, model.joints[joint]));
-  if (inertia) facts.push(["Inertia (xx xy xz yy yz zz)", `${inertia.map(short).join("  ")} kg m²`]);
+  if (inertia)
+    facts.push(["Inertia, kg m²", inertia.map((value, at) => `${kMoments[at]} ${short(value)}`).join(", ")]);
   facts.push(["Shapes", `${counted(visuals.length, "visual")}, ${counted(collisions.length, "collision")}`]);
   const names = [...visuals, ...collisions].map((shape) => shape.name).filter(Boolean);
   if (names.length > 0) facts.push(["Names of shapes", names.join(", ")]);

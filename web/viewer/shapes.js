@@ -8,19 +8,15 @@ import {
   CapsuleGeometry,
   Color,
   CylinderGeometry,
-  DoubleSide,
-  FrontSide,
   InstancedMesh,
   Matrix4,
-  MeshBasicMaterial,
-  MeshLambertMaterial,
   PlaneGeometry,
   SphereGeometry,
-  SRGBColorSpace,
   Vector3,
 } from "three";
 
 import { toMatrix } from "./motion.js";
+import { paint } from "./shading.js";
 
 export const Layer = { visuals: "visuals", collisions: "collisions", unseen: "unseen" };
 
@@ -28,30 +24,30 @@ const kNoColor = [0.78, 0.79, 0.81, 1];
 const kGroundColor = [0.55, 0.55, 0.52, 0.35];
 const kUnseenColor = [0.6, 0.6, 0.62, 0.16];
 const kCollisionColor = [0.95, 0.45, 0.05, 1];
-const kSelected = new Color(0.1, 0.45, 1);
+const kSelected = new Color(0, 0.75, 0.85);
 const kTurn = Math.PI / 2; // the round solids of three.js lie along y, those of URDF along z
 
-/** {key, make, scale, place}: triangles under a name, and how they are scaled and placed in the shape's frame. */
-function solidOf(shape, meshes) {
+/** Into how many sides round things fall. Wires of fine triangles hide what is behind them. */
+function aroundOf(scene) {
+  const links = scene.entities.reduce((sum, { model }) => sum + (model?.order.length ?? 1), 0);
+  return { visuals: links <= 100 ? 32 : links <= 500 ? 20 : 12, collisions: 12 };
+}
+
+/** {key, make, scale, center}: triangles under a name, and how they are scaled and placed in the shape's frame. */
+function solidOf(shape, meshes, around) {
+  const round = (key, make, scale) => ({ key: `${key} ${around}`, make: () => make().rotateX(kTurn), scale });
   if (shape.box) return { key: "box", make: () => new BoxGeometry(), scale: shape.box };
   if (shape.sphere) {
     const [r] = shape.sphere;
-    return { key: "sphere", make: () => new SphereGeometry(1, 32, 16).rotateX(kTurn), scale: [r, r, r] };
+    return round("sphere", () => new SphereGeometry(1, around, around / 2), [r, r, r]);
   }
   if (shape.cylinder) {
     const [r, length] = shape.cylinder;
-    return {
-      key: "cylinder",
-      make: () => new CylinderGeometry(1, 1, 1, 32).rotateX(kTurn),
-      scale: [r, r, length],
-    };
+    return round("cylinder", () => new CylinderGeometry(1, 1, 1, around), [r, r, length]);
   }
   if (shape.capsule) {
     const [r, length] = shape.capsule;
-    return {
-      key: `capsule ${r} ${length}`,
-      make: () => new CapsuleGeometry(r, length, 12, 32).rotateX(kTurn),
-    };
+    return round(`capsule ${r} ${length}`, () => new CapsuleGeometry(r, length, around / 4, around));
   }
   if (shape.plane) return { key: "plane", make: () => new PlaneGeometry(), scale: [...shape.plane, 1] };
   if (shape.mesh !== undefined) {
@@ -81,15 +77,12 @@ function colorOf(shape, layer) {
   return shape.color ?? (shape.plane ? kGroundColor : kNoColor);
 }
 
-function materialOf(layer, alpha, solid) {
-  const paint = { transparent: alpha < 1, opacity: alpha, depthWrite: alpha === 1 };
-  if (layer === Layer.collisions) return new MeshBasicMaterial({ ...paint, wireframe: true });
-  const isThin = solid.flat || solid.key === "plane"; // and a mirrored mesh is inside out
-  return new MeshLambertMaterial({
-    ...paint,
-    flatShading: solid.flat ?? false,
-    side: isThin ? DoubleSide : FrontSide,
-  });
+function materialOf(layer, opacity, solid) {
+  if (layer === Layer.collisions) return paint("UNLIT", { opacity, wireframe: true });
+  // A mirrored mesh is inside out. What is solid lies behind the wires of a collision with the same surface.
+  const isThin = solid.flat || solid.key === "plane";
+  const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+  return paint(solid.flat ? "FLAT" : "SMOOTH", { opacity, isThin, ...behind });
 }
 
 export class Shapes {
@@ -99,6 +92,7 @@ export class Shapes {
     this.motion = motion;
     this.geometries = new Map();
     this.batches = new Map();
+    this.around = aroundOf(scene);
     this.solids = []; // {entity, link, layer, shape, local, color, batch, index}
     scene.entities.forEach((entity, index) => {
       if (!entity.pose) return;
@@ -114,7 +108,7 @@ export class Shapes {
   }
 
   add(shape, wanted, entity, link) {
-    const solid = solidOf(shape, this.scene.meshes);
+    const solid = solidOf(shape, this.scene.meshes, this.around[wanted]);
     if (!solid) return;
     const layer = wanted === Layer.visuals && shape.around ? Layer.unseen : wanted;
     const [r, g, b, a] = colorOf(shape, layer).map((part) => Math.min(1, Math.max(0, part)));
@@ -124,7 +118,7 @@ export class Shapes {
     const local = toMatrix(shape.pose);
     if (solid.center) local.multiply(new Matrix4().makeTranslation(...solid.center));
     if (solid.scale) local.scale(new Vector3(...solid.scale));
-    const color = new Color().setRGB(r, g, b, SRGBColorSpace);
+    const color = new Color(r, g, b);
     const made = { entity, link, layer, shape, local, color, batch, index: batch.solids.length };
     batch.solids.push(made);
     this.solids.push(made);
@@ -170,7 +164,7 @@ export class Shapes {
     const mixed = new Color();
     for (const solid of this.solids) {
       mixed.copy(solid.color);
-      if (chosen(solid)) mixed.lerp(kSelected, 0.6);
+      if (chosen(solid)) mixed.lerp(kSelected, 0.8);
       solid.batch.mesh.setColorAt(solid.index, mixed);
     }
     for (const { mesh } of this.batches.values()) mesh.instanceColor.needsUpdate = true;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture: camera, light, ground and what is under the pointer. Drawn when something changes, and only then.
 import {
-  AmbientLight,
   Box3,
-  DirectionalLight,
   GridHelper,
   Group,
   PerspectiveCamera,
@@ -17,6 +15,9 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
+import { element } from "./dom.js";
+import { Sharpness } from "./sharpness.js";
+
 const kDragged = 5; // pixels that a click may move
 
 /** 1, 2 or 5 times a power of ten. */
@@ -25,26 +26,38 @@ function roundStep(length) {
   return [5, 2, 1].map((factor) => factor * power).find((step) => step <= length) ?? power;
 }
 
+/** Smooth edges only where there is a graphics card: without one they double the time of a picture. */
+function makeCanvas() {
+  const make = (antialias) => {
+    const canvas = element("canvas");
+    return { canvas, context: canvas.getContext("webgl2", { alpha: true, antialias }) };
+  };
+  const plain = make(false);
+  if (!plain.context) throw new Error("no WebGL");
+  const info = plain.context.getExtension("WEBGL_debug_renderer_info");
+  const card = plain.context.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : plain.context.RENDERER);
+  if (/swiftshader|llvmpipe|software|basic render/i.test(card)) return plain;
+  plain.context.getExtension("WEBGL_lose_context")?.loseContext();
+  return make(true);
+}
+
 export class Stage {
   constructor(host) {
     this.host = host;
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer(makeCanvas());
     this.canvas = this.renderer.domElement;
     host.prepend(this.canvas);
     this.scene = new Scene();
     this.root = new Group();
-    this.scene.add(this.root, new AmbientLight(0xffffff, 1.1));
+    this.scene.add(this.root);
     this.camera = new PerspectiveCamera(40, 1, 0.01, 1000);
     this.camera.up.set(0, 0, 1);
-    const light = new DirectionalLight(0xffffff, 2.2);
-    light.position.set(-0.6, 0.9, 0.8); // over the left shoulder, wherever one looks from
-    this.camera.add(light, light.target);
-    light.target.position.set(0, 0, -1);
-    this.scene.add(this.camera);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => (this.fitted = null));
     this.afterDraw = [];
+    this.sharpness = new Sharpness(() => this.resize());
     this.radius = 1;
     new ResizeObserver(() => this.resize()).observe(host);
     this.resize();
@@ -53,10 +66,11 @@ export class Stage {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setPixelRatio(this.sharpness.ratio());
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.fitted) this.fit(this.fitted, this.direction());
     this.draw();
   }
 
@@ -66,12 +80,14 @@ export class Stage {
     this.isAsked = true;
     requestAnimationFrame(() => {
       this.isAsked = false;
+      this.sharpness.onPicture();
       this.renderer.render(this.scene, this.camera);
       for (const follow of this.afterDraw) follow();
     });
   }
 
-  setGround(box) {
+  /** Around a box; where the world's xy plane is, or below the box when a model is alone in its world. */
+  setGround(box, isBelow) {
     const size = box.isEmpty() ? 2 : Math.max(box.max.x - box.min.x, box.max.y - box.min.y, 0.2);
     const step = roundStep(size / 4);
     const cells = 2 * Math.ceil(size / step);
@@ -83,12 +99,13 @@ export class Stage {
     this.grid.material.depthWrite = false;
     const center = box.isEmpty() ? new Vector3() : box.getCenter(new Vector3());
     const onGrid = (value) => Math.round(value / step) * step;
-    this.grid.position.set(onGrid(center.x), onGrid(center.y), 0);
+    this.grid.position.set(onGrid(center.x), onGrid(center.y), isBelow && !box.isEmpty() ? box.min.z : 0);
     this.scene.add(this.grid);
   }
 
   /** The whole box in view, from where one looks now, or from the front right above. */
   fit(box, from = new Vector3(1, -1.5, 0.9)) {
+    this.fitted = box; // until somebody turns it
     const around = box.isEmpty() ? new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 1)) : box;
     const sphere = around.getBoundingSphere(new Sphere());
     this.radius = Math.max(sphere.radius, 1e-6);
@@ -110,6 +127,7 @@ export class Stage {
 
   /** Radians around the target, and a factor of the distance. */
   turn(around, up, zoom = 1) {
+    this.fitted = null;
     const { target } = this.controls;
     const offset = this.direction();
     const seen = new Spherical().setFromCartesianCoords(offset.y, offset.z, offset.x);
