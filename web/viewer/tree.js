@@ -14,7 +14,7 @@ export class Tree {
     host.addEventListener("keydown", (event) => this.onKey(event));
     scene.entities.forEach((entity, index) => host.append(this.entityRow(entity, index)));
     const count = scene.entities.reduce((sum, entity) => sum + 1 + (entity.model?.links.length ?? 0), 0);
-    if (count <= kOpenAtOnce) for (const row of [...host.children]) this.open(row, true, true);
+    if (count <= kOpenAtOnce) for (const row of [...host.children]) this.open(row.firstChild, true, true);
     const first = host.querySelector("[role=treeitem]");
     if (first) first.tabIndex = 0;
   }
@@ -26,33 +26,33 @@ export class Tree {
   entityRow(entity, index) {
     const note = entity.pose ? entity.type : "has no known place";
     const model = entity.model;
-    return this.row(entity.path || entity.type, note, index, undefined, model?.root >= 0 ? [model.root] : []);
+    return this.row(
+      entity.path || entity.type,
+      note,
+      index,
+      undefined,
+      model?.root >= 0 ? [model.root] : [],
+      1,
+    );
   }
 
-  row(name, note, entity, link, children) {
-    const label = element("span", { class: "name" }, name);
-    const line = element(
-      "div",
-      { class: "line" },
-      element("span", { class: "arrow", "aria-hidden": "true" }),
-      label,
-    );
-    if (note) line.append(element("span", { class: "note" }, note));
+  /** A node: its row, and beside it the group of the rows below. */
+  row(name, note, entity, link, children, level) {
     const row = element(
       "div",
-      { role: "treeitem", tabindex: "-1", "aria-selected": "false", "aria-label": name },
-      line,
+      { role: "treeitem", class: "line", tabindex: "-1", "aria-selected": "false", "aria-level": level },
+      element("span", { class: "arrow", "aria-hidden": "true" }),
+      element("span", { class: "name" }, name),
     );
-    row.entity = entity;
-    row.link = link;
-    row.below = children;
+    if (note) row.append(element("span", { class: "note" }, note));
+    Object.assign(row, { entity, link, below: children, level });
     if (children.length > 0) row.setAttribute("aria-expanded", "false");
-    line.addEventListener("click", (event) => {
+    row.addEventListener("click", (event) => {
       if (event.target.className === "arrow") this.open(row, row.getAttribute("aria-expanded") !== "true");
       else this.onSelect(entity, link);
     });
     this.rows.set(Tree.key(entity, link), row);
-    return row;
+    return element("div", { role: "none", class: "node" }, row);
   }
 
   /** Rows of links are made when they are first seen. */
@@ -64,12 +64,12 @@ export class Tree {
       row.group = element("div", { role: "group" });
       for (const link of row.below) {
         const { name, children } = model.links[link];
-        row.group.append(this.row(name, "", row.entity, link, children));
+        row.group.append(this.row(name, "", row.entity, link, children, row.level + 1));
       }
-      row.append(row.group);
+      row.after(row.group);
     }
     row.group.hidden = !isOpen;
-    if (isDeep) for (const child of row.group.children) this.open(child, isOpen, true);
+    if (isDeep) for (const child of row.group.children) this.open(child.firstChild, isOpen, true);
   }
 
   select(entity, link) {
@@ -80,7 +80,7 @@ export class Tree {
     this.selected = this.rows.get(Tree.key(entity, link));
     this.selected?.setAttribute("aria-selected", "true");
     this.focusable(this.selected);
-    this.selected?.firstChild.scrollIntoView({ block: "nearest" });
+    this.selected?.scrollIntoView({ block: "nearest" });
   }
 
   reveal(entity, link) {
@@ -115,7 +115,8 @@ export class Tree {
       Home: () => go(shown[0]),
       End: () => go(shown.at(-1)),
       ArrowRight: () => (isOpen ? go(shown[at + 1]) : this.open(row, true)),
-      ArrowLeft: () => (isOpen ? this.open(row, false) : go(row.parentElement.closest("[role=treeitem]"))),
+      ArrowLeft: () =>
+        isOpen ? this.open(row, false) : go(row.closest("[role=group]")?.previousElementSibling),
       Enter: () => this.onSelect(row.entity, row.link),
       " ": () => this.onSelect(row.entity, row.link),
     };
