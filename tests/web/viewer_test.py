@@ -173,6 +173,22 @@ class PageTest(viewer.ViewerTest):
         self.assertIn("is COLLADA, of which no triangles are read (1 shape)", results[3][1])
         self.assertEqual(results[4], [6.25, 0.25, 0.25])
 
+    def test_a_chain_of_thousands_of_links_opens(self):
+        number = 4200
+        self.write("chain.urdf", '<robot name="chain">' + "".join(
+            f'<link name="l{i}"><visual><geometry><box size="0.1 0.1 0.2"/></geometry></visual></link>' for i in range(number)) + "".join(
+                f'<joint name="j{i}" type="continuous"><origin xyz="0.01 0 0.2" rpy="0.01 0 0"/><parent link="l{i}"/>'
+                f'<child link="l{i + 1}"/></joint>' for i in range(number - 1)) + "</robot>")
+        page = self.page("chain.urdf")
+        selected = "[smurfViewer.tree.selected.textContent, smurfViewer.tree.selected.getAttribute('aria-level')]"
+        rows = "[...document.querySelectorAll('[role=treeitem]')].filter((row) => row.offsetParent).length"
+        close = "smurfViewer.tree.open(smurfViewer.tree.rows.get('0 %d'), false)"
+        steps = [READ, f"smurfViewer.select(0, {number - 1})", selected, rows, close % 3000, rows, close % 20, rows]
+        results = self.browse({"page": page, "steps": steps})[0]["results"]
+        self.assert_poses(results[0], self.data(page)[0], self.flat("chain.urdf")["instances"], "chain")
+        self.assertEqual(results[2], [f"l{number - 1}", f"{number + 1}"])
+        self.assertEqual([results[3], results[5], results[7]], [number + 1, 3002, 22])
+
     def test_empty_scenes_say_so(self):
         self.write("empty.smurfs", "entities: []\n")
         self.write("bare.urdf", '<robot name="r"><link name="l"/></robot>')

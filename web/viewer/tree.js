@@ -3,6 +3,7 @@
 import { element } from "./dom.js";
 
 const kOpenAtOnce = 60; // rows
+const kDeepest = 60; // groups in groups: browsers do not lay out thousands of them
 
 export class Tree {
   constructor(host, scene, onSelect) {
@@ -58,18 +59,43 @@ export class Tree {
   /** Rows of links are made when they are first seen. */
   open(row, isOpen, isDeep = false) {
     if (row.below.length === 0) return;
-    row.setAttribute("aria-expanded", isOpen);
-    const { model } = this.scene.entities[row.entity];
-    if (!row.group) {
-      row.group = element("div", { role: "group" });
-      for (const link of row.below) {
-        const { name, children } = model.links[link];
-        row.group.append(this.row(name, "", row.entity, link, children, row.level + 1));
-      }
-      row.after(row.group);
+    row.nodes ??= this.addBelow(row);
+    if (row.group) {
+      row.group.hidden = !isOpen;
+      row.setAttribute("aria-expanded", isOpen);
+    } else {
+      this.openBeside(row, isOpen);
     }
-    row.group.hidden = !isOpen;
-    if (isDeep) for (const child of row.group.children) this.open(child.firstChild, isOpen, true);
+    if (isDeep) for (const node of row.nodes) this.open(node.firstChild, isOpen, true);
+  }
+
+  addBelow(row) {
+    const { model } = this.scene.entities[row.entity];
+    const nodes = row.below.map((link) => {
+      const { name, children } = model.links[link];
+      const node = this.row(name, "", row.entity, link, children, row.level + 1);
+      node.firstChild.above = row;
+      return node;
+    });
+    if (row.level < kDeepest) {
+      row.group = element("div", { role: "group" }, ...nodes);
+      row.after(row.group);
+    } else {
+      row.parentElement.after(...nodes);
+    }
+    return nodes;
+  }
+
+  /** Rows below that lie beside theirs are closed with it. */
+  openBeside(row, isOpen) {
+    const rows = [row];
+    for (const each of rows) {
+      each.setAttribute("aria-expanded", isOpen);
+      for (const node of each.nodes) {
+        node.hidden = !isOpen;
+        if (!isOpen && node.firstChild.getAttribute("aria-expanded") === "true") rows.push(node.firstChild);
+      }
+    }
   }
 
   select(entity, link) {
@@ -115,8 +141,7 @@ export class Tree {
       Home: () => go(shown[0]),
       End: () => go(shown.at(-1)),
       ArrowRight: () => (isOpen ? go(shown[at + 1]) : this.open(row, true)),
-      ArrowLeft: () =>
-        isOpen ? this.open(row, false) : go(row.closest("[role=group]")?.previousElementSibling),
+      ArrowLeft: () => (isOpen ? this.open(row, false) : go(row.above)),
       Enter: () => this.onSelect(row.entity, row.link),
       " ": () => this.onSelect(row.entity, row.link),
     };
