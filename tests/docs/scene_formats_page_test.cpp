@@ -20,7 +20,7 @@ std::string cell_text(std::string_view cell) {
 void add_rows(std::ostringstream& page, ThingOf of, std::string_view title) {
   page
       << "## " << title
-      << "\n\n| | sdf | sdf1.6 | mjcf | urdf | dmd | gltf | usda |\n|---|---|---|---|---|---|---|---|\n";
+      << "\n\n| | sdf | sdf1.6 | mjcf | urdf | dmd | html | gltf | usda |\n|---|---|---|---|---|---|---|---|---|\n";
   for (const SceneThing& thing : scene_things()) {
     if (thing.of != of) continue;
     page << "| " << thing.title;

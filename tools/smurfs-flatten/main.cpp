@@ -336,6 +336,11 @@ int main(int argc, char** argv) {
 
   if (!check_options(options)) return kFailed;
   const SceneFormat& format = *find_scene_format(options.format.empty() ? "json" : options.format);
+  if (const std::string_view why = format.obstacle ? format.obstacle() : ""; !why.empty()) {
+    complain(kTool,
+             "the format " + std::string(format.name) + " cannot be written: " + std::string(why));
+    return kFailed;
+  }
   const std::optional<SceneForm> form = choose_form(format, options.form);
   if (!form) return kFailed;
   const auto current = current_folder(kTool);

@@ -54,6 +54,8 @@ struct SceneFormat {
   bool has_reference_form = false;
   bool has_expanded_form = true;
   bool repeats_models = false;  ///< writes the model of each instance out
+  /// Why this build cannot write it, and what to do; empty when it can. Null: every build can.
+  std::string_view (*obstacle)() = nullptr;
 };
 
 std::span<const SceneFormat* const> scene_formats();

@@ -7,6 +7,7 @@
 
 #include "base/bits.hpp"
 #include "base/numbers.hpp"
+#include "write/base64.hpp"
 #include "write/json_text.hpp"
 #include "write/placed_shapes.hpp"
 #include "write/preview_meshes.hpp"
@@ -15,32 +16,6 @@
 
 namespace smurf {
 namespace {
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t at = i + k;
-      const auto byte = at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0U;
-      group = group << 8U | byte;
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 0x3fU];
-    }
-  }
-  return text;
-}
-
-/// Least significant byte first, as glTF has it.
-template <class Unsigned>
-void append_bytes(std::string& bytes, Unsigned value) {
-  for (std::size_t i = 0; i < sizeof(Unsigned); ++i) {
-    bytes += static_cast<char>(value >> (8 * i) & 0xffU);
-  }
-}
 
 /// Three numbers of four bytes, and an index of two, in base64.
 constexpr PreviewMeshes::Cost kCost{16, 2};

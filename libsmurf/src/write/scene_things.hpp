@@ -17,8 +17,8 @@ namespace smurf {
 
 /// Formats that do not name the models of a scene, but say themselves what is in them. JSON and
 /// SMURFS name the models and keep the rest; TSV, dot and SVG show where things stand.
-enum class SceneColumn : std::uint8_t { sdf, sdf16, mjcf, urdf, dmd, gltf, usda };
-inline constexpr std::size_t kSceneColumns = 7;
+enum class SceneColumn : std::uint8_t { sdf, sdf16, mjcf, urdf, dmd, html, gltf, usda };
+inline constexpr std::size_t kSceneColumns = 8;
 inline std::size_t to_size(SceneColumn column) { return static_cast<std::size_t>(column); }
 
 /// Where a thing is written, which decides how it is reported.

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Writes a page as C++. usage: cmake -D PAGE=FILE -D OUTPUT=FILE -P EmbedPage.cmake
+# Without PAGE, one that is empty. Compilers need not take literals of more than 65536 bytes.
+set(marker "@SCENE@")
+set(piece_size 60000)
+
+# As a list of raw literals. The page is ASCII, so that no character is cut in two.
+function(append_pieces name text)
+  string(LENGTH "${text}" length)
+  set(pieces "constexpr std::string_view ${name}[] = {\"\"")
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${text}" ${at} ${piece_size} piece)
+    string(APPEND pieces ",\nR\"page(${piece})page\"")
+    math(EXPR at "${at} + ${piece_size}")
+  endwhile()
+  file(APPEND ${OUTPUT} "${pieces}};\n")
+endfunction()
+
+file(WRITE ${OUTPUT} "// Made by cmake/EmbedPage.cmake.\n#include \"write/viewer_page.hpp\"\n\nnamespace smurf {\n")
+if(PAGE)
+  file(READ ${PAGE} page)
+  string(FIND "${page}" ${marker} middle)
+  if(middle EQUAL -1)
+    message(FATAL_ERROR "${PAGE} has no ${marker}")
+  endif()
+  string(LENGTH ${marker} marker_size)
+  math(EXPR after "${middle} + ${marker_size}")
+  string(SUBSTRING "${page}" 0 ${middle} head)
+  string(SUBSTRING "${page}" ${after} -1 tail)
+  file(APPEND ${OUTPUT} "namespace {\n")
+  append_pieces(kHead "${head}")
+  append_pieces(kTail "${tail}")
+  file(APPEND ${OUTPUT} "}  // namespace\nViewerPage viewer_page() { return {kHead, kTail}; }\n")
+else()
+  file(APPEND ${OUTPUT} "ViewerPage viewer_page() { return {}; }\n")
+endif()
+file(APPEND ${OUTPUT} "}  // namespace smurf\n")

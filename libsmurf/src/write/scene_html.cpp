@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A page that shows the scene in a browser: the viewer of web/viewer around the scene as JSON. What
+// the members of the JSON are, web/viewer/scene.js says, which reads them.
+#include <map>
+#include <set>
+
+#include "base/path.hpp"
+#include "link/kinematics.hpp"
+#include "lint/geometry_queries.hpp"
+#include "write/body_inertia.hpp"
+#include "write/json_printer.hpp"
+#include "write/scene_losses.hpp"
+#include "write/scene_parts.hpp"
+#include "write/viewer_meshes.hpp"
+#include "write/viewer_page.hpp"
+
+namespace smurf {
+namespace {
+
+using Layout = JsonPrinter::Layout;
+
+class ViewerData {
+ public:
+  explicit ViewerData(const SceneExport& scene)
+      : scene_(scene),
+        losses_(scene, SceneColumn::html, "HTML"),
+        meshes_(scene),
+        json_(scene.most_bytes) {}
+
+  /// None when it is too large.
+  std::optional<std::string> run() {
+    json_.begin_object(Layout::block);
+    json_.key("scene");
+    json_.text(path::file_name(scene_.flat.scene));
+    json_.key("models");
+    json_.begin_list(Layout::block);
+    for (const FlatModel& model : scene_.flat.models) add_model(model);
+    json_.end();
+    json_.key("entities");
+    json_.begin_list(Layout::block);
+    for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) add_entity(i);
+    json_.end();
+    json_.key("meshes");
+    meshes_.print(json_);
+    add_unseen();
+    json_.end();
+    losses_.table();
+    return json_.take();
+  }
+
+ private:
+  void numbers(std::string_view key, std::initializer_list<double> values) {
+    json_.key(key);
+    json_.begin_list();
+    for (const double value : values) json_.number(value);
+    json_.end();
+  }
+
+  void add_pose(std::string_view key, const Pose& pose) {
+    const Vector3& p = pose.position;
+    const Quaternion& q = pose.orientation;
+    numbers(key, {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
+  }
+
+  void add_name(const Field<std::string>& name) {
+    if (!name) return;
+    json_.key("name");
+    json_.text(*name);
+  }
+
+  void add_number(std::string_view key, const Field<double>& value) {
+    if (!value) return;
+    json_.key(key);
+    json_.number(*value);
+  }
+
+  void add_index(std::string_view key, std::size_t index) {
+    json_.key(key);
+    json_.integer(static_cast<std::int64_t>(index));
+  }
+
+  void add_model(const FlatModel& flat) {
+    const LinkedModel& model = scene_.scene.models[to_size(flat.source)];
+    json_.begin_object(Layout::block);
+    json_.key("name");
+    json_.text(flat.id);
+    json_.key("file");
+    json_.text(flat.file);
+    json_.key("links");
+    json_.begin_list(Layout::block);
+    if (model.robot) add_links(flat, model);
+    json_.end();
+    json_.key("joints");
+    json_.begin_list(Layout::block);
+    if (model.robot) {
+      for (std::size_t i = 0; i < model.robot->joints.size(); ++i) add_joint(model, i);
+    }
+    json_.end();
+    add_joint_poses(model);
+    json_.end();
+  }
+
+  void add_links(const FlatModel& flat, const LinkedModel& model) {
+    const std::vector<std::optional<Pose>> X_RL = forward_kinematics(model, {});
+    for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
+      const urdf::Link& link = model.robot->links[i];
+      json_.begin_object();
+      add_name(link.name);
+      const std::optional<JointIndex> above = model.tree.parent_joint[i];
+      if (above) add_index("joint", to_size(*above));
+      if (!X_RL[i]) {
+        json_.key("unplaced");
+        json_.boolean(true);
+      }
+      if (const std::optional<LinkInertial> mass = inertial_of(link)) {
+        json_.key("mass");
+        json_.number(mass->mass);
+        add_pose("com", mass->X_LC);
+        numbers("inertia", {mass->ixx, mass->ixy, mass->ixz, mass->iyy, mass->iyz, mass->izz});
+      }
+      json_.key("visuals");
+      json_.begin_list();
+      for (const urdf::Visual& visual : link.visuals) {
+        add_part(visual, color_of(visual, model), flat, model);
+      }
+      json_.end();
+      json_.key("collisions");
+      json_.begin_list();
+      for (const urdf::Collision& shape : link.collisions) {
+        add_part(shape, std::nullopt, flat, model);
+      }
+      json_.end();
+      json_.end();
+    }
+  }
+
+  template <class Part>
+  void add_part(const Part& part, const std::optional<Rgba>& color, const FlatModel& flat,
+                const LinkedModel& model) {
+    const std::optional<FlatGeometry> geometry = to_flat(part.geometry, flat);
+    if (!geometry) return;
+    json_.begin_object();
+    add_name(part.name);
+    add_solid({urdf::to_pose(part.origin), *geometry, color, part.span},
+              bounding_box(model, part.geometry));
+    json_.end();
+  }
+
+  void add_joint(const LinkedModel& model, std::size_t index) {
+    const urdf::Joint& joint = model.robot->joints[index];
+    json_.begin_object();
+    add_name(joint.name);
+    json_.key("type");
+    json_.text(joint.type_name.value_or({}));
+    if (const auto parent = model.tree.joint_parent[index]) add_index("parent", to_size(*parent));
+    if (const auto child = model.tree.joint_child[index]) add_index("child", to_size(*child));
+    add_pose("pose", urdf::to_pose(joint.origin));
+    if (joint.has_one_axis()) {
+      json_.key("axis");
+      json_.vector(joint.axis.value_or(Vector3{1, 0, 0}));
+    }
+    if (joint.limit) {
+      add_number("lower", joint.limit->lower);
+      add_number("upper", joint.limit->upper);
+      add_number("effort", joint.limit->effort);
+      add_number("velocity", joint.limit->velocity);
+    }
+    if (joint.dynamics) {
+      add_number("damping", joint.dynamics->damping);
+      add_number("friction", joint.dynamics->friction);
+    }
+    add_mimic(model, joint);
+    json_.end();
+  }
+
+  void add_mimic(const LinkedModel& model, const urdf::Joint& joint) {
+    if (!joint.mimic || !joint.mimic->joint || !is_followable(model, joint)) return;
+    const auto leader = model.joint_names.find(*joint.mimic->joint);
+    if (!leader) return;
+    add_index("leader", *leader);
+    json_.key("multiplier");
+    json_.number(joint.mimic->multiplier.value_or(1));
+    json_.key("offset");
+    json_.number(joint.mimic->offset.value_or(0));
+  }
+
+  void add_joint_poses(const LinkedModel& model) {
+    json_.key("poses");
+    json_.begin_list(Layout::block);
+    std::set<std::string> names;
+    for (const JointPoseSet& set : model.annotations.poses) {
+      if (!set.name || !names.insert(*set.name).second) continue;
+      json_.begin_object();
+      add_name(set.name);
+      add_positions(to_joint_positions(model, set));
+      json_.end();
+    }
+    json_.end();
+  }
+
+  void add_positions(const JointPositions& positions) {
+    json_.key("positions");
+    json_.begin_object();
+    for (const auto& [joint, position] : positions) {
+      json_.key(joint);
+      json_.number(position);
+    }
+    json_.end();
+  }
+
+  void add_entity(std::size_t index) {
+    const FlatInstance& entity = scene_.flat.instances[index];
+    json_.begin_object();
+    json_.key("path");
+    json_.text(entity.path);
+    json_.key("type");
+    json_.text(entity.type);
+    if (entity.model) add_index("model", *entity.model);
+    if (entity.X_WE) add_pose("pose", *entity.X_WE);
+    if (entity.anchor.kind == Attachment::Kind::world) {
+      json_.key("anchored");
+      json_.boolean(true);
+    }
+    add_support(index);
+    add_positions(scene_.scene.joint_positions(scene_.scene.instances[index]));
+    json_.key("shapes");
+    json_.begin_list();
+    const Span place = place_of(scene_.scene.entity(scene_.scene.instances[index]));
+    for (const FlatShape& shape : entity.shapes) {
+      json_.begin_object();
+      if (!shape.name.empty()) {
+        json_.key("name");
+        json_.text(shape.name);
+      }
+      add_solid({shape.X_ES, shape.geometry, shape.color, place}, std::nullopt);
+      json_.end();
+    }
+    json_.end();
+    json_.end();
+  }
+
+  /// The link that an entity moves with: that of its anchor, else that of its parent.
+  void add_support(std::size_t index) {
+    const Instance& here = scene_.scene.instances[index];
+    for (const Attachment* attachment : {&here.placement.anchor, &here.placement.parent}) {
+      if (attachment->kind != Attachment::Kind::link || !here.X_WE) continue;
+      const Instance& other = scene_.scene.instance(attachment->instance);
+      const LinkedModel* model = robot_of(scene_.scene, to_size(attachment->instance));
+      if (model == nullptr || !other.X_WE) continue;
+      const std::optional<std::uint32_t> link = model->link_names.find(attachment->link);
+      if (!link) continue;
+      const std::optional<Pose>& X_OL = frames_.of(scene_.scene, other)[*link];
+      if (!X_OL) continue;
+      json_.key(attachment == &here.placement.anchor ? "anchor" : "parent");
+      json_.begin_object();
+      add_index("entity", to_size(attachment->instance));
+      add_index("link", *link);
+      add_pose("pose", inverse(*other.X_WE * *X_OL) * *here.X_WE);
+      json_.end();
+      return;
+    }
+  }
+
+  /// `around`: the box that is shown of a mesh without triangles.
+  void add_solid(const LinkShape& shape, const std::optional<Box>& around) {
+    if (shape.X_LS != Pose{}) add_pose("pose", shape.X_LS);
+    if (shape.color) {
+      const Rgba& color = *shape.color;
+      numbers("color", {color[0], color[1], color[2], color[3]});
+    }
+    if (const auto* box = std::get_if<FlatBox>(&shape.geometry)) {
+      numbers("box", {box->size[0], box->size[1], box->size[2]});
+    } else if (const auto* sphere = std::get_if<FlatSphere>(&shape.geometry)) {
+      numbers("sphere", {sphere->radius});
+    } else if (const auto* cylinder = std::get_if<FlatCylinder>(&shape.geometry)) {
+      numbers("cylinder", {cylinder->radius, cylinder->length});
+    } else if (const auto* capsule = std::get_if<FlatCapsule>(&shape.geometry)) {
+      numbers("capsule", {capsule->radius, capsule->length});
+    } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
+      numbers("plane", {plane->length, plane->width});
+    } else if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) {
+      add_mesh(*mesh, shape, around);
+    } else if (const auto* map = std::get_if<FlatHeightmap>(&shape.geometry)) {
+      losses_.unseen_shape(shape.span, shape.geometry, {});
+      ++unseen_[{map->file, "is a heightmap"}];
+      numbers("around",
+              {-map->length / 2, -map->width / 2, 0, map->length / 2, map->width / 2, map->height});
+    }
+  }
+
+  void add_mesh(const FlatMesh& mesh, const LinkShape& shape, const std::optional<Box>& around) {
+    const ViewerMeshes::Known& known = meshes_.find(mesh.file, shape.span);
+    if (known.index) {
+      add_index("mesh", *known.index);
+      if (mesh.scale != Vector3{1, 1, 1}) {
+        json_.key("scale");
+        json_.vector(mesh.scale);
+      }
+      return;
+    }
+    losses_.unseen_shape(shape.span, shape.geometry, known.why_none);
+    ++unseen_[{mesh.file, known.why_none}];
+    if (!around) return;
+    const Vector3& low = around->low;
+    const Vector3& high = around->high;
+    numbers("around", {low[0], low[1], low[2], high[0], high[1], high[2]});
+  }
+
+  void add_unseen() {
+    json_.key("unseen");
+    json_.begin_list(Layout::block);
+    for (const auto& [what, shapes] : unseen_) {
+      json_.begin_object();
+      json_.key("file");
+      json_.text(what.first);
+      json_.key("why");
+      json_.text(what.second);
+      add_index("shapes", shapes);
+      json_.end();
+    }
+    json_.end();
+  }
+
+  const SceneExport& scene_;
+  SceneLosses losses_;
+  ViewerMeshes meshes_;
+  LinkFrames frames_;
+  JsonPrinter json_;
+  /// How many shapes, by file and reason.
+  std::map<std::pair<std::string, std::string>, std::size_t> unseen_;
+};
+
+std::string write(const SceneExport& scene) {
+  const std::optional<std::string> data = ViewerData(scene).run();
+  if (!data) return std::string(scene.most_bytes + 1, ' ');
+  const ViewerPage page = viewer_page();
+  std::string text;
+  for (const std::string_view piece : page.head) text += piece;
+  // Nothing in it ends the block of data, or begins a comment or another block.
+  for (const char c : *data) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  for (const std::string_view piece : page.tail) text += piece;
+  return text;
+}
+
+std::string_view obstacle() {
+  if (!viewer_page().head.empty()) return {};
+  return "this build has no viewer: run scripts/setup --readers and scripts/viewer, and build "
+         "again";
+}
+
+}  // namespace
+
+extern constinit const SceneFormat scene_html{
+    .name = "html",
+    .help = "a page that shows the scene in a browser, without network",
+    .write = write,
+    .obstacle = obstacle};
+
+}  // namespace smurf

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/viewer_meshes.hpp"
+
+#include <limits>
+
+#include "base/bits.hpp"
+#include "write/base64.hpp"
+
+namespace smurf {
+
+/// Three numbers of four bytes, and an index of two, in base64.
+constexpr PreviewMeshes::Cost kCost{16, 2};
+
+ViewerMeshes::ViewerMeshes(const SceneExport& scene) : files_(scene, kCost) {}
+
+const ViewerMeshes::Known& ViewerMeshes::find(const std::string& file, Span place) {
+  const std::string& first = files_.first_name(file);
+  const auto [known, is_new] = known_.try_emplace(first);
+  if (is_new) known->second = read(first, place);
+  return known->second;
+}
+
+ViewerMeshes::Known ViewerMeshes::read(const std::string& file, Span place) {
+  const MeshTriangles mesh = files_.read(file, place);
+  if (!mesh.reason.empty()) return {std::nullopt, mesh.reason};
+  Shown shown{.file = file,
+              .points = {},
+              .indices = {},
+              .is_wide = mesh.points.size() > std::numeric_limits<std::uint16_t>::max()};
+  std::string bytes;
+  for (const std::array<float, 3>& point : mesh.points) {
+    for (const float coordinate : point) append_bytes(bytes, bit_cast<std::uint32_t>(coordinate));
+  }
+  shown.points = base64(bytes);
+  bytes.clear();
+  for (const std::uint32_t index : mesh.indices) {
+    if (shown.is_wide) {
+      append_bytes(bytes, index);
+    } else {
+      append_bytes(bytes, static_cast<std::uint16_t>(index));
+    }
+  }
+  shown.indices = base64(bytes);
+  shown_.push_back(std::move(shown));
+  return {shown_.size() - 1, {}};
+}
+
+void ViewerMeshes::print(JsonPrinter& json) const {
+  json.begin_list(JsonPrinter::Layout::block);
+  for (const Shown& mesh : shown_) {
+    json.begin_object();
+    json.key("file");
+    json.text(mesh.file);
+    json.key("points");
+    json.text(mesh.points);
+    json.key("indices");
+    json.text(mesh.indices);
+    json.key("wide");
+    json.boolean(mesh.is_wide);
+    json.end();
+  }
+  json.end();
+}
+
+}  // namespace smurf

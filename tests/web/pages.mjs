@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens pages in Chromium and does what it is told there. usage: node pages.mjs NODE_MODULES CHROMIUM <JOBS >RESULTS
+// JOBS: [{page, width, height, scheme, steps}]. A step is a script (a text), {key}, {click: [x, y]}, {shot: FILE} or
+// {axe: true}. RESULTS: [{results: one a step, errors: of the page, addresses: that it asked for}]
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import { pathToFileURL } from "node:url";
+
+const [modules, chromium] = process.argv.slice(2);
+const require = createRequire(`${modules}/`);
+const kTime = 600_000; // ms; machines of CI are slow and busy
+
+async function take(page, step) {
+  if (typeof step === "string") return page.evaluate(step);
+  if (step.key) return page.keyboard.press(step.key);
+  if (step.click) return page.mouse.click(...step.click);
+  if (step.shot) return void (await page.screenshot({ path: step.shot }));
+  await page.evaluate(fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8"));
+  const { violations } = await page.evaluate("axe.run()");
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
+}
+
+async function run(browser, { page: file, width = 1280, height = 800, scheme = "light", steps }) {
+  const page = await browser.newPage();
+  page.setDefaultTimeout(kTime);
+  const errors = [];
+  const addresses = [];
+  page.on("console", (message) => {
+    if (message.type() !== "log") errors.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => errors.push(String(error)));
+  page.on("dialog", (dialog) => errors.push(`dialog: ${dialog.message()}`));
+  page.on("request", (request) => addresses.push(request.url()));
+  await page.setViewport({ width, height });
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
+  await page.goto(pathToFileURL(file).href, { timeout: kTime });
+  await page.waitForSelector("html[data-ready]");
+  const results = [];
+  for (const step of steps) results.push((await take(page, step)) ?? null);
+  await page.close();
+  return { results, errors, addresses: addresses.filter((address) => address !== pathToFileURL(file).href) };
+}
+
+const browser = await require("puppeteer-core").launch({
+  executablePath: chromium,
+  protocolTimeout: kTime,
+  timeout: kTime,
+  args: ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-angle=swiftshader", "--ignore-gpu-blocklist"],
+});
+try {
+  const results = [];
+  for (const job of JSON.parse(fs.readFileSync(0, "utf8"))) results.push(await run(browser, job));
+  process.stdout.write(JSON.stringify(results));
+} finally {
+  await browser.close();
+}

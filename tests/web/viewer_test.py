@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page of a scene: poses as in the flat JSON, nothing runs but the viewer, people can use it.
+
+Usage: viewer_test.py TOOL BUILD
+"""
+import socket
+
+import viewer
+from viewer import READ, cli, reader, set_positions
+
+ARM = cli.FIXTURES / "models/arm/urdf/arm.urdf"
+CHAIN = """<robot name="chain"><link name="a"/><link name="b"/><link name="c"/><link name="d"/><link name="apart"/>
+<joint name="first" type="revolute"><parent link="a"/><child link="b"/><origin xyz="0.1 0.2 0.3" rpy="0.3 -0.2 1"/>
+  <axis xyz="1 2 -1"/><limit lower="-1" upper="2" effort="1" velocity="1"/></joint>
+<joint name="second" type="prismatic"><parent link="b"/><child link="c"/><axis xyz="0 2 0"/>
+  <mimic joint="first" multiplier="-0.5" offset="0.25"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
+<joint name="third" type="continuous"><parent link="c"/><child link="d"/><axis xyz="0 0 1"/>
+  <mimic joint="second" multiplier="3" offset="-1"/></joint></robot>"""
+HOSTILE = """<img src=x onerror="window.hacked=1"> </script><script>window.hacked=2</script> <!-- <script> javascript:alert(1)"""
+SOLIDS = """<robot name="solids"><link name="root">
+<visual><geometry><box size="0.1 0.2 0.3"/></geometry><material name="m"><color rgba="1 0.5 0 0.5"/></material></visual>
+<visual><origin xyz="1 0 0"/><geometry><sphere radius="0.2"/></geometry></visual>
+<visual><origin xyz="2 0 0" rpy="1 0 0"/><geometry><cylinder radius="0.1" length="0.5"/></geometry></visual>
+<visual><origin xyz="3 0 0"/><geometry><capsule radius="0.1" length="0.5"/></geometry></visual>
+<visual><origin xyz="4 0 0"/><geometry><mesh filename="good.stl" scale="2 -1 1"/></geometry></visual>
+<visual><origin xyz="5 0 0"/><geometry><mesh filename="broken.stl"/></geometry></visual>
+<visual><origin xyz="6 0 0"/><geometry><mesh filename="hull.dae"/></geometry></visual>
+<collision><geometry><box size="0.1 0.2 0.3"/></geometry></collision></link></robot>"""
+STL = """solid s
+facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet
+facet normal 0 0 1 outer loop vertex 1 0 0 vertex 1 1 0 vertex 0 1 0 endloop endfacet
+endsolid s
+"""
+DAE = """<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset>
+<unit meter="0.5"/><up_axis>Z_UP</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="p">
+<float_array id="pa" count="9">0 0 0 1 0 0 0 1 1</float_array><technique_common><accessor source="#pa" count="3" stride="3">
+<param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common>
+</source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="1">
+<input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
+"""
+
+
+class PosesTest(viewer.ViewerTest):
+    def test_scenes_stand_where_the_flat_json_says(self):
+        scenes = {**reader.SCENES, "terrain": cli.FIXTURES / "scenes/terrain/terrain.smurfs",
+                  "arm": cli.FIXTURES / "models/arm/smurf/arm.smurf",
+                  "phobos": next((cli.FIXTURES / "models/arm_phobos2").rglob("*.smurf"))}
+        pages = {name: self.page(scene, f"{name}.html") for name, scene in scenes.items()}
+        answers = self.browse(*({"page": page, "steps": [READ]} for page in pages.values()))
+        for (name, scene), page, answer in zip(scenes.items(), pages.values(), answers):
+            with self.subTest(name):
+                number = self.assert_poses(answer["results"][0], self.data(page)[0], self.flat(scene)["instances"], name)
+                self.assertGreater(number, 1)
+
+    def test_joints_move_as_in_the_library(self):
+        for name, urdf in (("arm", ARM.read_text()), ("chain", CHAIN)):
+            with self.subTest(name):
+                self.write("robot.urdf", urdf)
+                page = self.page("robot.urdf")
+                data, _ = self.data(page)
+                configurations = viewer.joint_configurations(data["models"][0], 5, name)
+                if name == "chain":  # a mimicking joint may be told where to be, and its own followers follow
+                    configurations += [{"second": 0.5}, {"first": 0.5, "third": 2}, {}]
+                instances = self.posed(urdf, configurations)
+                steps = [step for one in configurations for step in (set_positions(0, one), READ)]
+                results = self.browse({"page": page, "steps": steps})[0]["results"][1::2]
+                for read, instance in zip(results, instances):
+                    self.assert_poses(read, data, [instance], f"{name} {instance['path']}")
+                moved = [read["links"][0][3] for read in results]
+                self.assertEqual(len({str(matrix) for matrix in moved}), len(moved))
+
+    def test_what_is_anchored_to_a_link_moves_with_it(self):
+        self.write("robot.urdf", CHAIN)
+        self.write("s.smurfs", """entities:
+- {name: A, file: robot.urdf, position: [1, 2, 3], rotation: [0, 0, 90]}
+- {name: B, file: robot.urdf, parent: "A::d", anchor: parent, position: [0, 0, 1]}
+- {name: C, file: robot.urdf, anchor: "B::c"}
+- {name: D, file: robot.urdf, anchor: "E::c"}
+- {name: E, file: robot.urdf, anchor: "D::c"}
+""")
+        page = self.page("s.smurfs")
+        results = self.browse({"page": page, "steps": [READ, set_positions(0, {"first": 1}), READ]})[0]["results"]
+        before, after = results[0], results[2]
+        self.assert_poses(before, self.data(page)[0], self.flat("s.smurfs")["instances"], "start")
+        moves = [viewer.distance(a, b) > 0.1 for a, b in zip(before["entities"], after["entities"])]
+        self.assertEqual(moves, [False, True, True, False, False])
+        for one in (before, after):  # B keeps its place on the link
+            self.assertAlmostEqual(viewer.distance(one["links"][0][3], one["entities"][1]), 1)
+
+
+class SafetyTest(viewer.ViewerTest):
+    def test_names_are_text(self):
+        escaped = HOSTILE.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
+        urdf = CHAIN.replace('"a"', f'"{escaped}"').replace('"first"', '"constructor"').replace('"third"', '"__proto__"')
+        self.write("robot.urdf", urdf)
+        self.write("robot.smurf", "modelname: robot\nfiles: [robot.urdf, poses.yml]\n")
+        self.write("poses.yml", "poses:\n- {name: toString, joints: {constructor: 1, __proto__: 2}}\n")
+        self.write("s.smurfs", viewer.json.dumps({"entities": [
+            {"name": HOSTILE, "file": "robot.smurf"}, {"name": "__proto__", "type": HOSTILE, HOSTILE: HOSTILE}]}))
+        page = self.page("s.smurfs")
+        text = page.read_text()
+        self.assertEqual((text.count("<script"), text.count("</script"), text.count("onerror=\"")), (2, 2, 0))
+        steps = ["smurfViewer.select(0, 0)", "document.querySelector('#facts h3').textContent",
+                 "document.getElementById('poses').value = '0'", "document.getElementById('poses').dispatchEvent(new Event('change'))",
+                 "smurfViewer.motion.position(0, 2)", "document.getElementById('names').click()",
+                 "[window.hacked, document.images.length, document.scripts.length, document.links.length]",
+                 "smurfViewer.select(1)", "document.querySelector('#facts h3').textContent"]
+        results = self.browse({"page": page, "steps": steps})[0]["results"]
+        self.assertEqual(results[1], HOSTILE)
+        self.assertEqual(results[4], 2)
+        self.assertEqual(results[6], [None, 0, 2, 0])
+        self.assertEqual(results[8], "__proto__")
+
+    def test_nothing_else_runs_and_nothing_is_fetched(self):
+        server = socket.create_server(("127.0.0.1", 0))
+        server.settimeout(1)
+        self.addCleanup(server.close)
+        attempts = """(async () => {
+          const script = document.createElement("script");
+          script.textContent = "window.hacked = 1";
+          document.body.append(script);
+          const image = document.createElement("img");
+          image.setAttribute("onerror", "window.hacked = 2");
+          image.src = "http://127.0.0.1:9/x.png";
+          document.body.append(image);
+          let evaluated;
+          try { evaluated = await new Promise((done, failed) => setTimeout(() => {
+            try { done(window["ev" + "al"]("1 + 1")); } catch (error) { failed(error); } })); } catch (error) { evaluated = error.name; }
+          const fetched = await fetch("http://127.0.0.1:9/").then(() => "yes", (error) => error.name);
+          return [window.hacked, evaluated, fetched];
+        })()""".replace("127.0.0.1:9", "{}:{}".format(*server.getsockname()))
+        job = {"page": self.page(ARM), "steps": [attempts], "is_hostile": True}
+        answer = self.browse(job)[0]
+        self.assertEqual(answer["results"][0], [None, "EvalError", "TypeError"])
+        with self.assertRaises(TimeoutError):
+            server.accept()
+        self.assertTrue(all("Content Security Policy" in error for error in answer["errors"]), answer["errors"])
+
+    def test_pages_are_small_and_always_the_same(self):
+        links = "".join(f'<link name="l{i}"><visual><geometry><box size="1 1 1"/></geometry></visual></link>' for i in range(40))
+        joints = "".join(f'<joint name="j{i}" type="continuous"><parent link="l{i}"/><child link="l{i + 1}"/></joint>'
+                         for i in range(39))
+        self.write("robot.urdf", f'<robot name="r">{links}{joints}</robot>')
+        page = self.page("robot.urdf")
+        self.assertLess(page.stat().st_size, 1_000_000)
+        self.assertEqual(page.read_bytes(), self.page("robot.urdf", "again.html").read_bytes())
+
+
+class PageTest(viewer.ViewerTest):
+    def test_what_cannot_be_shown_is_told(self):
+        self.write("solids.urdf", SOLIDS)
+        self.write("good.stl", STL)
+        self.write("broken.stl", STL[:100])
+        self.write("hull.dae", DAE)
+        done = self.run_tool("solids.urdf", "--format", "html", "-o", "page.html", "--force", "--report", "json=r.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        losses = [d["message"] for d in viewer.json.loads(self.read("r.json"))["diagnostics"] if d["id"] == "SML8205"]
+        self.assertEqual(len(losses), 2, losses)
+        self.assertEqual(self.run_tool("solids.urdf", "--format", "html", "--strict", "--force").returncode, 1)
+        drawn = "smurfViewer.shapes.solids.map(({ layer, batch }) => [layer, batch.solid.key.split(' ')[0]])"
+        colour = "smurfViewer.shapes.solids[0].color.toArray().concat(smurfViewer.shapes.solids[0].batch.alpha)"
+        triangles = "smurfViewer.shapes.geometries.get('mesh 0').index.count"
+        steps = [drawn, colour, triangles, "[...document.querySelectorAll('#unseen-list li')].map((row) => row.textContent)",
+                 "smurfViewer.shapes.solids.findLast(({ layer }) => layer === 'unseen').local.elements.slice(12, 15)"]
+        results = self.browse({"page": self.folder / "page.html", "steps": steps})[0]["results"]
+        self.assertEqual(results[0], [["visuals", "box"], ["visuals", "sphere"], ["visuals", "cylinder"], ["visuals", "capsule"],
+                                      ["visuals", "mesh"], ["unseen", "box"], ["unseen", "box"], ["collisions", "box"]])
+        self.assertEqual(results[1], [1, 0.5, 0, 0.5])
+        self.assertEqual(results[2], 6)
+        self.assertEqual([row.split(" ")[0] for row in results[3]], ["broken.stl", "hull.dae"])
+        self.assertIn("is COLLADA, of which no triangles are read (1 shape)", results[3][1])
+        self.assertEqual(results[4], [6.25, 0.25, 0.25])
+
+    def test_a_chain_of_thousands_of_links_opens(self):
+        number = 4200
+        self.write("chain.urdf", '<robot name="chain">' + "".join(
+            f'<link name="l{i}"><visual><geometry><box size="0.1 0.1 0.2"/></geometry></visual></link>' for i in range(number)) + "".join(
+                f'<joint name="j{i}" type="continuous"><origin xyz="0.01 0 0.2" rpy="0.01 0 0"/><parent link="l{i}"/>'
+                f'<child link="l{i + 1}"/></joint>' for i in range(number - 1)) + "</robot>")
+        page = self.page("chain.urdf")
+        selected = "[smurfViewer.tree.selected.textContent, smurfViewer.tree.selected.getAttribute('aria-level')]"
+        rows = "[...document.querySelectorAll('[role=treeitem]')].filter((row) => row.offsetParent).length"
+        close = "smurfViewer.tree.open(smurfViewer.tree.rows.get('0 %d'), false)"
+        steps = [READ, f"smurfViewer.select(0, {number - 1})", selected, rows, close % 3000, rows, close % 20, rows]
+        results = self.browse({"page": page, "steps": steps})[0]["results"]
+        self.assert_poses(results[0], self.data(page)[0], self.flat("chain.urdf")["instances"], "chain")
+        self.assertEqual(results[2], [f"l{number - 1}", f"{number + 1}"])
+        self.assertEqual([results[3], results[5], results[7]], [number + 1, 3002, 22])
+
+    def test_empty_scenes_say_so(self):
+        self.write("empty.smurfs", "entities: []\n")
+        self.write("bare.urdf", '<robot name="r"><link name="l"/></robot>')
+        message = "document.getElementById('message').textContent"
+        pages = [self.page("empty.smurfs", "e.html"), self.page("bare.urdf", "b.html")]
+        empty, bare = self.browse(*({"page": page, "steps": [message]} for page in pages))
+        self.assertIn("no entities", empty["results"][0])
+        self.assertIn("has a shape", bare["results"][0])
+
+    def test_picture_tree_sliders_and_keys_work_together(self):
+        selected = "JSON.stringify(smurfViewer.selected ?? null) + ' ' + decodeURIComponent(location.hash)"
+        pressed = "document.getElementById('collisions').getAttribute('aria-pressed')"
+        slide = """(() => { const slider = document.querySelector("#sliders input[type=range]"); slider.value = 0.5;
+          slider.dispatchEvent(new Event("input")); return smurfViewer.motion.position(0, 1); })()"""
+        steps = [{"click": [640, 250]}, selected, {"key": "Escape"}, selected, {"key": "c"}, pressed,
+                 "document.querySelector('[role=treeitem]').focus()", {"key": "ArrowDown"}, {"key": "ArrowDown"}, {"key": "Enter"},
+                 selected, {"key": "ArrowLeft"}, "document.activeElement.getAttribute('aria-expanded')",
+                 "[...document.querySelectorAll('#sliders [type=range]')].map((slider) => slider.disabled)", slide,
+                 "document.getElementById('poses').value", "document.getElementById('reset').click()",
+                 "smurfViewer.motion.positions[0].size", "document.title"]
+        results = self.browse({"page": self.page(ARM), "steps": steps})[0]["results"]
+        self.assertRegex(results[1], r'"link":\d.*entity=arm&link=')
+        self.assertEqual(results[3], "null ")
+        self.assertEqual(results[5], "true")
+        self.assertRegex(results[10], r'"link":1.*link=pedestal')
+        self.assertEqual(results[12], "false")
+        self.assertEqual(results[13], [False] * 5 + [True])
+        self.assertEqual(results[14:16], [0.5, ""])
+        self.assertEqual(results[17:], [0, "arm.urdf"])
+
+    def test_everything_has_a_name_and_is_readable(self):
+        page = self.page(cli.FIXTURES / "models/arm/smurf/arm.smurf")
+        steps = ["smurfViewer.select(0, 4)", {"axe": True},
+                 "[document.documentElement.scrollWidth, [...document.querySelectorAll('button, input, select')]"
+                 ".filter((part) => part.getBoundingClientRect().right > innerWidth).length]"]
+        jobs = [{"page": page, "width": width, "height": 800, "scheme": scheme, "steps": steps}
+                for width, scheme in ((1280, "light"), (1280, "dark"), (400, "light"))]
+        for job, answer in zip(jobs, self.browse(*jobs)):
+            self.assertEqual(answer["results"][1], [], (job["width"], job["scheme"]))
+            self.assertEqual(answer["results"][2], [job["width"], 0])
+
+
+if __name__ == "__main__":
+    viewer.main()

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page: reads the scene, shows it, and joins picture, tree, sliders and keys.
+import { byId, counted, element } from "./dom.js";
+import { Motion } from "./motion.js";
+import { Overlays } from "./overlays.js";
+import { Joints, massOf, showFacts } from "./panel.js";
+import { readScene } from "./scene.js";
+import { Layer, Shapes } from "./shapes.js";
+import { Stage } from "./stage.js";
+import { Tree } from "./tree.js";
+
+function tell(text) {
+  byId("message").textContent = text;
+  byId("message").hidden = text === "";
+}
+
+function makeStage() {
+  try {
+    return new Stage(byId("stage"));
+  } catch {
+    tell("This browser shows no WebGL, which the picture needs. The lists beside it work.");
+    return null;
+  }
+}
+
+function showTitle(scene) {
+  document.title = scene.scene || "scene";
+  byId("title").textContent = scene.scene || "scene";
+  const models = scene.entities.filter((entity) => entity.model).map((entity) => entity.model);
+  const links = models.reduce((sum, model) => sum + model.links.length, 0);
+  const mass = models.reduce((sum, model) => sum + massOf(model.links), 0);
+  const { length } = scene.entities;
+  const words = [
+    length === 1 ? "1 entity" : `${length.toLocaleString("en")} entities`,
+    counted(links, "link"),
+  ];
+  if (mass > 0) words.push(`${Number(mass.toPrecision(4)).toLocaleString("en")} kg`);
+  byId("counts").textContent = words.join(" · ");
+}
+
+function showUnseen(scene) {
+  byId("unseen").hidden = scene.unseen.length === 0;
+  byId("unseen-count").textContent = counted(scene.unseen.length, "file");
+  byId("unseen-list").replaceChildren(
+    ...scene.unseen.map(({ file, why, shapes }) =>
+      element("li", {}, element("b", {}, file), ` ${why} (${counted(shapes, "shape")})`),
+    ),
+  );
+}
+
+class Viewer {
+  constructor(scene) {
+    this.scene = scene;
+    this.motion = new Motion(scene);
+    showTitle(scene);
+    showUnseen(scene);
+    this.stage = makeStage();
+    if (this.stage) this.fillStage();
+    this.joints = new Joints(scene, this.motion, () => this.move());
+    this.tree = new Tree(byId("tree"), scene, (entity, link) => this.select(entity, link));
+    if (scene.entities.length === 0) {
+      tell("The scene is empty: it has no entities.");
+      byId("tree").replaceChildren(element("p", { class: "empty" }, "no entities"));
+    } else if (this.shapes?.solids.length === 0) {
+      tell("Nothing in this scene has a shape that can be shown. Frames (A) show where things are.");
+    }
+    this.setUpTools();
+    showFacts(scene, this.motion, undefined);
+    this.joints.show(scene.entities.findIndex((entity) => entity.model && entity.pose));
+    window.addEventListener("hashchange", () => this.readHash());
+    this.readHash();
+  }
+
+  fillStage() {
+    this.shapes = new Shapes(this.scene, this.motion, this.stage.root);
+    const all = this.shapes.boxAround();
+    this.stage.setGround(all, this.scene.entities.length === 1);
+    this.overlays = new Overlays(this.scene, this.motion, this.stage, this.sizes());
+    this.stage.fit(all);
+    this.stage.onPick((solid) => this.select(solid?.entity, solid?.link));
+    this.layers = [
+      [
+        "visuals",
+        "Visuals",
+        "v",
+        (on) => [Layer.visuals, Layer.unseen].forEach((layer) => this.shapes.show(layer, on)),
+      ],
+      ["collisions", "Collisions", "c", (on) => this.shapes.show(Layer.collisions, on)],
+      ["frames", "Frames", "a", (on) => (this.overlays.lines.visible = on)],
+      ["axes", "Joint axes", "j", (on) => (this.overlays.axisLines.visible = on)],
+      ["masses", "Centres of mass", "m", (on) => (this.overlays.balls.visible = on)],
+      ["names", "Names", "n", (on) => this.showNames(on)],
+      ["ground", "Grid", "g", (on) => (this.stage.grid.visible = on)],
+    ];
+  }
+
+  /** Of each entity, from one end to the other. */
+  sizes() {
+    const whole = this.stage ? this.shapes.boxAround() : null;
+    const byEntity = new Map();
+    for (const solid of this.shapes.solids) {
+      if (!byEntity.has(solid.entity)) byEntity.set(solid.entity, new Set());
+      byEntity.get(solid.entity).add(solid);
+    }
+    const length = (box) => (box.isEmpty() ? 0 : box.min.distanceTo(box.max));
+    return this.scene.entities.map((_, index) => {
+      const own = byEntity.has(index) ? length(this.boxOf(byEntity.get(index))) : 0;
+      return own || length(whole) / 10 || 1;
+    });
+  }
+
+  boxOf(solids) {
+    const all = this.shapes.solids;
+    this.shapes.solids = [...solids];
+    const box = this.shapes.boxAround();
+    this.shapes.solids = all;
+    return box;
+  }
+
+  setUpTools() {
+    const hasVisuals = this.shapes?.has(Layer.visuals) || this.shapes?.has(Layer.unseen);
+    const isOn = new Set(["ground", "visuals", ...(hasVisuals ? [] : ["collisions"])]);
+    const keys = new Map([
+      ["f", () => this.fit()],
+      ["Escape", () => this.select()],
+    ]);
+    for (const [id, label, key, show] of this.layers ?? []) {
+      const button = element(
+        "button",
+        { type: "button", id, title: `${label} (${key.toUpperCase()})` },
+        label,
+      );
+      const set = (on) => {
+        button.setAttribute("aria-pressed", on);
+        show(on);
+        this.stage.draw();
+      };
+      const toggle = () => set(button.getAttribute("aria-pressed") !== "true");
+      button.addEventListener("click", toggle);
+      keys.set(key, toggle);
+      byId("layers").append(button);
+      set(isOn.has(id));
+    }
+    byId("fit").addEventListener("click", () => this.fit());
+    document.addEventListener("keydown", (event) => this.onKey(event, keys));
+  }
+
+  onKey(event, keys) {
+    const isTyping = event.target.matches("input, select, textarea");
+    if (event.ctrlKey || event.metaKey || event.altKey || (isTyping && event.key !== "Escape")) return;
+    const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
+    const zooms = { "+": 0.9, "=": 0.9, "-": 1 / 0.9 };
+    if (keys.has(event.key)) keys.get(event.key)();
+    else if (this.stage && event.target === byId("stage") && turns[event.key])
+      this.stage.turn(...turns[event.key]);
+    else if (this.stage && zooms[event.key]) this.stage.turn(0, 0, zooms[event.key]);
+    else return;
+    event.preventDefault();
+  }
+
+  /** Of the links of the selected entity, or of all entities. */
+  showNames(on = this.namesAreOn) {
+    this.namesAreOn = on;
+    const { entities } = this.scene;
+    const chosen = this.selected?.entity ?? (entities.length === 1 ? 0 : undefined);
+    const { model } = entities[chosen] ?? {};
+    const ofLinks = () =>
+      model.order.map((link) => [model.links[link].name, () => this.motion.links[chosen][link]]);
+    const ofEntities = () =>
+      entities.flatMap(({ path, pose }, index) => (pose ? [[path, () => this.motion.entities[index]]] : []));
+    this.overlays.setNames(!on ? [] : model?.order.length ? ofLinks() : ofEntities());
+  }
+
+  move() {
+    this.shapes?.move();
+    this.overlays?.move();
+    this.stage?.draw();
+    showFacts(this.scene, this.motion, this.selected);
+  }
+
+  isSelected(solid) {
+    if (!this.selected || solid.entity !== this.selected.entity) return false;
+    return this.selected.link === undefined || solid.link === this.selected.link;
+  }
+
+  select(entity, link) {
+    this.selected = entity === undefined ? undefined : { entity, link };
+    this.tree.select(entity, link);
+    showFacts(this.scene, this.motion, this.selected);
+    if (entity !== undefined) this.joints.show(entity);
+    this.shapes?.paint((solid) => this.isSelected(solid));
+    if (this.namesAreOn) this.showNames();
+    this.stage?.draw();
+    this.writeHash();
+  }
+
+  /** The selected thing in view, or everything. */
+  fit() {
+    if (!this.stage) return;
+    const chosen = this.selected ? this.shapes.boxAround((solid) => this.isSelected(solid)) : null;
+    this.stage.fit(chosen && !chosen.isEmpty() ? chosen : this.shapes.boxAround(), this.stage.direction());
+  }
+
+  writeHash() {
+    const { entity, link } = this.selected ?? {};
+    const words = new URLSearchParams();
+    if (entity !== undefined) words.set("entity", this.scene.entities[entity].path);
+    if (link !== undefined) words.set("link", this.scene.entities[entity].model.links[link].name);
+    history.replaceState(null, "", `#${words}`);
+  }
+
+  readHash() {
+    const words = new URLSearchParams(location.hash.slice(1));
+    const entity = this.scene.entities.findIndex(({ path }) => path === words.get("entity"));
+    if (entity < 0) return;
+    const link = this.scene.entities[entity].model?.links.findIndex(({ name }) => name === words.get("link"));
+    this.select(entity, link >= 0 ? link : undefined);
+  }
+}
+
+const scene = readScene(byId("scene").textContent);
+window.smurfViewer = new Viewer(scene);
+document.documentElement.dataset.ready = "true";

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is drawn over the shapes: frames, joint axes, centres of mass and names.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  InstancedMesh,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Color,
+  SphereGeometry,
+  Vector3,
+} from "three";
+
+import { element } from "./dom.js";
+import { isMovable, toMatrix } from "./motion.js";
+import { paint } from "./shading.js";
+
+const kAxisColors = [
+  [0.9, 0.2, 0.2],
+  [0.2, 0.7, 0.2],
+  [0.25, 0.45, 1],
+];
+const kJointColor = [0.75, 0.2, 0.85];
+const kMassColor = new Color(0.94, 0.63, 0);
+const kMostNames = 150;
+
+/** Lines of which the ends move: `count` times the same colours. */
+function linesOf(count, colors) {
+  const geometry = new BufferGeometry();
+  const points = new BufferAttribute(new Float32Array(count * colors.length * 3), 3).setUsage(
+    DynamicDrawUsage,
+  );
+  const painted = new Float32Array(count * colors.length * 3);
+  for (let i = 0; i < count * colors.length; i++) painted.set(colors[i % colors.length], 3 * i);
+  geometry.setAttribute("position", points);
+  geometry.setAttribute("color", new BufferAttribute(painted, 3));
+  const lines = new LineSegments(
+    geometry,
+    new LineBasicMaterial({ vertexColors: true, depthTest: false, transparent: true }),
+  );
+  lines.frustumCulled = false;
+  lines.renderOrder = 2;
+  lines.visible = false;
+  return lines;
+}
+
+export class Overlays {
+  constructor(scene, motion, stage, sizes) {
+    this.motion = motion;
+    this.stage = stage;
+    this.sizes = sizes; // of each entity, m: what is drawn on it is as large as it
+    this.frames = []; // {entity, link}, also of entities without links
+    this.axes = []; // {entity, joint}
+    this.masses = []; // {entity, link, local}
+    scene.entities.forEach((entity, index) => this.add(entity, index));
+    this.lines = linesOf(
+      this.frames.length,
+      kAxisColors.flatMap((color) => [color, color]),
+    );
+    this.axisLines = linesOf(this.axes.length, [kJointColor, kJointColor]);
+    const look = paint("UNLIT", { opacity: 0.85, depthTest: false });
+    this.balls = new InstancedMesh(new SphereGeometry(1, 16, 8), look, this.masses.length);
+    this.masses.forEach((_, index) => this.balls.setColorAt(index, kMassColor));
+    this.balls.frustumCulled = false;
+    this.balls.visible = false;
+    this.balls.renderOrder = 1;
+    stage.scene.add(this.lines, this.axisLines, this.balls);
+    this.labels = element("div", { class: "labels", "aria-hidden": "true" });
+    stage.host.append(this.labels);
+    this.named = []; // [name, X_W]
+    stage.afterDraw.push(() => this.placeNames());
+    this.move();
+  }
+
+  add(entity, index) {
+    if (!entity.pose) return;
+    const { model } = entity;
+    if (!model?.order.length) this.frames.push({ entity: index });
+    for (const link of model?.order ?? []) {
+      this.frames.push({ entity: index, link });
+      const { mass, com } = model.links[link];
+      if (mass) this.masses.push({ entity: index, link, local: toMatrix(com) });
+    }
+    model?.joints.forEach((joint, at) => {
+      const child = model.links[joint.child];
+      if (isMovable(joint) && child?.joint === at && !child.unplaced)
+        this.axes.push({ entity: index, joint: at });
+    });
+  }
+
+  worldOf({ entity, link }) {
+    return link === undefined ? this.motion.entities[entity] : this.motion.links[entity][link];
+  }
+
+  move() {
+    this.moveFrames();
+    this.moveAxes();
+    const ball = new Matrix4();
+    this.masses.forEach((mass, index) => {
+      const radius = 0.012 * this.sizes[mass.entity];
+      ball.multiplyMatrices(this.worldOf(mass), mass.local).scale(new Vector3(radius, radius, radius));
+      this.balls.setMatrixAt(index, ball);
+    });
+    this.balls.instanceMatrix.needsUpdate = true;
+  }
+
+  moveFrames() {
+    const points = this.lines.geometry.getAttribute("position");
+    const [origin, end] = [new Vector3(), new Vector3()];
+    this.frames.forEach((frame, index) => {
+      const world = this.worldOf(frame);
+      const length = 0.12 * this.sizes[frame.entity];
+      for (let axis = 0; axis < 3; axis++) {
+        origin.setFromMatrixPosition(world);
+        end.setFromMatrixColumn(world, axis).multiplyScalar(length).add(origin);
+        points.setXYZ(6 * index + 2 * axis, ...origin);
+        points.setXYZ(6 * index + 2 * axis + 1, ...end);
+      }
+    });
+    points.needsUpdate = true;
+  }
+
+  moveAxes() {
+    const points = this.axisLines.geometry.getAttribute("position");
+    this.axes.forEach(({ entity, joint }, index) => {
+      const { axis } = this.motion.scene.entities[entity].model.joints[joint];
+      const world = this.motion.frameOf(entity, joint);
+      const origin = new Vector3().setFromMatrixPosition(world);
+      const along = new Vector3(...axis).transformDirection(world).multiplyScalar(0.16 * this.sizes[entity]);
+      points.setXYZ(2 * index, ...origin.clone().sub(along));
+      points.setXYZ(2 * index + 1, ...origin.clone().add(along));
+    });
+    points.needsUpdate = true;
+  }
+
+  /** Those of entities, or the links of one. */
+  setNames(named) {
+    this.named = named.slice(0, kMostNames);
+    this.labels.replaceChildren(...this.named.map(([name]) => element("span", {}, name)));
+    this.stage.draw();
+  }
+
+  /** A name that would lie on another one is left out. */
+  placeNames() {
+    const taken = [];
+    const size = this.named.map((_, index) => this.labels.children[index].offsetWidth);
+    this.named.forEach(([, world], index) => {
+      const label = this.labels.children[index];
+      const at = this.stage.toPage(new Vector3().setFromMatrixPosition(world()));
+      const box = at && [at[0] - size[index] / 2, at[1] - 22, at[0] + size[index] / 2, at[1] - 4];
+      const isFree =
+        box &&
+        taken.every(
+          (other) => box[0] > other[2] || box[2] < other[0] || box[1] > other[3] || box[3] < other[1],
+        );
+      label.style.visibility = isFree ? "visible" : "hidden";
+      if (!isFree) return;
+      taken.push(box);
+      label.style.transform = `translate(${box[0]}px, ${box[1]}px)`;
+    });
+  }
+}

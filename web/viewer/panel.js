@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is known of the selected thing, and the sliders of its joints.
+import { Euler } from "three";
+
+import { byId, counted, element, short } from "./dom.js";
+import { isMovable } from "./motion.js";
+
+const kMoments = ["xx", "xy", "xz", "yy", "yz", "zz"];
+const kDegrees = 180 / Math.PI;
+
+export const massOf = (links) => links.reduce((sum, link) => sum + (link.mass ?? 0), 0);
+
+function linksBelow(model, link) {
+  const below = [link];
+  for (const at of below) below.push(...model.links[at].children);
+  return below.map((at) => model.links[at]);
+}
+
+/** [[word, value]...] of a pose in the world. */
+function poseFacts(matrix) {
+  if (!matrix) return [["World pose", "not known"]];
+  const { elements } = matrix;
+  const { x, y, z } = new Euler().setFromRotationMatrix(matrix, "ZYX"); // URDF's roll, pitch and yaw
+  return [
+    ["World position", `${[...elements.slice(12, 15)].map(short).join(", ")} m`],
+    ["Roll, pitch, yaw", `${[x, y, z].map((angle) => short(angle * kDegrees)).join(", ")}°`],
+  ];
+}
+
+function rangeOf({ lower, upper }, unit) {
+  if (lower === undefined && upper === undefined) return "no limits";
+  return `${short(lower ?? 0)} to ${short(upper ?? 0)} ${unit}`;
+}
+
+function jointFacts(model, joint) {
+  if (!joint) return [];
+  const isTurning = joint.type !== "prismatic";
+  const facts = [["Joint above", `${joint.name} (${joint.type || "of no type"})`]];
+  if (!isMovable(joint)) return facts;
+  facts.push(["Axis", joint.axis.map(short).join(", ")], ["Limits", rangeOf(joint, isTurning ? "rad" : "m")]);
+  const leader = model.joints[joint.leader];
+  if (leader) facts.push(["Follows", `${short(joint.multiplier)} × ${leader.name} + ${short(joint.offset)}`]);
+  const units = { effort: isTurning ? "N m" : "N", velocity: isTurning ? "rad/s" : "m/s" };
+  units.damping = isTurning ? "N m s/rad" : "N s/m";
+  units.friction = units.effort;
+  for (const [key, unit] of Object.entries(units)) {
+    if (joint[key] !== undefined)
+      facts.push([key[0].toUpperCase() + key.slice(1), `${short(joint[key])} ${unit}`]);
+  }
+  return facts;
+}
+
+function linkFacts(entity, link, matrix) {
+  const { model } = entity;
+  const { mass, inertia, visuals, collisions, joint } = model.links[link];
+  const facts = [
+    ["Link of", entity.path],
+    ["Mass", mass === undefined ? "none" : `${short(mass)} kg`],
+  ];
+  const below = linksBelow(model, link);
+  if (below.length > 1)
+    facts.push(["With all below", `${short(massOf(below))} kg in ${counted(below.length, "link")}`]);
+  facts.push(...poseFacts(matrix), ...jointFacts(model, model.joints[joint]));
+  if (inertia)
+    facts.push(["Inertia, kg m²", inertia.map((value, at) => `${kMoments[at]} ${short(value)}`).join(", ")]);
+  facts.push(["Shapes", `${counted(visuals.length, "visual")}, ${counted(collisions.length, "collision")}`]);
+  const names = [...visuals, ...collisions].map((shape) => shape.name).filter(Boolean);
+  if (names.length > 0) facts.push(["Names of shapes", names.join(", ")]);
+  return facts;
+}
+
+function entityFacts(entity, matrix, entities) {
+  const facts = [["Type", entity.type]];
+  if (entity.model) {
+    const { links, joints, file, order } = entity.model;
+    facts.push(["File", file], ["Mass", `${short(massOf(links))} kg`]);
+    facts.push(
+      ["Links", `${links.length}`],
+      ["Joints", `${joints.length}, ${joints.filter(isMovable).length} movable`],
+    );
+    if (order.length < links.length)
+      facts.push(["Not shown", `${counted(links.length - order.length, "link")} apart from the root`]);
+  } else {
+    facts.push(["Shapes", `${entity.shapes.length}`]);
+  }
+  facts.push(...poseFacts(matrix));
+  if (entity.anchored) facts.push(["Fixed to", "the world"]);
+  const { anchor, parent } = entity;
+  const nameOf = ({ entity: other, link }) =>
+    `${entities[other].path}, ${entities[other].model.links[link].name}`;
+  if (anchor) facts.push(["Fixed to", nameOf(anchor)]);
+  else if (parent) facts.push(["Placed on", nameOf(parent)]);
+  return facts;
+}
+
+/** `selected`: {entity, link}, by index; the link may be absent, or all of it. */
+export function showFacts(scene, motion, selected) {
+  const host = byId("facts");
+  if (!selected) {
+    host.replaceChildren(
+      element("p", { class: "empty" }, "Nothing is selected. Click a shape, or a row of the tree."),
+    );
+    return;
+  }
+  const entity = scene.entities[selected.entity];
+  const isLink = selected.link !== undefined;
+  const facts = isLink
+    ? linkFacts(entity, selected.link, motion.links[selected.entity][selected.link])
+    : entityFacts(entity, motion.entities[selected.entity], scene.entities);
+  const list = element("dl");
+  for (const [word, value] of facts) list.append(element("dt", {}, word), element("dd", {}, value));
+  host.replaceChildren(
+    element("h3", {}, isLink ? entity.model.links[selected.link].name : entity.path || entity.type),
+    list,
+  );
+}
+
+/** What a slider covers; a joint without limits gets a turn, or a metre each way. */
+export function spanOf(joint) {
+  const free = joint.type === "prismatic" ? 1 : Math.PI;
+  const isFree = joint.type === "continuous" || (joint.lower === undefined && joint.upper === undefined);
+  const [low, high] = isFree ? [-free, free] : [joint.lower ?? 0, joint.upper ?? 0];
+  return low <= high ? [low, high] : [high, low];
+}
+
+export class Joints {
+  constructor(scene, motion, onMove) {
+    this.scene = scene;
+    this.motion = motion;
+    this.onMove = onMove;
+    byId("poses").addEventListener("change", () => this.takePose(byId("poses").value));
+    byId("reset").addEventListener("click", () => this.takePose("start"));
+  }
+
+  show(entity) {
+    if (this.entity === entity) return;
+    this.entity = entity;
+    this.model = this.scene.entities[entity]?.model;
+    const movable = this.model?.joints.filter(isMovable) ?? [];
+    byId("joint-tools").hidden = movable.length === 0;
+    byId("joints-of").textContent =
+      this.model && this.scene.entities.length > 1 ? ` of ${this.scene.entities[entity].path}` : "";
+    this.rows =
+      this.model?.joints.flatMap((joint, index) => (isMovable(joint) ? [this.row(joint, index)] : [])) ?? [];
+    const why = this.model ? "No joint of this model moves." : "Select a model to move its joints.";
+    byId("sliders").replaceChildren(
+      ...(this.rows.length > 0 ? this.rows.map(({ line }) => line) : [element("p", { class: "empty" }, why)]),
+    );
+    const poses = [
+      element("option", { value: "start" }, "as in the scene"),
+      element("option", { value: "zero" }, "all at zero"),
+    ];
+    this.model?.poses.forEach((pose, index) => poses.push(element("option", { value: index }, pose.name)));
+    byId("poses").replaceChildren(
+      element("option", { value: "", disabled: true, hidden: true }, "moved by hand"),
+      ...poses,
+    );
+    byId("poses").value = "start";
+    this.update();
+  }
+
+  row(joint, index) {
+    const [min, max] = spanOf(joint);
+    const unit = joint.type === "prismatic" ? "m" : "rad";
+    const label = `${joint.name}, ${unit}`;
+    const isLed = joint.leader !== undefined;
+    const move = (event) => {
+      const value = event.target.valueAsNumber;
+      if (Number.isFinite(value)) this.moveBy(joint, Math.min(max, Math.max(min, value)));
+    };
+    const shared = { min, max, step: "any", disabled: isLed || min === max };
+    const slider = element("input", { type: "range", ...shared, "aria-label": label, oninput: move });
+    const number = element("input", {
+      type: "number",
+      ...shared,
+      "aria-label": `${label}, as a number`,
+      onchange: move,
+    });
+    const note = isLed ? `follows ${this.model.joints[joint.leader].name}` : unit;
+    const line = element(
+      "div",
+      { class: "joint" },
+      element("span", { class: "name", title: joint.name }, joint.name),
+      element("span", { class: "note" }, note),
+      slider,
+      number,
+    );
+    return { line, slider, number, index };
+  }
+
+  moveBy(joint, value) {
+    const positions = new Map(this.motion.positions[this.entity]);
+    positions.set(joint.name, value);
+    this.motion.set(this.entity, positions);
+    byId("poses").value = "";
+    this.update();
+    this.onMove();
+  }
+
+  takePose(name) {
+    const poses = { start: this.scene.entities[this.entity].start, zero: new Map() };
+    this.motion.set(this.entity, poses[name] ?? this.model.poses[name].positions);
+    byId("poses").value = name;
+    this.update();
+    this.onMove();
+  }
+
+  update() {
+    for (const { slider, number, index } of this.rows) {
+      const position = this.motion.position(this.entity, index);
+      slider.value = position;
+      if (document.activeElement !== number) number.value = short(position);
+    }
+  }
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scene of the page, as smurfs-flatten wrote it (libsmurf/src/write/scene_html.cpp). Units are m, rad and kg.
+//
+// scene: name of its file
+// models: [{name, file, links, joints, poses}]
+//   links: [{name, joint: the one above, unplaced, mass, com: pose, inertia: [xx, xy, xz, yy, yz, zz], visuals, collisions}]
+//   joints: [{name, type, parent, child: links, pose, axis, lower, upper, effort, velocity, damping, friction,
+//     leader: the joint that it mimics, multiplier, offset}]
+//   poses: [{name, positions}]
+// entities: [{path, type, model, pose: in the world, anchored: to the world, anchor or parent: {entity, link, pose},
+//   positions, shapes}]
+// meshes: [{file, points: float32, indices: uint16, or uint32 when wide}], both in base64
+// unseen: [{file, why, shapes: how many}]
+//
+// Links, joints, entities, models and meshes are named by their place in these lists. Whatever is unknown is absent.
+// pose: [x, y, z, w, x, y, z], a position and a unit quaternion; absent where it changes nothing.
+// positions: of joints by their names
+// shapes: [{name, pose, color: [r, g, b, a], and one of box: size, sphere: [radius], cylinder or capsule: [radius, length],
+//   plane: size, mesh with scale, around: the corners of a box around what is not shown}]
+
+function bytesOf(base64) {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return bytes.buffer;
+}
+
+/** Names come from files: a plain object would confuse "constructor" with its own members. */
+const toMap = (positions) => new Map(Object.entries(positions));
+
+function addTree(model) {
+  for (const link of model.links) link.children = [];
+  model.links.forEach((link, index) => {
+    const joint = model.joints[link.joint];
+    if (joint && !link.unplaced) model.links[joint.parent].children.push(index);
+  });
+  model.root = model.links.findIndex((link) => link.joint === undefined && !link.unplaced);
+  model.order = model.root < 0 ? [] : [model.root];
+  for (const index of model.order) model.order.push(...model.links[index].children);
+}
+
+/** A circle of anchors is cut: its members stay where they are. */
+function orderOf(entities) {
+  const order = [];
+  const state = new Uint8Array(entities.length); // 1: on the way, 2: in the order
+  entities.forEach((_, start) => {
+    const way = [];
+    let at = start;
+    while (at !== undefined && state[at] === 0) {
+      state[at] = 1;
+      way.push(at);
+      const next = entities[at].support?.entity;
+      if (next !== undefined && state[next] === 1) entities[at].support = undefined;
+      at = entities[at].support?.entity;
+    }
+    for (const index of way.reverse()) {
+      state[index] = 2;
+      order.push(index);
+    }
+  });
+  return order;
+}
+
+export function readScene(text) {
+  const scene = JSON.parse(text);
+  for (const model of scene.models) {
+    model.links.forEach((link, index) => (link.name ??= `link ${index + 1}, without name`));
+    model.joints.forEach((joint, index) => (joint.name ??= `joint ${index + 1}, without name`));
+    for (const pose of model.poses) pose.positions = toMap(pose.positions);
+    addTree(model);
+  }
+  for (const entity of scene.entities) {
+    entity.start = toMap(entity.positions);
+    entity.support = entity.anchor ?? entity.parent;
+    entity.model = scene.models[entity.model];
+  }
+  scene.order = orderOf(scene.entities);
+  for (const mesh of scene.meshes) {
+    mesh.points = new Float32Array(bytesOf(mesh.points));
+    mesh.indices = mesh.wide
+      ? new Uint32Array(bytesOf(mesh.indices))
+      : new Uint16Array(bytesOf(mesh.indices));
+  }
+  return scene;
+}

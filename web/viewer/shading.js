@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How instances are painted. The materials of three.js can do far more; where the processor is the graphics card, they
+// take seconds to compile and several times as long to draw.
+import { DoubleSide, FrontSide, ShaderMaterial } from "three";
+
+const kVertex = `
+varying vec3 color;
+varying vec3 seen; // in the frame of the camera
+#ifdef SMOOTH
+varying vec3 direction;
+#endif
+
+void main() {
+  color = instanceColor;
+  vec4 point = viewMatrix * (instanceMatrix * vec4(position, 1.0));
+  seen = point.xyz;
+#ifdef SMOOTH
+  mat3 scaled = mat3(instanceMatrix); // normals are scaled the other way around
+  vec3 squares = vec3(dot(scaled[0], scaled[0]), dot(scaled[1], scaled[1]), dot(scaled[2], scaled[2]));
+  direction = mat3(viewMatrix) * (scaled * (normal / squares));
+#endif
+  gl_Position = projectionMatrix * point;
+}`;
+
+// The light is over the left shoulder, wherever one looks from, and bent around what it shines on. Colours are those of
+// the screen throughout.
+const kFragment = `
+uniform float opacity;
+varying vec3 color;
+varying vec3 seen;
+#ifdef SMOOTH
+varying vec3 direction;
+#endif
+
+void main() {
+#ifdef UNLIT
+  float light = 1.0;
+#else
+#ifdef SMOOTH
+  vec3 normal = normalize(direction);
+#else
+  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+#endif
+  float light = 0.78 + 0.34 * dot(normal, vec3(-0.43, 0.64, 0.64));
+#endif
+  gl_FragColor = vec4(color * light, opacity);
+}`;
+
+/** `look`: "SMOOTH", "FLAT" (no normals are needed) or "UNLIT". */
+export function paint(look, { opacity = 1, isThin = false, ...rest } = {}) {
+  return new ShaderMaterial({
+    vertexShader: kVertex,
+    fragmentShader: kFragment,
+    uniforms: { opacity: { value: opacity } },
+    defines: { [look]: "" },
+    transparent: opacity < 1,
+    depthWrite: opacity === 1,
+    side: isThin ? DoubleSide : FrontSide,
+    ...rest,
+  });
+}

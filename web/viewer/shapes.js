@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All shapes of a scene in few draw calls: those with the same triangles are instances of one mesh.
+import {
+  Box3,
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  CapsuleGeometry,
+  Color,
+  CylinderGeometry,
+  InstancedMesh,
+  Matrix4,
+  PlaneGeometry,
+  SphereGeometry,
+  Vector3,
+} from "three";
+
+import { toMatrix } from "./motion.js";
+import { paint } from "./shading.js";
+
+export const Layer = { visuals: "visuals", collisions: "collisions", unseen: "unseen" };
+
+const kNoColor = [0.78, 0.79, 0.81, 1];
+const kGroundColor = [0.55, 0.55, 0.52, 0.35];
+const kUnseenColor = [0.6, 0.6, 0.62, 0.16];
+const kCollisionColor = [0.95, 0.45, 0.05, 1];
+const kSelected = new Color(0, 0.75, 0.85);
+const kTurn = Math.PI / 2; // the round solids of three.js lie along y, those of URDF along z
+
+/** Into how many sides round things fall. Wires of fine triangles hide what is behind them. */
+function aroundOf(scene) {
+  const links = scene.entities.reduce((sum, { model }) => sum + (model?.order.length ?? 1), 0);
+  return { visuals: links <= 100 ? 32 : links <= 500 ? 20 : 12, collisions: 12 };
+}
+
+/** {key, make, scale, center}: triangles under a name, and how they are scaled and placed in the shape's frame. */
+function solidOf(shape, meshes, around) {
+  const round = (key, make, scale) => ({ key: `${key} ${around}`, make: () => make().rotateX(kTurn), scale });
+  if (shape.box) return { key: "box", make: () => new BoxGeometry(), scale: shape.box };
+  if (shape.sphere) {
+    const [r] = shape.sphere;
+    return round("sphere", () => new SphereGeometry(1, around, around / 2), [r, r, r]);
+  }
+  if (shape.cylinder) {
+    const [r, length] = shape.cylinder;
+    return round("cylinder", () => new CylinderGeometry(1, 1, 1, around), [r, r, length]);
+  }
+  if (shape.capsule) {
+    const [r, length] = shape.capsule;
+    return round(`capsule ${r} ${length}`, () => new CapsuleGeometry(r, length, around / 4, around));
+  }
+  if (shape.plane) return { key: "plane", make: () => new PlaneGeometry(), scale: [...shape.plane, 1] };
+  if (shape.mesh !== undefined) {
+    return {
+      key: `mesh ${shape.mesh}`,
+      make: () => toGeometry(meshes[shape.mesh]),
+      scale: shape.scale,
+      flat: true,
+    };
+  }
+  if (!shape.around) return null;
+  const [low, high] = [new Vector3(...shape.around.slice(0, 3)), new Vector3(...shape.around.slice(3))];
+  const center = low.clone().add(high).multiplyScalar(0.5).toArray();
+  return { key: "box", make: () => new BoxGeometry(), scale: high.sub(low).toArray(), center };
+}
+
+function toGeometry({ points, indices }) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(points, 3));
+  geometry.setIndex(new BufferAttribute(indices, 1));
+  return geometry;
+}
+
+function colorOf(shape, layer) {
+  if (layer === Layer.collisions) return kCollisionColor;
+  if (layer === Layer.unseen) return kUnseenColor;
+  return shape.color ?? (shape.plane ? kGroundColor : kNoColor);
+}
+
+function materialOf(layer, opacity, solid) {
+  if (layer === Layer.collisions) return paint("UNLIT", { opacity, wireframe: true });
+  // A mirrored mesh is inside out. What is solid lies behind the wires of a collision with the same surface.
+  const isThin = solid.flat || solid.key === "plane";
+  const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+  return paint(solid.flat ? "FLAT" : "SMOOTH", { opacity, isThin, ...behind });
+}
+
+export class Shapes {
+  /** Adds all shapes to the three.js object `root`. */
+  constructor(scene, motion, root) {
+    this.scene = scene;
+    this.motion = motion;
+    this.geometries = new Map();
+    this.batches = new Map();
+    this.around = aroundOf(scene);
+    this.solids = []; // {entity, link, layer, shape, local, color, batch, index}
+    scene.entities.forEach((entity, index) => {
+      if (!entity.pose) return;
+      for (const shape of entity.shapes) this.add(shape, Layer.visuals, index);
+      for (const link of entity.model?.order ?? []) {
+        const { visuals, collisions } = entity.model.links[link];
+        for (const shape of visuals) this.add(shape, Layer.visuals, index, link);
+        for (const shape of collisions) this.add(shape, Layer.collisions, index, link);
+      }
+    });
+    for (const batch of this.batches.values()) this.build(batch, root);
+    this.move();
+  }
+
+  add(shape, wanted, entity, link) {
+    const solid = solidOf(shape, this.scene.meshes, this.around[wanted]);
+    if (!solid) return;
+    const layer = wanted === Layer.visuals && shape.around ? Layer.unseen : wanted;
+    const [r, g, b, a] = colorOf(shape, layer).map((part) => Math.min(1, Math.max(0, part)));
+    const key = `${layer} ${solid.key} ${a}`;
+    if (!this.batches.has(key)) this.batches.set(key, { layer, solid, alpha: a, solids: [] });
+    const batch = this.batches.get(key);
+    const local = toMatrix(shape.pose);
+    if (solid.center) local.multiply(new Matrix4().makeTranslation(...solid.center));
+    if (solid.scale) local.scale(new Vector3(...solid.scale));
+    const color = new Color(r, g, b);
+    const made = { entity, link, layer, shape, local, color, batch, index: batch.solids.length };
+    batch.solids.push(made);
+    this.solids.push(made);
+  }
+
+  build(batch, root) {
+    const { layer, solid, alpha } = batch;
+    if (!this.geometries.has(solid.key)) this.geometries.set(solid.key, solid.make());
+    const geometry = this.geometries.get(solid.key);
+    batch.mesh = new InstancedMesh(geometry, materialOf(layer, alpha, solid), batch.solids.length);
+    batch.mesh.frustumCulled = false;
+    batch.mesh.userData = { layer, solids: batch.solids };
+    batch.solids.forEach(({ color }, index) => batch.mesh.setColorAt(index, color));
+    root.add(batch.mesh);
+  }
+
+  worldOf({ entity, link }) {
+    return link === undefined ? this.motion.entities[entity] : this.motion.links[entity][link];
+  }
+
+  /** To where the links are now. */
+  move() {
+    const matrix = new Matrix4();
+    for (const solid of this.solids) {
+      solid.batch.mesh.setMatrixAt(solid.index, matrix.multiplyMatrices(this.worldOf(solid), solid.local));
+    }
+    for (const { mesh } of this.batches.values()) {
+      mesh.instanceMatrix.needsUpdate = true;
+      mesh.boundingSphere = mesh.boundingBox = null; // picking asks for it
+    }
+  }
+
+  show(layer, isShown) {
+    for (const batch of this.batches.values()) if (batch.layer === layer) batch.mesh.visible = isShown;
+  }
+
+  has(layer) {
+    return this.solids.some((solid) => solid.layer === layer);
+  }
+
+  /** What is within `chosen(solid)` gets another colour, the rest its own. */
+  paint(chosen) {
+    const mixed = new Color();
+    for (const solid of this.solids) {
+      mixed.copy(solid.color);
+      if (chosen(solid)) mixed.lerp(kSelected, 0.8);
+      solid.batch.mesh.setColorAt(solid.index, mixed);
+    }
+    for (const { mesh } of this.batches.values()) mesh.instanceColor.needsUpdate = true;
+  }
+
+  /** Around all shapes that `chosen` takes; the ground only when there is nothing else. */
+  boxAround(chosen = () => true) {
+    const all = new Box3();
+    const ground = new Box3();
+    const box = new Box3();
+    const matrix = new Matrix4();
+    for (const solid of this.solids) {
+      if (!chosen(solid)) continue;
+      const geometry = this.geometries.get(solid.batch.solid.key);
+      if (!geometry.boundingBox) geometry.computeBoundingBox();
+      box.copy(geometry.boundingBox).applyMatrix4(matrix.multiplyMatrices(this.worldOf(solid), solid.local));
+      if (Number.isFinite(box.min.x + box.max.x)) (solid.shape.plane ? ground : all).union(box);
+    }
+    return all.isEmpty() ? ground : all;
+  }
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The picture: camera, light, ground and what is under the pointer. Drawn when something changes, and only then.
+import {
+  Box3,
+  GridHelper,
+  Group,
+  PerspectiveCamera,
+  Raycaster,
+  Scene,
+  Sphere,
+  Spherical,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+
+import { element } from "./dom.js";
+import { Sharpness } from "./sharpness.js";
+
+const kDragged = 5; // pixels that a click may move
+
+/** 1, 2 or 5 times a power of ten. */
+function roundStep(length) {
+  const power = 10 ** Math.floor(Math.log10(length));
+  return [5, 2, 1].map((factor) => factor * power).find((step) => step <= length) ?? power;
+}
+
+/** Smooth edges only where there is a graphics card: without one they double the time of a picture. */
+function makeCanvas() {
+  const make = (antialias) => {
+    const canvas = element("canvas");
+    return { canvas, context: canvas.getContext("webgl2", { alpha: true, antialias }) };
+  };
+  const plain = make(false);
+  if (!plain.context) throw new Error("no WebGL");
+  const info = plain.context.getExtension("WEBGL_debug_renderer_info");
+  const card = plain.context.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : plain.context.RENDERER);
+  if (/swiftshader|llvmpipe|software|basic render/i.test(card)) return plain;
+  plain.context.getExtension("WEBGL_lose_context")?.loseContext();
+  return make(true);
+}
+
+export class Stage {
+  constructor(host) {
+    this.host = host;
+    this.renderer = new WebGLRenderer(makeCanvas());
+    this.canvas = this.renderer.domElement;
+    host.prepend(this.canvas);
+    this.scene = new Scene();
+    this.root = new Group();
+    this.scene.add(this.root);
+    this.camera = new PerspectiveCamera(40, 1, 0.01, 1000);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => (this.fitted = null));
+    this.afterDraw = [];
+    this.sharpness = new Sharpness(() => this.resize());
+    this.radius = 1;
+    new ResizeObserver(() => this.resize()).observe(host);
+    this.resize();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(this.sharpness.ratio());
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (this.fitted) this.fit(this.fitted, this.direction());
+    this.draw();
+  }
+
+  /** Before the next picture of the screen, once. */
+  draw() {
+    if (this.isAsked) return;
+    this.isAsked = true;
+    requestAnimationFrame(() => {
+      this.isAsked = false;
+      this.sharpness.onPicture();
+      this.renderer.render(this.scene, this.camera);
+      for (const follow of this.afterDraw) follow();
+    });
+  }
+
+  /** Around a box; where the world's xy plane is, or below the box when a model is alone in its world. */
+  setGround(box, isBelow) {
+    const size = box.isEmpty() ? 2 : Math.max(box.max.x - box.min.x, box.max.y - box.min.y, 0.2);
+    const step = roundStep(size / 4);
+    const cells = 2 * Math.ceil(size / step);
+    this.grid?.dispose();
+    this.grid?.removeFromParent();
+    this.grid = new GridHelper(cells * step, cells, 0x808890, 0x808890).rotateX(Math.PI / 2);
+    this.grid.material.transparent = true;
+    this.grid.material.opacity = 0.28;
+    this.grid.material.depthWrite = false;
+    const center = box.isEmpty() ? new Vector3() : box.getCenter(new Vector3());
+    const onGrid = (value) => Math.round(value / step) * step;
+    this.grid.position.set(onGrid(center.x), onGrid(center.y), isBelow && !box.isEmpty() ? box.min.z : 0);
+    this.scene.add(this.grid);
+  }
+
+  /** The whole box in view, from where one looks now, or from the front right above. */
+  fit(box, from = new Vector3(1, -1.5, 0.9)) {
+    this.fitted = box; // until somebody turns it
+    const around = box.isEmpty() ? new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 1)) : box;
+    const sphere = around.getBoundingSphere(new Sphere());
+    this.radius = Math.max(sphere.radius, 1e-6);
+    const half = (this.camera.fov / 2) * (Math.PI / 180);
+    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
+    const distance = (0.96 * this.radius) / Math.sin(narrow);
+    this.controls.target.copy(sphere.center);
+    this.camera.position.copy(sphere.center).addScaledVector(from.clone().normalize(), distance);
+    this.camera.near = distance / 500;
+    this.camera.far = 200 * distance;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.draw();
+  }
+
+  direction() {
+    return this.camera.position.clone().sub(this.controls.target);
+  }
+
+  /** Radians around the target, and a factor of the distance. */
+  turn(around, up, zoom = 1) {
+    this.fitted = null;
+    const { target } = this.controls;
+    const offset = this.direction();
+    const seen = new Spherical().setFromCartesianCoords(offset.y, offset.z, offset.x);
+    seen.theta += around;
+    seen.phi = Math.min(Math.PI - 0.01, Math.max(0.01, seen.phi + up));
+    seen.radius *= zoom;
+    const turned = new Vector3().setFromSpherical(seen);
+    this.camera.position.set(target.x + turned.z, target.y + turned.x, target.z + turned.y);
+    this.controls.update();
+    this.draw();
+  }
+
+  /** Calls back with the solid that is clicked, or with nothing. */
+  onPick(callback) {
+    let down = null;
+    this.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
+    this.canvas.addEventListener("pointerup", (event) => {
+      const moved = down ? Math.hypot(event.clientX - down[0], event.clientY - down[1]) : Infinity;
+      if (event.button === 0 && moved < kDragged) callback(this.solidAt(event));
+    });
+  }
+
+  solidAt({ clientX, clientY }) {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const ray = new Raycaster();
+    ray.setFromCamera(
+      new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height),
+      this.camera,
+    );
+    const meshes = this.root.children.filter((mesh) => mesh.visible && mesh.userData.solids);
+    const hits = ray.intersectObjects(meshes, false);
+    const hit =
+      hits.find(({ object, instanceId }) => !object.userData.solids[instanceId].shape.plane) ?? hits[0];
+    return hit?.object.userData.solids[hit.instanceId];
+  }
+
+  /** Where a point of the world is on the page, in pixels of the picture; null behind the camera. */
+  toPage(point) {
+    const seen = point.clone().project(this.camera);
+    if (seen.z > 1 || seen.z < -1) return null;
+    return [((seen.x + 1) / 2) * this.host.clientWidth, ((1 - seen.y) / 2) * this.host.clientHeight];
+  }
+}

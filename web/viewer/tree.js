@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Entities and their links as a tree, as ARIA has trees: arrows move and open, Enter selects.
+import { element } from "./dom.js";
+
+const kOpenAtOnce = 60; // rows
+const kDeepest = 60; // groups in groups: browsers do not lay out thousands of them
+
+export class Tree {
+  constructor(host, scene, onSelect) {
+    this.host = host;
+    this.scene = scene;
+    this.onSelect = onSelect;
+    this.rows = new Map(); // by key
+    host.setAttribute("role", "tree");
+    host.addEventListener("keydown", (event) => this.onKey(event));
+    scene.entities.forEach((entity, index) => host.append(this.entityRow(entity, index)));
+    const count = scene.entities.reduce((sum, entity) => sum + 1 + (entity.model?.links.length ?? 0), 0);
+    if (count <= kOpenAtOnce) for (const row of [...host.children]) this.open(row.firstChild, true, true);
+    const first = host.querySelector("[role=treeitem]");
+    if (first) first.tabIndex = 0;
+  }
+
+  static key(entity, link) {
+    return link === undefined ? `${entity}` : `${entity} ${link}`;
+  }
+
+  entityRow(entity, index) {
+    const note = entity.pose ? entity.type : "has no known place";
+    const model = entity.model;
+    return this.row(
+      entity.path || entity.type,
+      note,
+      index,
+      undefined,
+      model?.root >= 0 ? [model.root] : [],
+      1,
+    );
+  }
+
+  /** A node: its row, and beside it the group of the rows below. */
+  row(name, note, entity, link, children, level) {
+    const row = element(
+      "div",
+      { role: "treeitem", class: "line", tabindex: "-1", "aria-selected": "false", "aria-level": level },
+      element("span", { class: "arrow", "aria-hidden": "true" }),
+      element("span", { class: "name" }, name),
+    );
+    if (note) row.append(element("span", { class: "note" }, note));
+    Object.assign(row, { entity, link, below: children, level });
+    if (children.length > 0) row.setAttribute("aria-expanded", "false");
+    row.addEventListener("click", (event) => {
+      if (event.target.className === "arrow") this.open(row, row.getAttribute("aria-expanded") !== "true");
+      else this.onSelect(entity, link);
+    });
+    this.rows.set(Tree.key(entity, link), row);
+    return element("div", { role: "none", class: "node" }, row);
+  }
+
+  /** Rows of links are made when they are first seen. */
+  open(row, isOpen, isDeep = false) {
+    if (row.below.length === 0) return;
+    row.nodes ??= this.addBelow(row);
+    if (row.group) {
+      row.group.hidden = !isOpen;
+      row.setAttribute("aria-expanded", isOpen);
+    } else {
+      this.openBeside(row, isOpen);
+    }
+    if (isDeep) for (const node of row.nodes) this.open(node.firstChild, isOpen, true);
+  }
+
+  addBelow(row) {
+    const { model } = this.scene.entities[row.entity];
+    const nodes = row.below.map((link) => {
+      const { name, children } = model.links[link];
+      const node = this.row(name, "", row.entity, link, children, row.level + 1);
+      node.firstChild.above = row;
+      return node;
+    });
+    if (row.level < kDeepest) {
+      row.group = element("div", { role: "group" }, ...nodes);
+      row.after(row.group);
+    } else {
+      row.parentElement.after(...nodes);
+    }
+    return nodes;
+  }
+
+  /** Rows below that lie beside theirs are closed with it. */
+  openBeside(row, isOpen) {
+    const rows = [row];
+    for (const each of rows) {
+      each.setAttribute("aria-expanded", isOpen);
+      for (const node of each.nodes) {
+        node.hidden = !isOpen;
+        if (!isOpen && node.firstChild.getAttribute("aria-expanded") === "true") rows.push(node.firstChild);
+      }
+    }
+  }
+
+  select(entity, link) {
+    this.selected?.setAttribute("aria-selected", "false");
+    this.selected = undefined;
+    if (entity === undefined) return;
+    if (link !== undefined) this.reveal(entity, link);
+    this.selected = this.rows.get(Tree.key(entity, link));
+    this.selected?.setAttribute("aria-selected", "true");
+    this.focusable(this.selected);
+    this.selected?.scrollIntoView({ block: "nearest" });
+  }
+
+  reveal(entity, link) {
+    const { model } = this.scene.entities[entity];
+    const way = [];
+    for (let at = link; at !== undefined; at = model.joints[model.links[at].joint]?.parent) way.unshift(at);
+    this.open(this.rows.get(Tree.key(entity)), true);
+    for (const at of way.slice(0, -1)) this.open(this.rows.get(Tree.key(entity, at)), true);
+  }
+
+  focusable(row) {
+    for (const other of this.host.querySelectorAll("[tabindex='0']")) other.tabIndex = -1;
+    if (row) row.tabIndex = 0;
+  }
+
+  onKey(event) {
+    const row = event.target.closest("[role=treeitem]");
+    if (!row) return;
+    const shown = [...this.host.querySelectorAll("[role=treeitem]")].filter(
+      (each) => each.offsetParent !== null,
+    );
+    const at = shown.indexOf(row);
+    const isOpen = row.getAttribute("aria-expanded") === "true";
+    const go = (other) => {
+      if (!other) return;
+      this.focusable(other);
+      other.focus();
+    };
+    const keys = {
+      ArrowDown: () => go(shown[at + 1]),
+      ArrowUp: () => go(shown[at - 1]),
+      Home: () => go(shown[0]),
+      End: () => go(shown.at(-1)),
+      ArrowRight: () => (isOpen ? go(shown[at + 1]) : this.open(row, true)),
+      ArrowLeft: () => (isOpen ? this.open(row, false) : go(row.above)),
+      Enter: () => this.onSelect(row.entity, row.link),
+      " ": () => this.onSelect(row.entity, row.link),
+    };
+    if (!keys[event.key]) return;
+    event.preventDefault();
+    event.stopPropagation();
+    keys[event.key]();
+  }
+}
