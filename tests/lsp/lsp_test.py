@@ -739,6 +739,12 @@ class Protocol(LspTest):
         except client.RequestError as error:
             self.assertEqual(error.code, -32800)
 
+    def test_cancelled_by_a_request(self):
+        """It should be a notification. Every request has an answer, though."""
+        with self.assertRaises(client.RequestError) as caught:
+            self.client.request("$/cancelRequest", {"id": 1}, timeout=10)
+        self.assertEqual(caught.exception.code, -32601)
+
     def test_characters(self):
         """Columns in the units that were agreed on."""
         text = '<robot name="r"><!-- \N{ROBOT FACE}\N{LATIN SMALL LETTER U WITH DIAERESIS} --><link name="a"/><link name="a"/></robot>\n'
