@@ -291,6 +291,19 @@ class Fixes(LintTest):
         subprocess.run(["git", "apply", str(patch)], cwd=self.folder, check=True)
         self.assertEqual(self.read("arm/smurf/arm_motors.yml"), MOTORS.rstrip("\n"))
 
+    def test_diff_of_many_lines(self):
+        """Changes at the ends, beside each other, apart, and more than are looked at together."""
+        plain, wrong = "<link name='a{}'/>\n", "<link name='a{}&'/>\n"
+        for number, pattern in enumerate(["1" * 400, "10" * 300, "1" + "0" * 9 + "1", "100001100000001" * 40, "0" * 50 + "1"]):
+            for equal in (False, True):
+                lines = [(wrong if one == "1" else plain).format("" if equal else i) for i, one in enumerate(pattern)]
+                before = "<robot name='r'>\n" + "".join(lines) + "</robot>"
+                name = f"many{number}{equal}.urdf"
+                self.write(name, before)
+                (self.folder / "fix.diff").write_text(self.expect(1, "--diff", name).stdout)
+                subprocess.run(["git", "apply", "fix.diff"], cwd=self.folder, check=True)
+                self.assertEqual(self.read(name), before.replace("&", "&amp;"))
+
     def test_standard_input(self):
         broken = URDF.replace('type="continuous"', 'type="Continuous"')
         done = self.run_tool("--fix", "-", stdin=broken)
