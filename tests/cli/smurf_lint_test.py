@@ -291,6 +291,38 @@ class Fixes(LintTest):
         subprocess.run(["git", "apply", str(patch)], cwd=self.folder, check=True)
         self.assertEqual(self.read("arm/smurf/arm_motors.yml"), MOTORS.rstrip("\n"))
 
+    def test_no_fix_makes_another_mistake(self):
+        """The nearest name may be the one thing that cannot be meant."""
+        robot = ('<robot name="r"><link name="a"/><link name="xb"/><joint name="j" type="continuous"><parent link="{}"/>'
+                 '<child link="{}"/>{}</joint></robot>\n')
+        for name, ends in (("child", ("a", "aa", "")), ("parent", ("xbb", "xb", "")), ("mimic", ("a", "xb", '<mimic joint="jj"/>'))):
+            self.write("r.urdf", robot.format(*ends))
+            before = [d["id"] for d in json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"]]
+            self.run_tool("--fix-only", "--unsafe-fixes", "r.urdf")
+            after = [d["id"] for d in json.loads(self.run_tool("--format", "json", "r.urdf").stdout)["diagnostics"]]
+            self.assertEqual(after, before, name)
+        self.write("r.urdf", robot.format("a", "xb", ""))
+        pose = "modelname: r\nfiles: [r.urdf]\nposes:\n- {name: p, joints: {jj: 90, j: 1}}\n"
+        self.write("r.smurf", pose)
+        self.run_tool("--fix-only", "--unsafe-fixes", "r.smurf")
+        self.assertEqual(self.read("r.smurf"), pose)
+        self.write("r.smurf", pose.replace(", j: 1", ""))
+        self.run_tool("--fix-only", "--unsafe-fixes", "r.smurf")
+        self.assertEqual(self.read("r.smurf"), pose.replace("jj: 90, j: 1", "j: 90"))
+
+    def test_diff_of_many_lines(self):
+        """Changes at the ends, beside each other, apart, and more than are looked at together."""
+        plain, wrong = "<link name='a{}'/>\n", "<link name='a{}&'/>\n"
+        for number, pattern in enumerate(["1" * 400, "10" * 300, "1" + "0" * 9 + "1", "100001100000001" * 40, "0" * 50 + "1"]):
+            for equal in (False, True):
+                lines = [(wrong if one == "1" else plain).format("" if equal else i) for i, one in enumerate(pattern)]
+                before = "<robot name='r'>\n" + "".join(lines) + "</robot>"
+                name = f"many{number}{equal}.urdf"
+                self.write(name, before)
+                (self.folder / "fix.diff").write_text(self.expect(1, "--diff", name).stdout)
+                subprocess.run(["git", "apply", "fix.diff"], cwd=self.folder, check=True)
+                self.assertEqual(self.read(name), before.replace("&", "&amp;"))
+
     def test_standard_input(self):
         broken = URDF.replace('type="continuous"', 'type="Continuous"')
         done = self.run_tool("--fix", "-", stdin=broken)

@@ -60,6 +60,21 @@ class Verdicts(LoadCheckTest):
         self.assertIn("<inertia", self.read("bad.urdf").splitlines()[found["line"] - 1])
         self.assertTrue(any("ODE refuses" in note for note in found["notes"]), found)
 
+    def test_a_negative_mass_has_no_place_to_hide(self):
+        """As a root, which would be a fixed base without mass, and beside a heavier link."""
+        ball = BALL[BALL.index("<link"):BALL.index("</robot>")]
+        joint = ('<joint name="j" type="{}"><parent link="a"/><child link="b"/><origin xyz="0 0 1"/>'
+                 '<axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>')
+        for masses in ((-1, 1), (-1, 5), (5, -1), (1, -1), (-1, -1)):
+            for kind in ("revolute", "fixed"):
+                links = "".join(ball.replace('"ball"', f'"{name}"').replace('mass value="1"', f'mass value="{mass}"')
+                                for name, mass in zip("ab", masses))
+                self.write("robot.urdf", f'<robot name="r">{links}{joint.format(kind)}</robot>')
+                report = self.report(1, "robot.urdf")
+                found = [d["id"] for d in report["diagnostics"]]
+                self.assertEqual(found, ["SML1509"] * sum(mass < 0 for mass in masses), f"{masses} {kind}")
+                self.assertEqual(self.stages(report["checks"][0])["BUILD"], "fail")
+
     def test_one_bad_link_does_not_hide_an_overlap_elsewhere(self):
         ball = BALL[BALL.index("<link"):BALL.index("</robot>")]
         joint = ('<joint name="{0}" type="revolute"><parent link="{1}"/><child link="{0}"/>'

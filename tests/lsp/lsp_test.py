@@ -213,6 +213,16 @@ class Pulled(LspTest):
         again = self.client.request("workspace/diagnostic", {"previousResultIds": known})
         self.assertEqual({one["kind"] for one in again["items"]}, {"unchanged"})
 
+    def test_memory_of_many_findings(self):
+        """A megabyte of 25,000 findings; a copy of them takes 60 MB."""
+        entry = f"- {{name: {'n' * 40}, joint: {'n' * 40}q, mimic_motor: {'n' * 40}r, joitn: j}}\n"
+        self.client.open(self.motors, "motors:\n" + entry * (1_000_000 // len(entry)))
+        self.client.of("textDocument/diagnostic", self.motors)
+        status = pathlib.Path(f"/proc/{self.client.process.pid}/status").read_text()
+        most = int(re.search(r"VmHWM:\s+(\d+) kB", status).group(1)) / 1024
+        if not cli.is_sanitized(TOOL):
+            self.assertLess(most, 220)
+
 
 class Actions(LspTest):
     def test_unsafe_fix(self):
@@ -738,6 +748,12 @@ class Protocol(LspTest):
             self.client.answer(requests[-1])
         except client.RequestError as error:
             self.assertEqual(error.code, -32800)
+
+    def test_cancelled_by_a_request(self):
+        """It should be a notification. Every request has an answer, though."""
+        with self.assertRaises(client.RequestError) as caught:
+            self.client.request("$/cancelRequest", {"id": 1}, timeout=10)
+        self.assertEqual(caught.exception.code, -32601)
 
     def test_characters(self):
         """Columns in the units that were agreed on."""

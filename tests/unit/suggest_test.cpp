@@ -90,6 +90,8 @@ TEST_CASE("suggest: the nearest name") {
     CHECK(std::string(nearest(row.name, known).value_or("")) == row.nearest);
   }
   const std::vector<std::string_view> ties = {"joint_a", "joint_b"};
+  const std::vector<std::string_view> letters{"a", "c", "b"};
+  CHECK(nearest("B", letters) == "b");
   CHECK(nearest("joint_c", ties) == "joint_a");
   CHECK(!nearest("a", {}));
   CHECK(!nearest(std::string(100000, 'a'), known));

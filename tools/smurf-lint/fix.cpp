@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-lint/fix.hpp"
 
-#include <dtl/dtl.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -13,6 +11,7 @@
 #include "base/limits.hpp"
 #include "base/path.hpp"
 #include "render/printable.hpp"
+#include "smurf-lint/line_diff.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/fix.hpp"
 
@@ -25,49 +24,11 @@ constexpr int kRounds = 10;
 /// Includes rounds that only fix findings that were left out before, because there were too many.
 constexpr int kMostRounds = 100;
 
-/// Lines with their line ends, so that a change of these shows too.
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(end);
-  }
-  return lines;
-}
-
-std::string diff_line(char mark, const std::string& line) {
-  std::string text = mark + render::escape_lines(line);
-  if (!text.ends_with('\n')) text += "\n\\ No newline at end of file\n";
-  return text;
-}
-
-/// "3,2" in "@@ -3,2 +3,2 @@".
-std::string diff_range(long long first, long long count) {
-  if (count == 1) return std::to_string(first);
-  return std::to_string(count == 0 ? first - 1 : first) + "," + std::to_string(count);
-}
-
 std::string diff_of(const std::string& path, const Change& change) {
-  using LineDiff = dtl::Diff<std::string, std::vector<std::string>>;
-  LineDiff diff(lines_of(change.before), lines_of(change.after));
-  diff.onHuge();
-  diff.compose();
-  diff.composeUnifiedHunks();
   const bool is_relative = !path.starts_with('/');
   const std::string name = render::escape(path);
-  std::string text = "--- " + (is_relative ? "a/" + name : name) + "\n";
-  text += "+++ " + (is_relative ? "b/" + name : name) + "\n";
-  for (const auto& hunk : diff.getUniHunks()) {
-    text += "@@ -" + diff_range(hunk.a, hunk.b) + " +" + diff_range(hunk.c, hunk.d) + " @@\n";
-    for (const auto& [line, info] : hunk.common[0]) text += diff_line(' ', line);
-    for (const auto& [line, info] : hunk.change) {
-      const char mark = info.type == dtl::SES_ADD ? '+' : info.type == dtl::SES_DELETE ? '-' : ' ';
-      text += diff_line(mark, line);
-    }
-    for (const auto& [line, info] : hunk.common[1]) text += diff_line(' ', line);
-  }
-  return text;
+  return "--- " + (is_relative ? "a/" + name : name) + "\n" + "+++ " +
+         (is_relative ? "b/" + name : name) + "\n" + unified_hunks(change.before, change.after);
 }
 
 /// The cost of a check, as `rechecked-bytes` counts it.

@@ -58,6 +58,7 @@ class BodyCheck {
              "no link of this robot has an inertial", kNoMass);
       return {};
     }
+    report_negative_masses();
     for (std::size_t i = 0; i < plan_.bodies.size(); ++i) check_body(i);
     Figure axis{"axis", 0, bounds_["axis"], {}, {}};
     Figure ratio{"mass-ratio", 1, bounds_["mass-ratio"], {}, {}};
@@ -76,12 +77,24 @@ class BodyCheck {
            });
   }
 
+  /// Of fixed bases too, and of links that heavier ones on fixed joints outweigh.
+  void report_negative_masses() {
+    for (const LinkPlan& link : plan_.links) {
+      if (has_negative_mass(link)) report_bad_mass(link, mass_of(link));
+    }
+  }
+
+  bool has_negative_mass(const LinkPlan& link) const {
+    return plan_.link(link).inertial && mass_of(link) < 0;
+  }
+
   void check_body(std::size_t index) {
     const MassProperties& mass = plan_.bodies[index].mass;
     const LinkPlan* heaviest = nullptr;
     for (const std::size_t member : members_[index]) {
       const LinkPlan& link = plan_.links[member];
       if (!plan_.link(link).inertial) continue;
+      if (has_negative_mass(link)) return;
       if (heaviest == nullptr || mass_of(link) > mass_of(*heaviest)) heaviest = &link;
     }
     if (heaviest == nullptr) {

@@ -10,8 +10,10 @@ namespace smurf::lsp {
 Json document_diagnostics(Context& context, const Json& params);
 Json workspace_diagnostics(Context& context, const Json& params);
 /// By file: the client's URI and the list of findings.
+/// With `only`, those of that file.
 std::map<std::string, Json> diagnostics_by_file(const Context& context, const Report& report,
-                                                const SourceMap& sources);
+                                                const SourceMap& sources,
+                                                const std::string* only = nullptr);
 Json to_json(const Context& context, const Diagnostic& diagnostic, const SourceMap& sources);
 
 // code_actions.cpp

@@ -140,10 +140,12 @@ Json to_json(const Context& context, const Diagnostic& diagnostic, const SourceM
 }
 
 std::map<std::string, Json> diagnostics_by_file(const Context& context, const Report& report,
-                                                const SourceMap& sources) {
+                                                const SourceMap& sources, const std::string* only) {
   std::map<std::string, Json> files;
   for (const Diagnostic& one : report.diagnostics) {
-    Json& list = files.try_emplace(sources.path(one.span.source), Json::array()).first->second;
+    const std::string& path = sources.path(one.span.source);
+    if (only != nullptr && path != *only) continue;
+    Json& list = files.try_emplace(path, Json::array()).first->second;
     list.push_back(to_json(context, one, sources));
   }
   return files;
@@ -152,12 +154,11 @@ std::map<std::string, Json> diagnostics_by_file(const Context& context, const Re
 Json document_diagnostics(Context& context, const Json& params) {
   const std::string path = path_in(params);
   const Report& report = context.workspace.report();
+  const std::string* only = context.client.takes_related_documents ? nullptr : &path;
   std::map<std::string, Json> files =
-      diagnostics_by_file(context, report, context.workspace.sources());
-  Json own = files.try_emplace(path, Json::array()).first->second;
-  files.erase(path);
-  Json answer = file_report(std::move(own), text_at(params, {"previousResultId"}));
-  if (!context.client.takes_related_documents) return answer;
+      diagnostics_by_file(context, report, context.workspace.sources(), only);
+  auto own = files.extract(files.try_emplace(path, Json::array()).first);
+  Json answer = file_report(std::move(own.mapped()), text_at(params, {"previousResultId"}));
   for (auto& [other, items] : files) {
     answer["relatedDocuments"][context.workspace.uri_of(other)] = file_report(std::move(items), {});
   }

@@ -94,7 +94,7 @@ void Inbox::take(Json message) {
     for (Json& waiting : messages_) {
       if (!id.is_null() && at(waiting, {"id"}) == id) waiting[kCancelled] = true;
     }
-    return;
+    if (!message.contains("id")) return;  // else it waits for an answer
   }
   messages_.push_back(std::move(message));
   has_more_.notify_one();

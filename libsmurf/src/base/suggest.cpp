@@ -122,9 +122,14 @@ nearest(std::string_view name, std::span<const std::string_view> known, std::uin
   for (const std::string_view candidate : known) {
     if (candidate == name) return std::nullopt;
     spend(1, steps_left);
-    if (best == 1) continue;  // nothing is nearer; from here on, search only for the name itself
+    if (best == 0) continue;  // nothing is nearer; from here on, search only for the name itself
     spend(std::min(candidate.size(), kLongestName), steps_left);
     if (steps_left == 0) return std::nullopt;
+    if (differ_only_in_case(name, candidate)) {  // nearer than any other
+      best = 0;
+      found = candidate;
+    }
+    if (best <= 1) continue;
     if (fewest_edits(own, characters(candidate)) >= best) continue;
     const int distance = distance_of(name, candidate, best - 1, steps_left);
     if (distance < best) {

@@ -98,6 +98,20 @@ xml::View element_of(const LinkedModel& model, const Reference& reference) {
   return {model.robot->document, xml::ElementId{reference.place}};
 }
 
+void withhold_fix(Diagnostic* diagnostic, std::string_view name) {
+  if (diagnostic == nullptr) return;
+  std::erase_if(diagnostic->fixes, [&](const Fix& fix) {
+    return std::any_of(fix.edits.begin(), fix.edits.end(),
+                       [&](const Edit& edit) { return edit.text == name; });
+  });
+}
+
+std::string_view other_link(xml::View end) {
+  const xml::View other = end.parent().child(end.name() == "child" ? "parent" : "child");
+  const xml::Attribute* link = other ? other.attribute("link") : nullptr;
+  return link != nullptr ? link->value() : std::string_view();
+}
+
 std::string subject_of(const AnnotationPlace& place) {
   const SectionSpec* section = find_section(place.section);
   if (section == nullptr) return "this entry";

@@ -24,6 +24,13 @@ Span place_of(const Reference& reference);
 /// The element of a URDF in which it stands; false for annotations.
 xml::View element_of(const LinkedModel& model, const Reference& reference);
 
+/// Withdraws a fix that writes this name, which would be another mistake at this place. The hint
+/// stays: it may tell what went wrong.
+void withhold_fix(Diagnostic* diagnostic, std::string_view name);
+
+/// The other end of the joint whose `<parent>` or `<child>` this is.
+std::string_view other_link(xml::View end);
+
 /// "motor `elbow`", "this joint entry": who names it in the annotations.
 std::string subject_of(const AnnotationPlace& place);
 /// "joint `elbow`" of an element, or "a joint without name".

@@ -13,6 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!parent || parent.name() != "parent") continue;
     Diagnostic* diagnostic =
         check_link_of_joint(model, one, subject_of(parent.parent()), unnamed, findings);
+    withhold_fix(diagnostic, other_link(parent));
     if (diagnostic != nullptr && one.name == "world") {
       diagnostic->construct = "drake-world";
       diagnostic->notes.push_back(

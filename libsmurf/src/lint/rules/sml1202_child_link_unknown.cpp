@@ -11,7 +11,8 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const Reference& one : findings.doubtful_references()) {
     const xml::View child = element_of(model, one);
     if (!child || child.name() != "child") continue;
-    check_link_of_joint(model, one, subject_of(child.parent()), unnamed, findings);
+    withhold_fix(check_link_of_joint(model, one, subject_of(child.parent()), unnamed, findings),
+                 other_link(child));
   }
 }
 

@@ -24,6 +24,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::string subject = "the mimic of " + subject_of(mimic.parent());
     Diagnostic* diagnostic =
         check_reference(model, NameKind::joint, one.name, one.span, subject.c_str(), findings);
+    const xml::Attribute* own = mimic.parent().attribute("name");
+    if (own != nullptr) withhold_fix(diagnostic, own->value());
     if (diagnostic == nullptr || !drake_joints.contains(one.name)) continue;
     diagnostic->construct = "drake-joint";
     diagnostic->notes.push_back(drake::kJointNote);

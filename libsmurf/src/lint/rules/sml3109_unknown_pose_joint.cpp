@@ -5,14 +5,25 @@
 namespace smurf::rules {
 namespace {
 
+/// The mapping whose key it is.
+yaml::View siblings_of(const LinkedModel& model, const Reference& key) {
+  const yaml::Document& document = *model.document(key.span.source);
+  return {document, document.nodes[key.place].parent};
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!can_judge(model, NameKind::motor)) return;
   for (const Reference& one : findings.doubtful_references()) {
     if (one.is_known()) continue;
     const AnnotationPlace place = annotation_place(model, one);
     if (place.section != "poses") continue;
-    check_reference(model, NameKind::joint, one.name, place_of(one), subject_of(place).c_str(),
-                    findings);
+    Diagnostic* diagnostic = check_reference(model, NameKind::joint, one.name, place_of(one),
+                                             subject_of(place).c_str(), findings);
+    if (diagnostic == nullptr || one.notation != Reference::Notation::yaml_key) continue;
+    for (const Fix& fix : std::vector<Fix>(diagnostic->fixes)) {
+      const std::string& name = fix.edits.front().text;
+      if (siblings_of(model, one).find(name)) withhold_fix(diagnostic, name);
+    }
   }
 }
 
