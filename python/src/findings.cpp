@@ -76,7 +76,7 @@ void bind_finding(py::module_& module) {
           "message", [](const Finding& self) { return to_text(self->message); },
           "What is wrong, in one sentence.")
       .def_property_readonly(
-          "help", [](const Finding& self) { return to_text(self->help); },
+          "help", [](const Finding& self) { return to_text(self->help_text); },
           "What to do about it; may be empty.")
       .def_property_readonly(
           "notes",

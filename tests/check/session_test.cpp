@@ -174,7 +174,7 @@ TEST_CASE(
       REQUIRE(report.diagnostics.size() == 1);
       const Diagnostic& told = report.diagnostics[0];
       CHECK(session.sources().path(told.span.source) == "/m100.smurf");
-      CHECK(told.help == "raise the limit with `--limit rechecked-bytes=N`");
+      CHECK(told.help_text == "raise the limit with `--limit rechecked-bytes=N`");
       CHECK(report.summary.models == 100);
       const std::string text = text_of(report, session.sources());
       if (first.empty()) first = text;
@@ -211,7 +211,7 @@ TEST_CASE("models are checked until there are too many findings, on any number o
     CHECK(report.summary.models == 3);
     const Diagnostic& told = report.diagnostics.back();
     CHECK(session.sources().path(told.span.source) == "/m3.smurf");
-    CHECK(told.help == "raise the limit with `--limit all-findings=N`");
+    CHECK(told.help_text == "raise the limit with `--limit all-findings=N`");
   }
   limits.all_findings = models.size() * each;
   Session enough(files, limits);
@@ -237,7 +237,7 @@ TEST_CASE("patterns of paths are compared until there were too many") {
   const Report report = exhausted.check(plan);
   REQUIRE(!report.diagnostics.empty());
   CHECK(report.diagnostics[0].rule->id == "SML0002");
-  CHECK(report.diagnostics[0].help == "raise the limit with `--limit path-checks=N`");
+  CHECK(report.diagnostics[0].help_text == "raise the limit with `--limit path-checks=N`");
   CHECK(exhausted.sources().path(report.diagnostics[0].span.source) == "/.smurf-lint.yaml");
   CHECK(exhausted.sources().path(report.diagnostics.back().span.source) == "/a3.urdf");
 }

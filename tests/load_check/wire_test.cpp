@@ -22,8 +22,8 @@ CheckResult some_result() {
   DiagnosticSink sink;
   Diagnostic& diagnostic = sink.report(rules::sml6401_joint_comes_apart, {SourceId{0}, 3, 7}, "x");
   diagnostic.caret = "y";
-  diagnostic.labels.push_back({{SourceId{0}, 8, 9}, "z"});
-  diagnostic.notes.push_back("n");
+  diagnostic.label({SourceId{0}, 8, 9}, "z");
+  diagnostic.note("n");
   result.diagnostics = sink.take();
   result.samples.push_back({Stage::hang, 0.5, 1e-3, 2e-6});
   return result;

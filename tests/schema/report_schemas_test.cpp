@@ -51,8 +51,8 @@ TEST_CASE("the report of diagnostics") {
   std::vector<Diagnostic> diagnostics(reading.sink.diagnostics().begin(),
                                       reading.sink.diagnostics().end());
   REQUIRE(diagnostics.size() == 2);
-  diagnostics[0].labels.push_back({diagnostics[1].span, "see here"});
-  diagnostics[0].notes.emplace_back("a note");
+  diagnostics[0].label(diagnostics[1].span, "see here");
+  diagnostics[0].note("a note");
   diagnostics[0].pointer = "/motors/0/p";
   const TargetVerdict refused{.reader = find_target("mars"),
                               .refusals = 1,

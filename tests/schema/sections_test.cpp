@@ -20,7 +20,8 @@ Wording first_finding(const std::string& entry) {
   const auto findings = reading.shape_findings();
   if (findings.empty()) return {};
   const auto& fixes = findings[0]->fixes;
-  return {findings[0]->message, findings[0]->help, fixes.empty() ? "" : fixes[0].edits.at(0).text};
+  return {findings[0]->message, findings[0]->help_text,
+          fixes.empty() ? "" : fixes[0].edits.at(0).text};
 }
 
 struct Read {
@@ -48,7 +49,7 @@ TEST_CASE("messages say what is written and what to write") {
   CHECK(first_finding("jointIndex2: 1.5").message ==
         "`jointIndex2` takes a whole number, not `1.5`");
   CHECK(first_finding("jointIndex2: 10.0").message == "");
-  CHECK(first_finding("maxeffort_approximation: polynom6").help == "did you mean `polynom2`?");
+  CHECK(first_finding("maxeffort_approximation: polynom6").help_text == "did you mean `polynom2`?");
   CHECK(first_finding("name: ~").message == "");
 }
 
@@ -63,7 +64,7 @@ TEST_CASE("a misspelt required key is one finding, at the key") {
   REQUIRE(reading.shape_findings().size() == 1);
   const Diagnostic& finding = *reading.shape_findings()[0];
   CHECK(finding.message == "this motor has no `joint`");
-  CHECK(finding.help == "did you mean `joint` by `jiont`?");
+  CHECK(finding.help_text == "did you mean `joint` by `jiont`?");
   CHECK(reading.sources.text(finding.span) == "jiont");
 
   const Reading json(FileKind::annotations, R"({"joint": [{"name": "j", "type": "slidr"}]})");
@@ -78,7 +79,7 @@ TEST_CASE("a main file needs `files`") {
   const Diagnostic& finding = *misspelt.shape_findings()[0];
   CHECK(finding.message == "this main file has no `files`");
   CHECK(misspelt.sources.text(finding.span) == "flies");
-  CHECK(finding.help == "did you mean `files` by `flies`?");
+  CHECK(finding.help_text == "did you mean `files` by `flies`?");
 
   const Reading absent(FileKind::model, "modelname: a\n");
   REQUIRE(absent.shape_findings().size() == 1);

@@ -171,7 +171,7 @@ std::vector<Diagnostic> found(const Demand& demand, const Limits& limits, std::s
   }
   std::vector<Diagnostic> all = sink.take();
   std::erase_if(all, [&](const Diagnostic& one) {
-    return one.rule->id != rule || one.help.find("--limit") == std::string::npos;
+    return one.rule->id != rule || one.help_text.find("--limit") == std::string::npos;
   });
   return all;
 }
@@ -194,7 +194,7 @@ TEST_CASE("limits: the last that passes, the first that does not, and the same w
     CHECK(found(one.demand(one.amount), limits, info.diagnostic).empty());
     const auto told = found(one.demand(one.amount + 1), limits, info.diagnostic);
     REQUIRE(told.size() == 1);
-    CHECK(told[0].help == "raise the limit with `--limit " + std::string(one.name) + "=N`");
+    CHECK(told[0].help_text == "raise the limit with `--limit " + std::string(one.name) + "=N`");
     limits.*info.value = one.amount + 1;
     CHECK(found(one.demand(one.amount + 1), limits, info.diagnostic).empty());
   }

@@ -120,7 +120,7 @@ TEST_CASE("model: a file name that no text can hold is not suggested") {
     const LoadedFiles loaded({{"r.smurf", "files: [modl.urdf]\n"}, {name, kUrdf}}, "r.smurf");
     REQUIRE(!loaded.sink.diagnostics().empty());
     const Diagnostic& missing = loaded.sink.diagnostics()[0];
-    CHECK(missing.help.empty());
+    CHECK(missing.help_text.empty());
     CHECK(missing.fixes.empty());
   }
   const LoadedFiles loaded({{"r.smurf", "files: [modl.urdf]\n"}, {"model.urdf", kUrdf}}, "r.smurf");
@@ -210,7 +210,7 @@ TEST_CASE("model: a misspelt file name is suggested") {
                            "m/r.smurf");
   REQUIRE(loaded.sink.diagnostics().size() == 1);
   const Diagnostic& diagnostic = loaded.sink.diagnostics().front();
-  CHECK(diagnostic.help == "did you mean `r_motors.yml`?");
+  CHECK(diagnostic.help_text == "did you mean `r_motors.yml`?");
   REQUIRE(diagnostic.fixes.size() == 1);
   const Edit& edit = diagnostic.fixes.front().edits.front();
   CHECK(loaded.sources.text(edit.span) == "r_moters.yml");

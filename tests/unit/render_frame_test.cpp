@@ -25,10 +25,9 @@ TEST_CASE("a diagnostic with labels, notes, help and a fix") {
       diagnose(find(sources, yaml, "elbow_jiont"),
                "motor `elbow_motor` drives joint `elbow_jiont`, which the model does not define",
                "no such joint in `robots/arm/urdf/arm.urdf`");
-  diagnostic.labels.push_back(
-      {find(sources, urdf, "elbow_joint"), "`elbow_joint` is defined here"});
-  diagnostic.notes.push_back("MARS drives joint 0");
-  diagnostic.help = "a joint with a similar name exists: `elbow_joint`";
+  diagnostic.label(find(sources, urdf, "elbow_joint"), "`elbow_joint` is defined here");
+  diagnostic.note("MARS drives joint 0");
+  diagnostic.help("a joint with a similar name exists: `elbow_joint`");
   diagnostic.fixes.push_back({Applicability::unsafe, {{diagnostic.span, "elbow_joint"}}});
 
   CHECK(
@@ -62,9 +61,9 @@ TEST_CASE("labels in the same file share the frame; gaps become dots, one line i
   const SourceId id =
       sources.add("a.yml", "first: 1\nb: 2\nsecond: 3\nd: 4\ne: 5\nf: 6\nlast: 7\n");
   Diagnostic diagnostic = diagnose(find(sources, id, "last"), "bad");
-  diagnostic.labels.push_back({find(sources, id, "second"), "and here"});
-  diagnostic.labels.push_back({find(sources, id, "first"), "starts here"});
-  diagnostic.labels.push_back({find(sources, id, "7"), "the value"});
+  diagnostic.label(find(sources, id, "second"), "and here");
+  diagnostic.label(find(sources, id, "first"), "starts here");
+  diagnostic.label(find(sources, id, "7"), "the value");
   CHECK(render_full(diagnostic, sources, {}) == R"(error[SML3101]: bad
  --> a.yml:7:1
   |
@@ -116,8 +115,8 @@ TEST_CASE("nothing of a file reaches the terminal undecoded") {
   SourceMap sources;
   const SourceId id = sources.add("a\nb.yml", "x");
   Diagnostic diagnostic = diagnose({id, 0, 1}, "name `a\x1b[2J\tb\u2028\xff`", "\x7f");
-  diagnostic.help = "say \x07";
-  diagnostic.notes.push_back("a\r\nb");
+  diagnostic.help("say \x07");
+  diagnostic.note("a\r\nb");
   CHECK(render_full(diagnostic, sources, {}) ==
         "error[SML3101]: name `a\\u001b[2J\\tb\\u2028\uFFFD`\n --> a\\nb.yml:1:1\n  |\n1 | x\n"
         "  | ^ \\u007f\n  |\n  = note: a\\r\\nb\n  = help: say \\u0007\n\n");
@@ -147,9 +146,9 @@ TEST_CASE("places without characters") {
         "missing.yml:1:1: error[SML3101] bad\n");
 
   Diagnostic diagnostic = diagnose({missing, 0, 0}, "cannot read");
-  diagnostic.help = "write it";
-  diagnostic.labels.push_back({{text, 0, 1}, "named here"});
-  diagnostic.labels.push_back({{missing, 0, 0}, "this one"});
+  diagnostic.help("write it");
+  diagnostic.label({text, 0, 1}, "named here");
+  diagnostic.label({missing, 0, 0}, "this one");
   CHECK(render_full(diagnostic, sources, {}) == R"(error[SML3101]: cannot read
  --> missing.yml
   = help: write it
@@ -206,8 +205,8 @@ TEST_CASE("other marks beside a bracket, and labels of several lines") {
   SourceMap sources;
   const SourceId id = sources.add("a.yml", "a:\n  b: 1\n  c: 2\nd:\n  e: 3\n");
   Diagnostic diagnostic = diagnose(find(sources, id, "b: 1\n  c: 2"), "bad");
-  diagnostic.labels.push_back({find(sources, id, "c"), "inside"});
-  diagnostic.labels.push_back({find(sources, id, "d:\n  e: 3"), "other"});
+  diagnostic.label(find(sources, id, "c"), "inside");
+  diagnostic.label(find(sources, id, "d:\n  e: 3"), "other");
   CHECK(render_full(diagnostic, sources, {}) == R"(error[SML3101]: bad
  --> a.yml:2:3
   |
@@ -267,9 +266,9 @@ TEST_CASE("marks in the part of a line that is cut away are drawn under the dots
   const SourceId id = sources.add("a.yml", "left " + filler + " near token " + filler + " right\n");
   Diagnostic diagnostic = diagnose(find(sources, id, "token"), "bad");
   for (const std::string_view label : {"left", "near", "right"}) {
-    diagnostic.labels.push_back({find(sources, id, label), std::string(label)});
+    diagnostic.label(find(sources, id, label), std::string(label));
   }
-  diagnostic.labels.push_back({{id, 0, 47}, "from the left"});
+  diagnostic.label({id, 0, 47}, "from the left");
   const std::string shown = render_full(diagnostic, sources, {false, 34});
   CHECK(shown.substr(shown.find("  |")) == R"(  |
 1 | ...xxxxxx near token xxxxxx...
@@ -303,7 +302,7 @@ TEST_CASE("any bytes, any marks, any width: lines of printable text") {
       return Span{id, begin, begin + pick(40)};
     };
     Diagnostic diagnostic = diagnose(span(), "bad", "here");
-    for (std::uint32_t i = pick(3); i > 0; --i) diagnostic.labels.push_back({span(), "label"});
+    for (std::uint32_t i = pick(3); i > 0; --i) diagnostic.label(span(), "label");
     const std::string shown = render_full(diagnostic, sources, {false, static_cast<int>(pick(60))});
     CAPTURE(text);
     CHECK(std::none_of(shown.begin(), shown.end(), [](char c) {

@@ -185,9 +185,9 @@ TEST_CASE("the JSON report keeps the order of the contract and leaves out what i
 )");
 
   diagnostic.pointer = "/é";
-  diagnostic.help = "do";
+  diagnostic.help("do");
   diagnostic.notes = {"one", "two"};
-  diagnostic.labels.push_back({{id, 0, 2}, "key"});
+  diagnostic.label({id, 0, 2}, "key");
   diagnostic.fixes.push_back({Applicability::safe, {{{id, 4, 5}, "c"}}});
   const std::vector<Diagnostic> rich{diagnostic};
   const auto report =
@@ -221,7 +221,7 @@ TEST_CASE("reports that are written finding by finding look as if they were prin
       CHECK(nlohmann::ordered_json::parse(text).dump(2) + "\n" == text);
     }
     found.push_back(diagnose({id, 0, 1}, "\n  \"diagnostics\": []\n  \"results\": [\"losses\": ["));
-    found.back().labels.push_back({{id, 5, 6}, "here"});
+    found.back().label({id, 5, 6}, "here");
     found.back().fixes.push_back({Applicability::safe, {{{id, 0, 1}, "x"}}});
   }
 }

@@ -246,7 +246,7 @@ TEST_CASE("findings say what to do") {
                      "- {name: B, file: box.urdf, " +
                      key + "}\n");
     REQUIRE(loaded.diagnostics.size() == 1);
-    return loaded.diagnostics[0].help;
+    return loaded.diagnostics[0].help_text;
   };
   CHECK(help("parent: Base") == "write `Base::foot`");
   CHECK(help("parent: \"Bass::hook\"") == "did you mean `Base::hook`?");

@@ -111,7 +111,7 @@ TEST_CASE("suggest: one bound for all suggestions of a sink, and a finding that 
   REQUIRE(all.size() == 101);
   CHECK(all.back().rule->id == "SML0002");
   CHECK(all.back().severity == Severity::info);
-  CHECK(all.back().help == "raise the limit with `--limit suggestions=N`");
+  CHECK(all.back().help_text == "raise the limit with `--limit suggestions=N`");
 }
 
 TEST_CASE("suggest: nothing for a finding that is left out") {

@@ -143,13 +143,13 @@ TEST_CASE("a finding names the token, the schema's words and the schema's place"
   const Diagnostic& type = rainbow.found[0];
   CHECK(brief(type, rainbow.sources) == "SML4301 arm_rainbow.yml:1:18");
   CHECK(type.pointer == "/rainbow/width");
-  CHECK(type.help == "In metres.");
+  CHECK(type.help_text == "In metres.");
   REQUIRE(type.labels.size() == 1);
   CHECK(rainbow.sources.text(type.labels[0].span) == "\"type\"");
   const Diagnostic& key = rainbow.found[1];
   CHECK(key.message == "`rainbow` has no `radius`");
   CHECK(brief(key, rainbow.sources) == "SML4301 arm_rainbow.yml:1:25");
-  CHECK(key.help == "did you mean `radius`?");
+  CHECK(key.help_text == "did you mean `radius`?");
   CHECK(key.fixes.size() == 1);
 }
 

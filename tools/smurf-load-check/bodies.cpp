@@ -115,7 +115,7 @@ class BodyCheck {
     const auto above = joint_above_.find(index);
     if (above == joint_above_.end()) return;
     const Named joint = name_of(plan_, plan_.joints[above->second]);
-    diagnostic.labels.push_back({joint.place, "moved by this joint"});
+    diagnostic.label(joint.place, "moved by this joint");
   }
 
   void report_bad_mass(const LinkPlan& link, double mass) {
@@ -149,9 +149,8 @@ class BodyCheck {
                                           whose + " is not physically possible", kTooLarge);
     diagnostic.caret = moments_text(principal_moments(inertia));
     if (members_[index].size() > 1) {
-      diagnostic.notes.push_back("the moments are those of " +
-                                 std::to_string(members_[index].size()) +
-                                 " links that are fixed to each other");
+      diagnostic.note("the moments are those of " + std::to_string(members_[index].size()) +
+                      " links that are fixed to each other");
     }
   }
 
@@ -159,7 +158,7 @@ class BodyCheck {
   Diagnostic& report(const Rule& rule, Span place, std::string message, std::string_view ode) {
     Diagnostic& diagnostic = sink_.report(rule, place, std::move(message));
     diagnostic.severity = Severity::error;
-    diagnostic.notes.emplace_back(ode);
+    diagnostic.note(ode);
     return diagnostic;
   }
 

@@ -113,7 +113,7 @@ class ModelCheck {
           run_.sink().report(rules::sml6201_initial_overlap, first.place,
                              first.name + " is " + format_rounded(overlap.depth * 1000, 3) +
                                  " mm inside " + second.name + " at the start");
-      diagnostic.labels.push_back({second.place, "overlaps with this one"});
+      diagnostic.label(second.place, "overlaps with this one");
     }
     result.figures.push_back(figure);
   }
@@ -163,8 +163,8 @@ class ModelCheck {
       diagnostic.caret = std::string("all positions are ") + (is_below ? "above " : "below ") +
                          format_rounded(excluded, 3);
       if (!is_outside(joint)) {
-        diagnostic.notes.push_back("the check starts it at the nearest allowed position, " +
-                                   format_rounded(joint.start, 3));
+        diagnostic.note("the check starts it at the nearest allowed position, " +
+                        format_rounded(joint.start, 3));
       }
     }
   }
@@ -220,13 +220,13 @@ class ModelCheck {
     for (const JointPlan& joint : fixed_.joints) {
       if (!is_outside(joint)) continue;
       const std::string unit = joint.kind == JointKind::slider ? " m" : " rad";
-      diagnostic.notes.push_back(name_of(fixed_, joint).name + " starts " +
-                                 format_rounded(outside_limits(joint), 3) + unit +
-                                 " outside its limits, which is the likely cause");
+      diagnostic.note(name_of(fixed_, joint).name + " starts " +
+                      format_rounded(outside_limits(joint), 3) + unit +
+                      " outside its limits, which is the likely cause");
     }
     if (stand_ins_ > 0) {
-      diagnostic.notes.push_back(count_of(stand_ins_, "body or joint is", "bodies and joints are") +
-                                 " not as written, because ODE refuses them: see BUILD");
+      diagnostic.note(count_of(stand_ins_, "body or joint is", "bodies and joints are") +
+                      " not as written, because ODE refuses them: see BUILD");
     }
   }
 
@@ -258,9 +258,9 @@ class ModelCheck {
           run_.sink().report(rules::sml6501_contact_explodes, first.place,
                              first.name + " and " + second.name + " push the robot apart");
       diagnostic.caret = format_rounded(deepest_->depth * 1000, 3) + " mm inside at the start";
-      diagnostic.labels.push_back({second.place, "overlaps with this one"});
-      diagnostic.notes.push_back("dropped, the robot gains the energy of a fall from " +
-                                 format_rounded(energy.value, 3) + " m");
+      diagnostic.label(second.place, "overlaps with this one");
+      diagnostic.note("dropped, the robot gains the energy of a fall from " +
+                      format_rounded(energy.value, 3) + " m");
       add_causes(diagnostic);
       return;
     }

@@ -133,9 +133,9 @@ class SceneCheck {
           run_.sink().report(rules::sml6201_initial_overlap, a.place,
                              a.name + " is " + format_rounded(overlap.depth * 1000, 3) +
                                  " mm inside " + b.name + " at the start");
-      diagnostic.labels.push_back({b.place, "overlaps with this one"});
-      if (first.body != kEnvironment) diagnostic.labels.push_back({first.place, "with this shape"});
-      if (second.body != kEnvironment) diagnostic.labels.push_back({second.place, "and this one"});
+      diagnostic.label(b.place, "overlaps with this one");
+      if (first.body != kEnvironment) diagnostic.label(first.place, "with this shape");
+      if (second.body != kEnvironment) diagnostic.label(second.place, "and this one");
     }
     result.figures.push_back(figure);
   }

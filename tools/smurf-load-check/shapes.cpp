@@ -65,7 +65,7 @@ class ShapeBuilder {
     Diagnostic& diagnostic = sink_.report(rules::sml6107_shape_not_buildable, denied_.front().place,
                                           meshes + " not looked at");
     diagnostic.severity = Severity::warning;
-    diagnostic.notes.push_back(denied_.front().reason);
+    diagnostic.note(denied_.front().reason);
   }
 
   void add(const LinkPlan& link, std::size_t index) {

@@ -84,9 +84,9 @@ void StageRun::give_no_verdict(const std::vector<EngineMessage>& messages, Stage
       sink_.report(rules::sml6002_no_verdict, suspect.place,
                    "there is no verdict of stage " + std::string(to_string(current_)) +
                        ": ODE's solver gives up");
-  diagnostic.notes.push_back("ODE: " + words_of(messages));
+  diagnostic.note("ODE: " + words_of(messages));
   if (!suspect.name.empty()) {
-    diagnostic.notes.push_back(suspect.name + " starts at a stop, which is the likely cause");
+    diagnostic.note(suspect.name + " starts at a stop, which is the likely cause");
   }
 }
 

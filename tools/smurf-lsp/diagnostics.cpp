@@ -52,7 +52,7 @@ bool has_no_effect(const Diagnostic& diagnostic) {
 
 std::string message_of(const Diagnostic& diagnostic) {
   std::string text = diagnostic.message;
-  if (!diagnostic.help.empty()) text += "\n" + diagnostic.help;
+  if (!diagnostic.help_text.empty()) text += "\n" + diagnostic.help_text;
   for (const std::string& note : diagnostic.notes) text += "\n" + note;
   return text;
 }

@@ -284,7 +284,7 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
         .report(rules::sml5022_too_many_instances, place,
                 "the result has more than " + std::to_string(options.common.limits.scene_bytes) +
                     " bytes")
-        .help = raise_limit("scene-bytes");
+        .help(raise_limit("scene-bytes"));
     return {};
   }
   result.is_complete = !has_losses(loaded.found);

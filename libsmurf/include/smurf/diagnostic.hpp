@@ -136,10 +136,18 @@ struct Diagnostic {
   std::optional<Severity> untargeted;
   std::vector<Label> labels;
   std::vector<std::string> notes;  ///< facts without a place
-  std::string help;                ///< what to do; may be empty
+  std::string help_text;           ///< what to do; may be empty
   std::vector<Fix> fixes;          ///< at most one today
   /// Later findings of this rule are left out; for SML0002 itself, those of all rules.
   const Rule* left_out = nullptr;
+
+  // They return the finding, so that calls are chained: report(...).label(...).help(...).
+  /// Adds a second place, with a short text.
+  Diagnostic& label(Span place, std::string text);
+  /// Adds a fact without a place.
+  Diagnostic& note(std::string text);
+  /// Says what to do.
+  Diagnostic& help(std::string text);
 };
 
 /// Collects diagnostics. Passed by reference through all stages; never prints, never throws.

@@ -126,14 +126,14 @@ class DrawingReader {
                                           "the `width` is not a plain number, so MARS reads 0");
     const std::size_t end = width->value().find_first_not_of("0123456789.");
     if (end != std::string_view::npos && parse_number(width->value().substr(0, end))) {
-      diagnostic.help = "write it without a unit: " + std::string(width->value().substr(0, end));
+      diagnostic.help("write it without a unit: " + std::string(width->value().substr(0, end)));
     }
     return std::nullopt;
   }
 
   void refuse_transform(const xml::Attribute& transform, const std::string& why) {
-    sink_.report(rules::sml5041_drawing_transform, transform.value_span(), why).help =
-        "write `matrix(a,b,c,d,e,f)` or `translate(x,y)`";
+    sink_.report(rules::sml5041_drawing_transform, transform.value_span(), why)
+        .help("write `matrix(a,b,c,d,e,f)` or `translate(x,y)`");
   }
 
   std::optional<Motion> read_motion(const Group& group) {
@@ -214,7 +214,7 @@ class DrawingReader {
             (moves ? (group.title ? ", which MARS" : ", and") +
                          std::string(" does not move what is inside it")
                    : std::string()));
-    diagnostic.help = "ungroup them";
+    diagnostic.help("ungroup them");
   }
 
   void refuse_group(Span place, const std::string& why) {

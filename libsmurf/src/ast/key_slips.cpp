@@ -66,10 +66,10 @@ yaml::View report_missing(const KeySpec& spec, std::span<const yaml::View> unkno
   const bool is_empty = key && !near;
   diagnostic.construct.append(spec.name).append(is_empty ? "-empty" : "");
   if (!key) {
-    diagnostic.labels.push_back({place_to_add(mapping, spec.name), "add it after this"});
+    diagnostic.label(place_to_add(mapping, spec.name), "add it after this");
   }
   if (!near) return {};
-  diagnostic.help = "did you mean " + name + " by `" + std::string(*near) + "`?";
+  diagnostic.help("did you mean " + name + " by `" + std::string(*near) + "`?");
   renames.offer(diagnostic.fixes, key, spec.name);
   return key;
 }
@@ -123,7 +123,7 @@ void report_difference(const KeyDifference& difference, yaml::View mapping, std:
     Diagnostic& diagnostic = sink.report(rules::sml4005_misspelt_key, key.key_span(),
                                          "no reader knows `" + std::string(key.key()) +
                                              "` in this " + std::string(what));
-    diagnostic.help = "did you mean `" + std::string(*meant) + "`?";
+    diagnostic.help("did you mean `" + std::string(*meant) + "`?");
     renames.offer(diagnostic.fixes, key, *meant);
   }
 }

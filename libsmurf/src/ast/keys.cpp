@@ -22,7 +22,7 @@ std::string name_of(const KeySpec& spec) { return quoted(spec.name); }
 /// A help with an edit that replaces the value; not safe, because some reader understood the value
 /// as it is.
 void offer(Diagnostic& diagnostic, std::string help, Span place, std::string_view text) {
-  diagnostic.help = std::move(help);
+  diagnostic.help(std::move(help));
   diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(text)}}});
 }
 
@@ -76,7 +76,7 @@ void check_text(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   Diagnostic& diagnostic = sink.report(rules::sml4007_yaml_version, value.span(),
                                        "Phobos reads `" + std::string(value.text()) + "` of " +
                                            name_of(spec) + " as " + *in_yaml11);
-  diagnostic.help = "put it in quotes";
+  diagnostic.help("put it in quotes");
   diagnostic.fixes.push_back(
       {Applicability::safe, {{value.span(), "'" + std::string(value.text()) + "'"}}});
 }
@@ -118,9 +118,9 @@ void check_choice(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
     return offer(diagnostic, "did you mean `" + std::string(*near) + "`?", within_quotes(value),
                  *near);
   }
-  diagnostic.help = "known values:";
+  diagnostic.help("known values:");
   for (const std::string_view choice : spec.choices) {
-    diagnostic.help += " `" + std::string(choice) + "`";
+    diagnostic.help_text += " `" + std::string(choice) + "`";
   }
 }
 
@@ -266,11 +266,11 @@ void check_components(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
     Diagnostic& diagnostic =
         sink.report(rules::sml4005_misspelt_key, member.key_span(),
                     name_of(spec) + " has no component `" + std::string(member.key()) + "`");
-    diagnostic.help = "its components are " + in_words(names);
+    diagnostic.help("its components are " + in_words(names));
     const auto near = nearest(member.key(), names);
     KeyRenames renames(value);
     if (!near || renames.has(*near)) return;
-    diagnostic.help = "did you mean `" + std::string(*near) + "`?";
+    diagnostic.help("did you mean `" + std::string(*near) + "`?");
     return renames.offer(diagnostic.fixes, member, *near);
   }
   const auto missing = missing_components(spec.type, value);
@@ -328,7 +328,7 @@ void check_color_range(const KeySpec& spec, std::span<const Field<double>, 4> pa
   if (diagnostic == nullptr) return;
   diagnostic->message = name_of(spec) + " has " + wrong + ", but colours lie between 0 and 1";
   if (!is_byte) return;
-  diagnostic->help = "divide by 255";
+  diagnostic->help("divide by 255");
   diagnostic->fixes.push_back({Applicability::unsafe, std::move(edits)});
 }
 

@@ -56,9 +56,9 @@ class RotationReader {
       Diagnostic& diagnostic =
           sink_.report(rules::sml5002_rotation_length, list.span(),
                        "`rotation` has " + std::to_string(size) + " numbers, which means nothing");
-      diagnostic.help =
+      diagnostic.help(
           "write one number (degrees about z), three (degrees about x, y, z) or four (quaternion "
-          "w, x, y, z)";
+          "w, x, y, z)");
       return;
     }
     bool is_sound = true;
@@ -78,7 +78,7 @@ class RotationReader {
         Diagnostic& diagnostic =
             sink_.report(rules::sml5002_rotation_length, mapping.span(),
                          "`rotation` is a mapping without `" + std::string(kWxyz[i]) + "`");
-        diagnostic.help = "a mapping is a quaternion with `w`, `x`, `y`, `z`; angles are a list";
+        diagnostic.help("a mapping is a quaternion with `w`, `x`, `y`, `z`; angles are a list");
         return;
       }
       is_sound = read_number(component, i) && is_sound;
@@ -152,7 +152,7 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
     Diagnostic& diagnostic =
         sink.report(rules::sml5001_entities_not_a_list, value.key_span(),
                     "`" + key + "` contains " + describe(value) + " instead of a list of entities");
-    diagnostic.help = "begin every entity with `- name:`";
+    diagnostic.help("begin every entity with `- name:`");
     return;
   }
   scene.entities.reserve(std::min(scene.entities.size() + value.size(), most));

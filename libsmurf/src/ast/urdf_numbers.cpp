@@ -113,7 +113,7 @@ class NumberReader {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1806_comma_separator, place(whole()),
                      "commas separate the numbers of `" + std::string(attribute_.name()) + "`");
-    diagnostic.help = "separate them by single spaces";
+    diagnostic.help("separate them by single spaces");
     // Not safe: Bullet reads the text as a zero vector.
     diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
     return true;
@@ -146,7 +146,7 @@ class NumberReader {
           .report(rules::sml1811_unicode_digit_or_space, place(token),
                   shown + " contains the character " + code_point(text) +
                       ", which only looks like part of a number")
-          .help = "type the number again";
+          .help("type the number again");
     } else if (is_out_of_range(bare)) {
       sink_
           .report(rules::sml1810_overflow_underflow, place(token),
@@ -190,7 +190,7 @@ class NumberReader {
     std::replace(point.begin(), point.end(), ',', '.');
     Diagnostic& diagnostic = sink_.report(rules::sml1805_decimal_comma, place(token),
                                           quoted(text) + " has a decimal comma");
-    diagnostic.help = "write `" + point + "`";
+    diagnostic.help("write `" + point + "`");
     // Not safe: Drake and Bullet read the digits before the comma.
     diagnostic.fixes.push_back({Applicability::unsafe, {{place(token), point}}});
   }
@@ -242,7 +242,7 @@ class NumberReader {
   }
 
   void add_fix(Diagnostic& diagnostic, std::string text, Applicability applicability) const {
-    diagnostic.help = "write `" + text + "`";
+    diagnostic.help("write `" + text + "`");
     diagnostic.fixes.push_back({applicability, {{attribute_.value_span(), std::move(text)}}});
   }
 
@@ -257,13 +257,13 @@ class NumberReader {
       if (tokens.back().end == text_.size()) return;  // readers skip blanks in front
       Diagnostic& diagnostic = sink_.report(rules::sml1802_trailing_space, place(whole()),
                                             "white space follows the number `" + fixed + "`");
-      diagnostic.help = "delete the white space";
+      diagnostic.help("delete the white space");
       diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span(), fixed}}});
     } else if (std::any_of(text_.begin(), text_.end(), is_line_or_tab)) {
       Diagnostic& diagnostic = sink_.report(rules::sml1808_vector_tab_newline, place(whole()),
                                             "a tab or line break between the numbers of `" +
                                                 std::string(attribute_.name()) + "`");
-      diagnostic.help = "separate them by single spaces";
+      diagnostic.help("separate them by single spaces");
       const std::string_view rest = text_.substr(tokens.front().begin);
       if (std::none_of(rest.begin(), rest.end(), is_line_or_tab)) diagnostic.construct = "leading";
       diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
@@ -287,7 +287,7 @@ bool is_xacro(std::string_view value) {
 
 void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
   sink.report(rules::sml1012_percent_in_value, place, quoted(value) + " contains `%`")
-      .notes.push_back("urdfdom up to 5.0 passes this text to printf, which may crash");
+      .note("urdfdom up to 5.0 passes this text to printf, which may crash");
 }
 
 std::optional<double> parse_hexadecimal(std::string_view text) {

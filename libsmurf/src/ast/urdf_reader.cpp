@@ -311,9 +311,9 @@ struct XacroTrace {
     Diagnostic& diagnostic =
         sink.report(rules::sml1009_xacro_residue, first, what + " that was never expanded");
     if (count > 1) {
-      diagnostic.notes.push_back(std::to_string(count - 1) + " more in this file");
+      diagnostic.note(std::to_string(count - 1) + " more in this file");
     }
-    diagnostic.help = "run xacro and lint its output";
+    diagnostic.help("run xacro and lint its output");
   }
 };
 
@@ -347,7 +347,7 @@ std::optional<urdf::Robot> read_urdf(xml::Document document, DiagnosticSink& sin
     Diagnostic& diagnostic =
         sink.report(rules::sml1101_root_not_robot, root.name_span(),
                     "the root element is `" + std::string(root.name()) + "`, not `robot`");
-    if (root.name() == "sdf") diagnostic.notes.push_back("this is an SDFormat file, not a URDF");
+    if (root.name() == "sdf") diagnostic.note("this is an SDFormat file, not a URDF");
     return std::nullopt;
   }
   report_xacro(document, sink);

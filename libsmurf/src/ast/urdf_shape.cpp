@@ -145,13 +145,13 @@ class ShapeChecker {
     Diagnostic& diagnostic = sink_.report(rules::sml1107_unknown_attribute, attribute.name_span(),
                                           "unknown attribute " + quoted(attribute.name()) + " of " +
                                               quoted(element.name()));
-    diagnostic.notes.push_back("URDF readers silently ignore it");
+    diagnostic.note("URDF readers silently ignore it");
     diagnostic.severity = Severity::error;
     if (is_required) {
       diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
       diagnostic.construct = owner_of_name(element);
     }
-    diagnostic.help = "did you mean " + quoted(meant) + "?";
+    diagnostic.help("did you mean " + quoted(meant) + "?");
     diagnostic.fixes.push_back({Applicability::unsafe,
                                 {{attribute.name_span(), std::string(meant)}},
                                 Fix::NewName{element.tag_span(), std::string(meant)}});
@@ -183,10 +183,10 @@ class ShapeChecker {
                      "the element " + quoted(element.name()) + missing);
     diagnostic.construct = owner_of_name(element);
     for (const xml::Attribute* attribute : instead) {
-      diagnostic.labels.push_back({attribute->name_span(), "no attribute of URDF"});
+      diagnostic.label(attribute->name_span(), "no attribute of URDF");
     }
     if (!element.text_span().empty()) {
-      diagnostic.labels.push_back({element.text_span(), "readers ignore text"});
+      diagnostic.label(element.text_span(), "readers ignore text");
     }
     return true;
   }
@@ -200,7 +200,7 @@ class ShapeChecker {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1119_stray_text, place,
                      quoted(element.name()) + " contains text, which readers ignore");
-    if (is_empty && element.name() == "origin") diagnostic.help = "write `<origin xyz=\"...\"/>`";
+    if (is_empty && element.name() == "origin") diagnostic.help("write `<origin xyz=\"...\"/>`");
   }
 
   static bool needs_attributes(std::string_view name) {
@@ -237,8 +237,8 @@ class ShapeChecker {
       diagnostic.consequences.push_back(&rules::sml1113_required_attribute_missing);
       diagnostic.construct = owner_of_name(parent);
     }
-    diagnostic.notes.push_back("URDF readers silently ignore it");
-    diagnostic.help = "write `<" + std::string(parent.name()) + " " + name + "=\"...\"/>`";
+    diagnostic.note("URDF readers silently ignore it");
+    diagnostic.help("write `<" + std::string(parent.name()) + " " + name + "=\"...\"/>`");
   }
 
   void unknown_child(View parent, View child, std::optional<std::string_view> near) {
@@ -250,9 +250,9 @@ class ShapeChecker {
     }
     Diagnostic& diagnostic =
         sink_.report(rules::sml1106_unknown_element, child.name_span(), std::move(message));
-    diagnostic.notes.push_back("URDF readers silently ignore it, with all its contents");
+    diagnostic.note("URDF readers silently ignore it, with all its contents");
     diagnostic.severity = Severity::error;
-    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.help("did you mean " + quoted(*near) + "?");
   }
 
   /// Names of another vocabulary occur in every joint; each name is one finding.
@@ -266,10 +266,9 @@ class ShapeChecker {
     for (Foreign& foreign : foreign_) {
       Diagnostic& diagnostic =
           sink_.report(*foreign.rule, foreign.place, std::move(foreign.message));
-      diagnostic.notes.push_back("readers that do not know it silently ignore it");
+      diagnostic.note("readers that do not know it silently ignore it");
       if (foreign.count > 1) {
-        diagnostic.notes.push_back("it occurs " + std::to_string(foreign.count) +
-                                   " times in this file");
+        diagnostic.note("it occurs " + std::to_string(foreign.count) + " times in this file");
       }
     }
   }
@@ -278,14 +277,14 @@ class ShapeChecker {
     sink_
         .report(rules::sml1108_misplaced_element, child.name_span(),
                 quoted(child.name()) + " does not belong in " + quoted(parent.name()))
-        .notes.push_back("URDF readers silently ignore it");
+        .note("URDF readers silently ignore it");
   }
 
   void wrong_case(View parent, View child, std::string_view name) {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1114_tag_case, child.name_span(),
                      "the element " + quoted(child.name()) + " must be written " + quoted(name));
-    diagnostic.notes.push_back("URDF readers silently ignore it, with all its contents");
+    diagnostic.note("URDF readers silently ignore it, with all its contents");
     diagnostic.construct = name;
     // Our own reader accepts the wrong case, so that other rules still find the element.
     const auto missing =
@@ -308,8 +307,8 @@ class ShapeChecker {
         Diagnostic& diagnostic =
             sink_.report(rules::sml1109_duplicate_singleton, child.name_span(),
                          "a second " + quoted(child.name()) + " in one " + quoted(element.name()));
-        diagnostic.labels.push_back({first.name_span(), "the first one"});
-        diagnostic.help = "keep one of them; which one is read depends on the reader";
+        diagnostic.label(first.name_span(), "the first one");
+        diagnostic.help("keep one of them; which one is read depends on the reader");
       }
     }
   }

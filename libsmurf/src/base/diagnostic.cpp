@@ -39,8 +39,23 @@ void DiagnosticSink::report_left_out(const Rule& rule, Span span, std::string me
   last.severity = rule.severity;
   last.span = span;
   last.message = std::move(message) + "; from here on they are left out";
-  last.help = raise_limit(limit);
+  last.help(raise_limit(limit));
   last.left_out = &rule;
+}
+
+Diagnostic& Diagnostic::label(Span place, std::string text) {
+  labels.push_back({place, std::move(text)});
+  return *this;
+}
+
+Diagnostic& Diagnostic::note(std::string text) {
+  notes.push_back(std::move(text));
+  return *this;
+}
+
+Diagnostic& Diagnostic::help(std::string text) {
+  help_text = std::move(text);
+  return *this;
 }
 
 Diagnostic& DiagnosticSink::report(const Rule& rule, Span span, std::string message) {
@@ -87,7 +102,7 @@ std::vector<Diagnostic> DiagnosticSink::take() {
                "from here on no names are suggested: it took more than " +
                    std::to_string(most_suggestions_) + " comparisons to find those before");
     told.severity = Severity::info;
-    told.help = raise_limit("suggestions");
+    told.help(raise_limit("suggestions"));
     suggestions_end_.reset();
   }
   const auto key = [](Span span) { return std::tuple(span.source, span.begin, span.end); };

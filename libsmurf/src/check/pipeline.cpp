@@ -70,7 +70,7 @@ std::size_t apply_baseline(const std::string& path, const CheckGroup& group, con
         is_configured ? group.config.baseline->span : Span{sources.add_unreadable(path), 0, 0};
     sink.report(rules::sml9002_wrong_setting, place,
                 "cannot read `" + path + "`: " + content.reason)
-        .help = "write it with `--generate-baseline`";
+        .help("write it with `--generate-baseline`");
     append(finish(sink.take(), sources, group.selection), found);
     return 0;
   }
@@ -107,7 +107,7 @@ void report_path_checks(const CheckGroups& groups, const Desk& desk, const Sourc
               "there are more than " + std::to_string(desk.limits.path_checks) +
                   " comparisons of files with patterns of `paths`, and for what comes after them "
                   "these settings do not count")
-      .help = raise_limit("path-checks");
+      .help(raise_limit("path-checks"));
   append(finish(sink.take(), sources, group->selection), found);
 }
 

@@ -260,7 +260,7 @@ class Run {
     const Span place{sources_.add_unreadable(path::normalize(planned.path)), 0, 0};
     sink.report(rules::sml0002_file_too_large, place,
                 "with this file, " + excess + "; neither it nor what comes after it was checked")
-        .help = raise_limit(limit);
+        .help(raise_limit(limit));
     append(sink.take(), found_[planned.config].diagnostics);
   }
 

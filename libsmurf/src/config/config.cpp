@@ -136,8 +136,8 @@ class ConfigReader {
       if (!is_rule(number, number.key(), number.key_span())) return;
       const Rule* rule = find_rule(number.key());
       if (rule == nullptr || rule->tolerance.meaning.empty()) {
-        wrong(number, number.key_span(), quoted(number.key()) + " has no tolerance").help =
-            rule == nullptr ? "name one rule" : "`--list-rules=json` shows which have one";
+        wrong(number, number.key_span(), quoted(number.key()) + " has no tolerance")
+            .help(rule == nullptr ? "name one rule" : "`--list-rules=json` shows which have one");
       } else if (const auto given = number.number();
                  given && std::isfinite(*given) && *given >= 0) {
         config_.tolerances[std::string(rule->id)] = {*given, number.span()};
@@ -209,12 +209,12 @@ class ConfigReader {
           std::find(formats_.begin(), formats_.end(), name) == formats_.end()) {
         report_word(item, name, "format", formats_);
       } else if (!file.empty() && origin_ == ConfigOrigin::found) {
-        wrong(item, "a configuration that was found beside the files names no file to write").help =
-            "name it on the command line, `--format " + name +
-            "=FILE`, or name the configuration with `--config`";
+        wrong(item, "a configuration that was found beside the files names no file to write")
+            .help("name it on the command line, `--format " + name +
+                  "=FILE`, or name the configuration with `--config`");
       } else if (!places.insert(place).second) {
-        wrong(item, "two reports go to " + (place == "-" ? "standard output" : quoted(file))).help =
-            "write " + quoted(name + "=FILE");
+        wrong(item, "two reports go to " + (place == "-" ? "standard output" : quoted(file)))
+            .help("write " + quoted(name + "=FILE"));
       } else {
         config_.formats.push_back({place == "-" ? name : name + "=" + place, item.span()});
       }
@@ -265,10 +265,10 @@ class ConfigReader {
     std::vector<std::string_view> names;
     for (const Setting& setting : settings) names.push_back(setting.spec.name);
     if (const auto near = sink_.suggest(value.key(), names)) {
-      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      diagnostic.help("did you mean " + quoted(*near) + "?");
       renames.offer(diagnostic.fixes, value, *near);
     }
-    if (diagnostic.help.empty()) diagnostic.help = "known are " + listed(names);
+    if (diagnostic.help_text.empty()) diagnostic.help("known are " + listed(names));
   }
 
   /// "there is no target `mujuco`", for a word out of few.
@@ -277,14 +277,14 @@ class ConfigReader {
     Span place = value.span();
     Diagnostic& diagnostic = wrong(value, "there is no " + std::string(what) + " " + quoted(word));
     if (word == value.text()) suggest(diagnostic, word, known, place);
-    if (diagnostic.help.empty()) diagnostic.help = "known are " + listed(known);
+    if (diagnostic.help_text.empty()) diagnostic.help("known are " + listed(known));
   }
 
   void suggest(Diagnostic& diagnostic, std::string_view text,
                std::span<const std::string_view> known, Span place) {
     const auto near = sink_.suggest(text, known);
     if (!near) return;
-    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.help("did you mean " + quoted(*near) + "?");
     const auto word = within_quotes(place, text);
     if (!word) return;
     diagnostic.fixes.push_back({Applicability::unsafe, {{*word, std::string(*near)}}});

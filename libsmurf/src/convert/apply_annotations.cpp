@@ -46,7 +46,7 @@ class Application {
     Diagnostic& diagnostic =
         sink_.report(rules::sml8003_ambiguous, motor.joint.span,
                      "two motors drive the joint `" + *motor.joint + "`; the first one is applied");
-    diagnostic.labels.push_back({first.joint.span, "the first one"});
+    diagnostic.label(first.joint.span, "the first one");
   }
 
   /// All definitions of the name: which one counts differs from reader to reader.

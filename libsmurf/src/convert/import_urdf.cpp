@@ -20,7 +20,7 @@ std::string Context::line_of(Span span) const {
 void Context::keep_as_text(Span span, const std::string& what, const std::string& why) {
   Diagnostic& diagnostic = sink.report(rules::sml8101_kept_as_text, span,
                                        what + " becomes no entry of a section: " + why);
-  diagnostic.notes.emplace_back("its text is kept in the section of extensions");
+  diagnostic.note("its text is kept in the section of extensions");
 }
 
 std::string_view text_of(xml::View element) {

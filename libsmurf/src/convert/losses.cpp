@@ -244,7 +244,7 @@ class LossReport {
     lose(rules::sml8003_ambiguous, key.key_span(),
          quoted(key.key()) + " of " + title(entry, "joint"),
          "differs from `" + std::string(first->second.key()) + "`, which is applied")
-        .labels.push_back({first->second.key_span(), "this one"});
+        .label(first->second.key_span(), "this one");
   }
 
   const LinkedModel& model_;

@@ -163,7 +163,7 @@ bool check_scene_size(const LinkedScene& scene, const SourceMap& sources,
   sink.report(rules::sml5022_too_many_instances, place_of(*last),
               "with this entity the scene, written out, has more than " +
                   std::to_string(limits.scene_bytes) + " bytes")
-      .help = raise_limit("scene-bytes");
+      .help(raise_limit("scene-bytes"));
   return false;
 }
 

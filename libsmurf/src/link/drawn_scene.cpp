@@ -162,7 +162,7 @@ class DrawnSceneReader {
         .report(rules::sml0002_file_too_large, drawn.file.span,
                 "with the keys of this file, the entities of the drawing have more than " +
                     std::to_string(context_.limits.yaml_nodes) + " values")
-        .help = raise_limit("yaml-nodes");
+        .help(raise_limit("yaml-nodes"));
     return false;
   }
 

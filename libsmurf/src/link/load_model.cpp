@@ -108,7 +108,7 @@ class ModelLoader {
           .report(rules::sml0002_file_too_large, section.place(),
                   "with this list, the model has more than " + std::to_string(most) + " entries" +
                       (most < context_.limits.annotation_entries ? ", most of them empty" : ""))
-          .help = raise_limit("annotation-entries");
+          .help(raise_limit("annotation-entries"));
       model_.is_complete = false;
       return false;
     }
@@ -128,7 +128,7 @@ class ModelLoader {
           .report(rules::sml0002_file_too_large, element.name_span(),
                   "the robot has more than " + std::to_string(most) +
                       " links, joints, extensions, visuals and collisions")
-          .help = raise_limit("urdf-parts");
+          .help(raise_limit("urdf-parts"));
       return false;
     }
     return true;
@@ -173,7 +173,7 @@ class ModelLoader {
         context_.sink
             .report(rules::sml2009_file_listed_twice, entry.span,
                     "MARS reads " + quoted(entry.value) + " twice")
-            .labels.push_back({first->second, "listed here before"});
+            .label(first->second, "listed here before");
         continue;
       }
       if (entry.value.starts_with('/')) {

@@ -49,7 +49,7 @@ class MeshSearch {
         rules::sml1647_mujoco_mesh_missing, place->value_span(),
         "MuJoCo looks for a mesh at " + quoted(first_) + ", where there is none");
     if (lost_ > 1) {
-      diagnostic.notes.push_back(std::to_string(lost_ - 1) + " more are not where it looks either");
+      diagnostic.note(std::to_string(lost_ - 1) + " more are not where it looks either");
     }
   }
 

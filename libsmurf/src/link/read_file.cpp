@@ -30,7 +30,7 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
         .report(rules::sml0002_file_too_large, reference,
                 "with this file, more than " + std::to_string(context.limits.repeated_bytes) +
                     " bytes are read again of files that other models read before")
-        .help = raise_limit("repeated-bytes");
+        .help(raise_limit("repeated-bytes"));
     return std::nullopt;
   }
   if (content.status == ReadStatus::ok) {
@@ -46,12 +46,12 @@ std::optional<SourceId> read_source(const std::string& path, Span reference, con
   if (extension.size() > 1) diagnostic.construct = extension.substr(1);
   if (is_too_large) {
     diagnostic.message += "; at most " + std::to_string(context.limits.file_bytes) + " are read";
-    diagnostic.help = raise_limit("file-bytes");
+    diagnostic.help(raise_limit("file-bytes"));
   }
   if (content.status != ReadStatus::not_found) return std::nullopt;
   diagnostic.message = "there is no file `" + path::normalize(path) + "`";
   if (const auto similar = similar_file(path, reported, context)) {
-    diagnostic.help = "did you mean `" + *similar + "`?";
+    diagnostic.help("did you mean `" + *similar + "`?");
     const std::string_view written =
         is_named ? context.sources.text(reference) : std::string_view{};
     const std::string_view name = path::file_name(path);

@@ -131,8 +131,8 @@ class SceneExpander {
   void stop(const Entity& at, std::string message, std::string_view limit) {
     is_full_ = true;
     lose_scene();
-    context_.sink.report(rules::sml5022_too_many_instances, place_of(at), std::move(message)).help =
-        raise_limit(limit);
+    context_.sink.report(rules::sml5022_too_many_instances, place_of(at), std::move(message))
+        .help(raise_limit(limit));
   }
 
   void add_entity(UseIndex use, std::size_t index) {
@@ -240,7 +240,7 @@ class SceneExpander {
     if (!is_new || is_denied) return;
     const Rule& rule = *diagnostic.rule;
     if (const auto similar = similar_file(path, rule, context_)) {
-      diagnostic.help = "did you mean `" + *similar + "`?";
+      diagnostic.help("did you mean `" + *similar + "`?");
     }
   }
 
@@ -282,7 +282,7 @@ class SceneExpander {
           context_.sink.report(rules::sml5020_cyclic_include, file_of(entity).span,
                                *at == outer ? "this scene includes itself"
                                             : "this include leads back to " + quoted(path));
-      diagnostic.notes.push_back(describe(chain));
+      diagnostic.note(describe(chain));
       return true;
     }
     return false;
@@ -309,7 +309,7 @@ class SceneExpander {
         .report(rules::sml5021_nested_too_deep, file_of(entity).span,
                 "scenes are nested more than " + std::to_string(context_.limits.include_depth) +
                     " deep")
-        .help = raise_limit("include-depth");
+        .help(raise_limit("include-depth"));
     return true;
   }
 
@@ -325,7 +325,7 @@ class SceneExpander {
                                path.empty() ? "this entity has no `file`"
                                             : "this entity has no `type`, and `" + path +
                                                   "` has no extension that tells it");
-      diagnostic.help = "name the .smurf, .urdf or .smurfs of the entity";
+      diagnostic.help("name the .smurf, .urdf or .smurfs of the entity");
       if (path.empty()) suggest_file(use, entity, diagnostic);
       return false;
     }
@@ -355,7 +355,7 @@ class SceneExpander {
     const std::string extension = path::to_lower(path::extension(path));
     if (extension == ".urdf" || extension == ".smurf") {
       diagnostic.construct = "of-another-kind";
-      diagnostic.help = "write `type: " + extension.substr(1) + "`";
+      diagnostic.help("write `type: " + extension.substr(1) + "`");
     }
     return false;
   }
@@ -366,7 +366,7 @@ class SceneExpander {
     for (const CustomSection& key : entity.extra) {
       if (!nearest(key.name.value, kFile)) continue;
       diagnostic.span = key.name.span;
-      diagnostic.help = "did you mean `file` instead of `" + key.name.value + "`?";
+      diagnostic.help("did you mean `file` instead of `" + key.name.value + "`?");
       const yaml::Document& document = *scene_.file(scene_.uses[to_size(use)]).document;
       KeyRenames(yaml::View(document, entity.node))
           .offer(diagnostic.fixes, {document, key.node}, "file");

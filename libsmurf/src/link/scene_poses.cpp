@@ -28,7 +28,7 @@ void report_pose(const Entity& entity, const LinkedModel& model, LoadContext& co
                                                    "` in `" + model.path + "`");
   if (*entity.pose == "default") {
     diagnostic.severity = Severity::info;
-    diagnostic.help = "Phobos up to 0.7 writes this name always; the joints stay at zero";
+    diagnostic.help("Phobos up to 0.7 writes this name always; the joints stay at zero");
     return;
   }
   constexpr std::size_t kMostSets = 5000;  // more are not searched for a near name
@@ -41,11 +41,11 @@ void report_pose(const Entity& entity, const LinkedModel& model, LoadContext& co
   }
   if (const auto near = context.sink.suggest(*entity.pose, known)) {
     const std::string_view written = context.sources.text(entity.pose.span);
-    diagnostic.help = "did you mean `" + std::string(*near) + "`?";
+    diagnostic.help("did you mean `" + std::string(*near) + "`?");
     diagnostic.fixes.push_back(
         {Applicability::unsafe, {{entity.pose.span, yaml_like(written, *near)}}});
   } else if (known.empty()) {
-    diagnostic.help = "the model has no section `poses`";
+    diagnostic.help("the model has no section `poses`");
   }
 }
 
@@ -186,7 +186,7 @@ class WorldPoses {
                 "from here on, entities at links have no pose: those before took more than " +
                     std::to_string(most_steps_) +
                     " poses of links; each joint pose set of a model needs those of all its links")
-        .help = raise_limit("instances");
+        .help(raise_limit("instances"));
     return false;
   }
 
@@ -211,8 +211,8 @@ class WorldPoses {
       Instance& instance = scene_.instances[member];
       instance.placement.is_known = false;
       if (member == first || diagnostic.labels.size() >= kMostLabels) continue;
-      diagnostic.labels.push_back(
-          {parent_place(scene_, instance), "`" + instance.path + "` refers back from here"});
+      diagnostic.label(parent_place(scene_, instance),
+                       "`" + instance.path + "` refers back from here");
     }
   }
 

@@ -97,7 +97,7 @@ class ReferenceResolver {
                                           quoted(reference.key) + " is " +
                                               quoted(*reference.field) + ", which is taken as " +
                                               quoted(lower) + " but is an unknown entity to MARS");
-    diagnostic.help = "write " + quoted(lower);
+    diagnostic.help("write " + quoted(lower));
     diagnostic.fixes.push_back({Applicability::unsafe, {edit(reference, lower)}});
   }
 
@@ -183,7 +183,7 @@ class ReferenceResolver {
 
   void label(Diagnostic& diagnostic, const Instance& instance, std::string text) {
     const Span place = place_of(scene_.entity(instance));
-    if (!place.empty()) diagnostic.labels.push_back({place, std::move(text)});
+    if (!place.empty()) diagnostic.label(place, std::move(text));
   }
 
   /// A word that is neither a frame nor one of the reserved ones: an entity's name, or a
@@ -193,7 +193,7 @@ class ReferenceResolver {
     Diagnostic& diagnostic =
         sink_.report(reference.unknown, reference.field.span,
                      quoted(reference.key) + " is " + quoted(text) + ", which names no link");
-    diagnostic.help = "write `ENTITY::LINK`";
+    diagnostic.help("write `ENTITY::LINK`");
     const std::optional<EntityIndex> found = names_.find(use, text, scene_);
     const InstanceIndex* index = found ? std::get_if<InstanceIndex>(&*found) : nullptr;
     const LinkedModel* model = index ? scene_.model(scene_.instance(*index)) : nullptr;
@@ -209,13 +209,13 @@ class ReferenceResolver {
     if (near) {
       suggest(diagnostic, reference, std::string(*near), "did you mean ", "?");
     } else if (reference.key == "anchor" && (lower == "false" || lower == "no")) {
-      diagnostic.help = "write `none`; MARS fixes the entity to the world";
+      diagnostic.help("write `none`; MARS fixes the entity to the world");
     }
   }
 
   void suggest(Diagnostic& diagnostic, const Reference& reference, const std::string& text,
                std::string_view before, std::string_view after) {
-    diagnostic.help = std::string(before) + quoted(text) + std::string(after);
+    diagnostic.help(std::string(before) + quoted(text) + std::string(after));
     diagnostic.fixes.push_back({Applicability::unsafe, {edit(reference, text)}});
   }
 
@@ -242,14 +242,14 @@ class ReferenceResolver {
                                           quoted(reference.key) + " names " + quoted(name) +
                                               ", which is an included scene and has no links");
     if (const Entity* entity = scene_.entity(use)) {
-      diagnostic.labels.push_back({place_of(*entity), "the scene is included here"});
+      diagnostic.label(place_of(*entity), "the scene is included here");
     }
     std::string inside;
     for (const Entity& entity : scene_.file(use).scene.entities) {
       if (!entity.name || entity.name->empty() || inside.size() > 60) continue;
       inside += (inside.empty() ? " " : ", ") + quoted(*entity.name);
     }
-    if (!inside.empty()) diagnostic.help = "name an entity inside it:" + inside;
+    if (!inside.empty()) diagnostic.help("name an entity inside it:" + inside);
   }
 
   void report_link(const Reference& reference, const LinkedModel& model, const Instance& instance,

@@ -60,7 +60,7 @@ void report_name_read_as_value(yaml::View entry, Findings& findings) {
   if (!name.number() && !name.boolean()) return;
   findings
       .report(name.span(), "Phobos reads " + quoted(name.text()) + " as something other than text")
-      .help = "put it in quotes";
+      .help("put it in quotes");
 }
 
 std::vector<TopLevelKey> top_level_keys(const LinkedModel& model) {

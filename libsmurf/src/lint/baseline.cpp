@@ -15,8 +15,8 @@ constexpr std::string_view kFirstLine =
     "# Findings that smurf-lint lets pass: file, rule, place. Written by\n";
 
 void malformed(Span span, std::string message, DiagnosticSink& sink) {
-  sink.report(rules::sml9104_malformed_baseline, span, std::move(message)).help =
-      "write it again with `--generate-baseline`";
+  sink.report(rules::sml9104_malformed_baseline, span, std::move(message))
+      .help("write it again with `--generate-baseline`");
 }
 
 }  // namespace

@@ -50,17 +50,17 @@ bool is_standard_type(std::string_view type) {
 void check_type(xml::View joint, std::string_view type, Findings& findings) {
   const Span place = place_of(joint, "type");
   if (is_standard_type(type)) {
-    findings.report(place, "a joint of the type " + quoted(type) + " is written `joint`").help =
-        "write `joint` in the place of `drake:joint`";
+    findings.report(place, "a joint of the type " + quoted(type) + " is written `joint`")
+        .help("write `joint` in the place of `drake:joint`");
     return;
   }
   Diagnostic& diagnostic = findings.report(place, quoted(type) + " is not a type of `drake:joint`");
   constexpr std::array<std::string_view, 5> kTypes = {"ball", "curvilinear", "planar", "screw",
                                                       "universal"};
   if (const auto near = nearest(type, kTypes)) {
-    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.help("did you mean " + quoted(*near) + "?");
   } else {
-    diagnostic.help = "write `ball`, `curvilinear`, `planar`, `screw` or `universal`";
+    diagnostic.help("write `ball`, `curvilinear`, `planar`, `screw` or `universal`");
   }
 }
 
@@ -120,8 +120,8 @@ void check_curves(xml::View curves, Findings& findings) {
   for (const xml::View curve : curves) {
     ++count;
     if (curve.name() == "drake:line_segment" || curve.name() == "drake:circular_arc") continue;
-    findings.report(curve.name_span(), quoted(curve.name()) + " is not a curve for Drake").help =
-        "write `drake:line_segment` or `drake:circular_arc`";
+    findings.report(curve.name_span(), quoted(curve.name()) + " is not a curve for Drake")
+        .help("write `drake:line_segment` or `drake:circular_arc`");
   }
   if (count == 0) findings.report(curves.name_span(), "`drake:curves` contains no curve");
 }
@@ -134,7 +134,7 @@ void check_joint(xml::View joint, const Names& names, Findings& findings) {
   const xml::View first = names.joint(name);
   if (first && first.id() != joint.id()) {
     findings.report(place_of(joint, "name"), "a second joint is named " + quoted(name))
-        .labels.push_back({place_of(first, "name"), "the first one"});
+        .label(place_of(first, "name"), "the first one");
   }
   const std::string_view link = value_of(joint.child("child"), "link");
   if (!link.empty() && link == value_of(joint.child("parent"), "link")) {
@@ -165,7 +165,7 @@ void check_group(xml::View group, const Names& names, Findings& findings) {
   }
   if (const xml::View first = names.group(name); first && first.id() != group.id()) {
     findings.report(place, "a second collision filter group is named " + quoted(name))
-        .labels.push_back({place_of(first, "name"), "the first one"});
+        .label(place_of(first, "name"), "the first one");
   }
   if (group.child("drake:member") || group.child("drake:member_group")) return;
   findings.report(group.name_span(),
@@ -189,7 +189,7 @@ void check_tendon(xml::View tendon, const Names& names, Findings& findings) {
                       "the tendon names the joint " + quoted(name) + " twice");
     } else if (joint && !has_one_axis(value_of(joint, "type"))) {
       findings.report(place_of(one, "name"), "a tendon needs joints of one axis")
-          .labels.push_back({place_of(joint, "type"), "not of one axis"});
+          .label(place_of(joint, "type"), "not of one axis");
     }
   }
   if (seen.empty()) {
@@ -222,7 +222,7 @@ void check_proximity(xml::View proximity, const Names&, Findings& findings) {
         .report(
             compliant.name_span(),
             "a collision cannot be `drake:rigid_hydroelastic` and `drake:compliant_hydroelastic`")
-        .labels.push_back({rigid.name_span(), "the other one"});
+        .label(rigid.name_span(), "the other one");
   }
   const xml::View modulus = proximity.child("drake:hydroelastic_modulus");
   if (rigid && modulus) {

@@ -122,7 +122,7 @@ void Names::report_unknown(std::string_view kind, std::string_view name, Span pl
   diagnostic.caret = "no such " + noun;
   const Table& table = kind == "joint" ? joints_ : kind == "frame" ? frames_ : groups_;
   if (const auto near = findings.suggest(name, table.names)) {
-    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.help("did you mean " + quoted(*near) + "?");
   }
 }
 

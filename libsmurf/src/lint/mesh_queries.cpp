@@ -134,7 +134,7 @@ Diagnostic* report_meshes(const LinkedModel& model,
   if (faulty.size() > kShown + 1) {
     others += " and " + std::to_string(faulty.size() - kShown - 1) + " more";
   }
-  diagnostic.notes.push_back(std::move(others));
+  diagnostic.note(std::move(others));
   return &diagnostic;
 }
 

@@ -95,8 +95,7 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
                          std::string(to_string(other));
     const Span defined = definition(model, other, name);
     if (!defined.empty()) {
-      diagnostic.labels.push_back(
-          {defined, "the " + std::string(to_string(other)) + " is defined here"});
+      diagnostic.label(defined, "the " + std::string(to_string(other)) + " is defined here");
     }
     return &diagnostic;
   }
@@ -106,13 +105,13 @@ Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string
   }
   const auto near = findings.suggest(name, names(model, kind).names());
   if (!near || differ_only_in_digits(name, *near)) return &diagnostic;
-  diagnostic.help = "did you mean " + quoted(*near) + "?";
+  diagnostic.help("did you mean " + quoted(*near) + "?");
   if (fits_everywhere(*near)) {
     diagnostic.fixes.push_back(
         {Applicability::unsafe, {{within_quotes(model, place), std::string(*near)}}});
   }
   const Span defined = definition(model, kind, *near);
-  if (!defined.empty()) diagnostic.labels.push_back({defined, quoted(*near) + " is defined here"});
+  if (!defined.empty()) diagnostic.label(defined, quoted(*near) + " is defined here");
   return &diagnostic;
 }
 

@@ -83,7 +83,7 @@ void report_unknown_rule(Span span, std::string_view name, DiagnosticSink& sink)
   for (const Rule* rule : all_rules()) known.push_back(rule->id);
   for (const Rule* rule : all_rules()) known.push_back(rule->name);
   if (const auto near = sink.suggest(name, known)) {
-    diagnostic.help = "did you mean `" + std::string(*near) + "`?";
+    diagnostic.help("did you mean `" + std::string(*near) + "`?");
     diagnostic.fixes.push_back({Applicability::unsafe, {{span, std::string(*near)}}});
   }
 }
@@ -401,7 +401,7 @@ void Suppressions::judge(const Comment& comment, const std::function<bool(const 
   if (!comment.problem.empty()) {
     sink.report(rules::sml9101_malformed_suppression, comment.span,
                 "this comment silences nothing: " + comment.problem)
-        .help = "write `smurf-lint: ignore[" + comment.rule_named + "] reason`";
+        .help("write `smurf-lint: ignore[" + comment.rule_named + "] reason`");
     return;
   }
   const bool is_all_unused = std::all_of(comment.items.begin(), comment.items.end(), is_unused);
@@ -411,7 +411,7 @@ void Suppressions::judge(const Comment& comment, const std::function<bool(const 
     } else if (is_unused(item)) {
       Diagnostic& diagnostic = sink.report(rules::sml9103_unused_suppression, item.span,
                                            "nothing here raises `" + item.name + "`");
-      diagnostic.help = "remove it";
+      diagnostic.help("remove it");
       const Span removal = is_all_unused ? comment.removal : item.removal;
       if (!removal.empty()) diagnostic.fixes.push_back({Applicability::safe, {{removal, ""}}});
     }

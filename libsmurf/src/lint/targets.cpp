@@ -81,7 +81,7 @@ void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader*
     diagnostic.untargeted = diagnostic.severity;
     diagnostic.severity = severity_for(diagnostic, judgement);
     for (const auto& [fact, names] : judgement.stumbles) {
-      diagnostic.notes.push_back(names + ": " + std::string(fact->makes));
+      diagnostic.note(names + ": " + std::string(fact->makes));
     }
     // A part that a target ignores is no reason to report what is fine in general.
     if (diagnostic.rule->needs_target && diagnostic.severity == Severity::info) continue;

@@ -77,7 +77,7 @@ std::string render_github(std::span<const Diagnostic> diagnostics, const SourceM
     out += ",title=" + std::string(rule.id) + " " + std::string(rule.name) + "::";
     std::string message = render::escape(diagnostic.message);
     for (const std::string& note : diagnostic.notes) message += "\nnote: " + render::escape(note);
-    if (!diagnostic.help.empty()) message += "\nhelp: " + render::escape(diagnostic.help);
+    if (!diagnostic.help_text.empty()) message += "\nhelp: " + render::escape(diagnostic.help_text);
     out += escape_command(message, false) + "\n";
   }
   return out;

@@ -40,7 +40,7 @@ Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
   json["message"] = diagnostic.message;
   add_place(json, diagnostic.span, sources);
   if (!diagnostic.pointer.empty()) json["pointer"] = diagnostic.pointer;
-  if (!diagnostic.help.empty()) json["help"] = diagnostic.help;
+  if (!diagnostic.help_text.empty()) json["help"] = diagnostic.help_text;
   if (!diagnostic.notes.empty()) json["notes"] = diagnostic.notes;
   for (const Label& label : diagnostic.labels) {
     Json place;

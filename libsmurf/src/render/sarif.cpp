@@ -124,7 +124,7 @@ class Log {
     }
     result["level"] = text(level(diagnostic.severity));
     std::string message = diagnostic.message;
-    if (!diagnostic.help.empty()) message += "; " + diagnostic.help;
+    if (!diagnostic.help_text.empty()) message += "; " + diagnostic.help_text;
     result["message"] = {{"text", without_links(message)}};
     Json location = place(diagnostic.span);
     if (!diagnostic.pointer.empty()) {
@@ -180,9 +180,9 @@ class Log {
     for (auto& [path, change] : changes) list.push_back(std::move(change));
     const std::string_view kind =
         fix.applicability == Applicability::safe ? "safe fix" : "unsafe fix";
-    const std::string description = diagnostic.help.empty()
+    const std::string description = diagnostic.help_text.empty()
                                         ? std::string(kind)
-                                        : diagnostic.help + " (" + std::string(kind) + ")";
+                                        : diagnostic.help_text + " (" + std::string(kind) + ")";
     return {{"description", {{"text", without_links(description)}}},
             {"artifactChanges", std::move(list)}};
   }

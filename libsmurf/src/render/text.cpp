@@ -75,7 +75,7 @@ std::string remarks(const Diagnostic& diagnostic, const SourceMap& sources, std:
   };
   std::string out;
   for (const std::string& note : diagnostic.notes) out += remark("note", note);
-  std::string help = diagnostic.help;
+  std::string help = diagnostic.help_text;
   if (!diagnostic.fixes.empty()) {
     const Fix& fix = diagnostic.fixes.front();
     if (help.empty()) help = describe(fix, sources);
@@ -162,7 +162,7 @@ std::string render_concise(const Diagnostic& diagnostic, const SourceMap& source
   if (has_source(diagnostic.span, sources)) out = place(diagnostic.span, sources) + ": ";
   out += paint(render::ink_of(diagnostic.severity), to_string(diagnostic.severity));
   out += "[" + std::string(diagnostic.rule->id) + "] " + escape(diagnostic.message);
-  if (!diagnostic.help.empty()) out += " (" + escape(diagnostic.help) + ")";
+  if (!diagnostic.help_text.empty()) out += " (" + escape(diagnostic.help_text) + ")";
   return out + "\n";
 }
 

@@ -240,7 +240,7 @@ class SchemaChecker {
     const auto near = nearest(value.key(), names);
     if (!near) return;
     fault(value.key_span(), quoted(value.key()) + " is not a keyword of JSON Schema draft-07")
-        .help = "did you mean " + quoted(*near) + "?";
+        .help("did you mean " + quoted(*near) + "?");
   }
 
   void check_plain(const Keyword& keyword, yaml::View value) {
@@ -281,8 +281,8 @@ class SchemaChecker {
         fault(value.place(), (value.is_scalar() ? quoted(value.text()) : describe(value)) +
                                  " is not a type of JSON Schema");
     const auto near = nearest(value.text(), kTypes);
-    diagnostic.help = near ? "did you mean " + quoted(*near) + "?"
-                           : "types are array, boolean, integer, null, number, object, string";
+    diagnostic.help(near ? "did you mean " + quoted(*near) + "?"
+                         : "types are array, boolean, integer, null, number, object, string");
   }
 
   std::optional<Pattern> pattern_of(yaml::View value) {
@@ -339,10 +339,11 @@ class SchemaChecker {
     if (!pattern) return;
     if (++name_patterns_ > kMostNamePatterns || !is_simple_pattern(node.key()) ||
         pattern->steps_for("") > kMostNamePatternSteps) {
-      fault(node.key_span(), "this pattern of names is too costly").help =
-          "repeat no groups, at most two characters, and none hundreds of times; a schema has at "
-          "most " +
-          std::to_string(kMostNamePatterns) + " such patterns";
+      fault(node.key_span(), "this pattern of names is too costly")
+          .help(
+              "repeat no groups, at most two characters, and none hundreds of times; a schema has at "
+              "most " +
+              std::to_string(kMostNamePatterns) + " such patterns");
       return;
     }
     try {
@@ -374,7 +375,7 @@ class SchemaChecker {
       const yaml::View target = follow_reference(root_, reference.text());
       if (!target || !applied_.contains(target.id())) {
         fault(reference.span(), quoted(reference.text()) + " leads to no schema of this file")
-            .help = "other files are not read; write `#/definitions/NAME`";
+            .help("other files are not read; write `#/definitions/NAME`");
         continue;
       }
       applied_[node].push_back({target.id(), reference.span()});

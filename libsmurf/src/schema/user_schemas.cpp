@@ -41,14 +41,14 @@ void check(const UserSchema* schema, yaml::View value, SchemaWork& work, Finding
   if (work.steps <= 0) report_too_large(value, "told all that its schema refuses", findings);
   for (const Violation& violation : violations) {
     Diagnostic& diagnostic = findings.report(violation.span, violation.message);
-    diagnostic.help = violation.help;
+    diagnostic.help(violation.help);
     diagnostic.notes = violation.notes;
     diagnostic.fixes = violation.fixes;
     if (!violation.add_span.empty()) {
-      diagnostic.labels.push_back({violation.add_span, "add it after this"});
+      diagnostic.label(violation.add_span, "add it after this");
     }
     if (!violation.schema_span.empty()) {
-      diagnostic.labels.push_back({violation.schema_span, "the schema asks for it here"});
+      diagnostic.label(violation.schema_span, "the schema asks for it here");
     }
   }
 }

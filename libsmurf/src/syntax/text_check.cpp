@@ -65,7 +65,7 @@ bool check_text(const SourceMap& sources, SourceId id, TextFormat format, Diagno
   if (is_wide(text)) {
     sink.report(rules::sml0005_unsupported_encoding, {id, 0, 0},
                 "the file is not UTF-8 but UTF-16 or UTF-32")
-        .help = "save it as UTF-8";
+        .help("save it as UTF-8");
     return false;
   }
   if (const std::size_t control = find_control_character(text, format); control < text.size()) {
@@ -73,14 +73,14 @@ bool check_text(const SourceMap& sources, SourceId id, TextFormat format, Diagno
     sink.report(rules::sml0004_control_character, {id, at, at + 1},
                 "the control character U+00" + hex(text[control]) +
                     " is not allowed in a text file")
-        .help = "delete it";
+        .help("delete it");
     return false;
   }
   if (const std::optional<std::size_t> at = utf8::find_invalid(text)) {
     const auto begin = static_cast<std::uint32_t>(*at);
     sink.report(rules::sml0003_invalid_utf8, {id, begin, begin + 1},
                 "the byte 0x" + hex(text[begin]) + " is not valid UTF-8 here")
-        .help = "save the file as UTF-8";
+        .help("save the file as UTF-8");
     return false;
   }
   return true;

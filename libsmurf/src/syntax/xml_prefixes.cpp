@@ -33,7 +33,7 @@ void XmlPrefixes::check(Span name) {
   sink_
       .report(rules::sml1002_xml_undeclared_prefix, place,
               "the prefix `" + std::string(prefix) + "` is not declared")
-      .help = "declare it: `<robot xmlns:" + std::string(prefix) + "=\"...\">`";
+      .help("declare it: `<robot xmlns:" + std::string(prefix) + "=\"...\">`");
 }
 
 }  // namespace smurf

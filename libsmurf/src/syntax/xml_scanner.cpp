@@ -66,7 +66,7 @@ class Scanner {
 
   void too_much(const Rule& rule, Span place, std::string message, std::string_view limit) {
     well_formed_ = false;
-    sink_.report(rule, place, std::move(message)).help = raise_limit(limit);
+    sink_.report(rule, place, std::move(message)).help(raise_limit(limit));
   }
 
   /// For an element or attribute more.
@@ -126,7 +126,7 @@ class Scanner {
     sink_
         .report(rules::sml1004_xml_comment_dashes, span(place, place + 2),
                 "a comment contains `--`, which XML forbids")
-        .help = "write `- -` or another dash";
+        .help("write `- -` or another dash");
   }
 
   void doctype() {
@@ -157,9 +157,8 @@ class Scanner {
         sink_.report(rules::sml1013_dtd_or_xinclude, doctype,
                      "urdfdom finds no robot after the declarations of this document type");
     diagnostic.severity = Severity::error;
-    diagnostic.notes.push_back(
-        "sdformat, which uses urdfdom, finds none either; MuJoCo reads the robot");
-    diagnostic.help = "delete the document type, and write out what it declares";
+    diagnostic.note("sdformat, which uses urdfdom, finds none either; MuJoCo reads the robot");
+    diagnostic.help("delete the document type, and write out what it declares");
     for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {
       const std::size_t next = subset.find('<', at + 1);
       const std::string_view one = subset.substr(at, next - at);
@@ -191,13 +190,13 @@ class Scanner {
           span(close, close + 1),
           "urdfdom (TinyXML) reads this `>` as the end of the processing instruction, and finds no "
           "robot after it")
-          .help = "delete the instruction, or this character";
+          .help("delete the instruction, or this character");
       return;
     }
     if (const auto place = find_unsound(text_.substr(begin, at_ - begin))) {
       const auto at = static_cast<std::uint32_t>(begin + *place);
-      malformed(span(at, at + 1), "this is not an attribute of the XML declaration").help =
-          "write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`";
+      malformed(span(at, at + 1), "this is not an attribute of the XML declaration")
+          .help("write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`");
       return;
     }
     if (is_prolog_) return;
@@ -226,7 +225,7 @@ class Scanner {
       Diagnostic& diagnostic =
           malformed(name, "the end tag " + quoted(name) + " does not close the open element " +
                               quoted(element.name_span()));
-      diagnostic.labels.push_back({element.name_span(), "opened here"});
+      diagnostic.label(element.name_span(), "opened here");
       suspect_end(diagnostic);
       return;
     }
@@ -235,7 +234,7 @@ class Scanner {
 
   void suspect_end(Diagnostic& diagnostic) const {
     if (const Element* inner = tree_.suspect()) {
-      diagnostic.labels.push_back({inner->name_span(), "is the end tag missing before this?"});
+      diagnostic.label(inner->name_span(), "is the end tag missing before this?");
     }
   }
 
@@ -266,8 +265,8 @@ class Scanner {
     element.name_begin = text_.data() + name.begin;
     element.name_size = name.end - name.begin;
     if (name.empty()) {
-      malformed(span(begin, begin + 1), "`<` does not begin an element here").help =
-          "write `&lt;` for the character itself";
+      malformed(span(begin, begin + 1), "`<` does not begin an element here")
+          .help("write `&lt;` for the character itself");
       return;
     }
     if (tree_.depth() == 0 && !tree_.elements().empty()) {
@@ -297,7 +296,7 @@ class Scanner {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1006_xml_several_roots, name,
                      "a second root element " + quoted(name) + " begins after the first has ended");
-    diagnostic.labels.push_back({tree_.elements().front().name_span(), "the root element"});
+    diagnostic.label(tree_.elements().front().name_span(), "the root element");
   }
 
   bool attributes(const Element& element, bool& is_closed) {
@@ -380,7 +379,7 @@ class Scanner {
       Diagnostic& diagnostic =
           sink_.report(rules::sml1007_xml_duplicate_attribute, attribute.name_span(),
                        "the attribute " + quoted(attribute.name_span()) + " is written twice");
-      diagnostic.labels.push_back({tree_.attributes()[i].name_span(), "first written here"});
+      diagnostic.label(tree_.attributes()[i].name_span(), "first written here");
       return false;
     }
     if (attribute.name().starts_with("xmlns:")) prefixes_.declare(attribute.name().substr(6));
@@ -437,7 +436,7 @@ class Scanner {
           .report(rules::sml1013_dtd_or_xinclude, span(begin, at_),
                   "URDF readers do not expand the entity `" + std::string(slice(span(begin, at_))) +
                       "`")
-          .help = "write the text out";
+          .help("write the text out");
     }
   }
 
@@ -464,7 +463,7 @@ class Scanner {
       const Element& element = tree_.innermost();
       Diagnostic& diagnostic = malformed(span(size(), size()), "the file ends inside the element " +
                                                                    quoted(element.name_span()));
-      diagnostic.labels.push_back({element.name_span(), "opened here and never closed"});
+      diagnostic.label(element.name_span(), "opened here and never closed");
       suspect_end(diagnostic);
     } else if (tree_.elements().empty()) {
       malformed(span(0, 0), "the file contains no XML element");

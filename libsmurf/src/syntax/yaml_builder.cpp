@@ -99,8 +99,8 @@ void YamlBuilder::repeat(Span alias, std::uint64_t size) {
 }
 
 void YamlBuilder::report_complex_key(Span place) {
-  sink_.report(rules::sml0012_complex_key, place, "a list or mapping is used as a key").help =
-      "use a plain text, or put it in quotes";
+  sink_.report(rules::sml0012_complex_key, place, "a list or mapping is used as a key")
+      .help("use a plain text, or put it in quotes");
 }
 
 void YamlBuilder::take_key(Span span, std::string_view key) {
@@ -136,7 +136,7 @@ Node& YamlBuilder::add(Kind kind, Span span, std::uint64_t size) {
 }
 
 void YamlBuilder::stop(const Rule& rule, Span place, std::string message, std::string_view limit) {
-  sink_.report(rule, place, std::move(message)).help = raise_limit(limit);
+  sink_.report(rule, place, std::move(message)).help(raise_limit(limit));
   throw StopParsing();
 }
 
@@ -226,9 +226,9 @@ void YamlBuilder::report_duplicates(const Node& mapping) {
         sink_.report(rules::sml0011_duplicate_key, at(entries_[i].id).key_span(),
                      "duplicate key `" + std::string(entries_[i].key) + "` in one mapping");
     diagnostic.caret = "repeated here";
-    diagnostic.labels.push_back({at(entries_[first].id).key_span(), "first set here"});
-    diagnostic.notes.push_back("MARS uses the first value, Phobos (PyYAML) the last");
-    diagnostic.help = "delete one of the two";
+    diagnostic.label(at(entries_[first].id).key_span(), "first set here");
+    diagnostic.note("MARS uses the first value, Phobos (PyYAML) the last");
+    diagnostic.help("delete one of the two");
   }
 }
 

@@ -67,7 +67,7 @@ void report_in_brackets(std::uint32_t at, Span bracket, std::string_view text,
   }
   sink.report(rules::sml0010_yaml_syntax, {bracket.source, at, at + 1},
               "a `,` or `" + std::string(open == "[" ? "]" : "}") + "` is missing before this")
-      .labels.push_back({bracket, "opened here"});
+      .label(bracket, "opened here");
 }
 
 }  // namespace

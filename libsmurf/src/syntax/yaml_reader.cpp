@@ -89,8 +89,7 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
     return;
   }
   sink.report(rules::sml0013_several_documents, {id, at, at}, "a second YAML document begins here")
-      .notes.push_back(
-          "MARS reads the first document and drops the rest, PyYAML (Phobos) refuses the file");
+      .note("MARS reads the first document and drops the rest, PyYAML (Phobos) refuses the file");
 }
 
 /// yaml-cpp reads merge conflict markers as text, or silently ends the document there.
@@ -235,8 +234,8 @@ void refuse_large(Span place, const Limits& limits, DiagnosticSink& sink) {
       sink.report(rules::sml0002_file_too_large, place,
                   "of a file of more than " + std::to_string(limits.yaml_cpp_bytes) +
                       " bytes only plain YAML is read, and here it is not");
-  diagnostic.notes.push_back("plain YAML has no anchors, tags, tabs, carriage returns or mistakes");
-  diagnostic.help = raise_limit("yaml-cpp-bytes");
+  diagnostic.note("plain YAML has no anchors, tags, tabs, carriage returns or mistakes");
+  diagnostic.help(raise_limit("yaml-cpp-bytes"));
 }
 
 }  // namespace
@@ -252,8 +251,8 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
   if (!check_text(sources, id, TextFormat::yaml, sink)) return std::nullopt;
   const std::string_view text = sources.text(id);
   if (const auto mark = find_merge_mark(text, id)) {
-    sink.report(rules::sml0010_yaml_syntax, *mark, "a merge conflict left its markers here").help =
-        "keep one of the two versions, and delete the markers";
+    sink.report(rules::sml0010_yaml_syntax, *mark, "a merge conflict left its markers here")
+        .help("keep one of the two versions, and delete the markers");
     return std::nullopt;
   }
   const bool is_large = text.size() > limits.yaml_cpp_bytes;
@@ -270,8 +269,8 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
     }
   }
   if (const auto directive = find_open_directive(text, id)) {
-    sink.report(rules::sml0010_yaml_syntax, *directive, "no `---` follows this directive").help =
-        "begin the line with `#` to make it a comment";
+    sink.report(rules::sml0010_yaml_syntax, *directive, "no `---` follows this directive")
+        .help("begin the line with `#` to make it a comment");
     return std::nullopt;
   }
   if (is_too_deep(sources, id, limits, sink)) return std::nullopt;

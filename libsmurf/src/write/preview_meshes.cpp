@@ -26,7 +26,7 @@ MeshTriangles PreviewMeshes::read(const std::string& file, Span place) {
         .report(rules::sml5022_too_many_instances, place,
                 "with this mesh the meshes of the scene, written out, have more than " +
                     std::to_string(most) + " bytes")
-        .help = raise_limit("scene-bytes");
+        .help(raise_limit("scene-bytes"));
   }
   return {{}, {}, "is too large to write"};
 }

@@ -218,9 +218,8 @@ void SceneLosses::files_in_archives() {
     Diagnostic& diagnostic = scene_.losses.report(
         rules::sml8210_file_in_archive, place(i),
         "what reads the " + format_ + " does not look into the archive for " + list(files));
-    diagnostic.help = scene_.form == SceneForm::reference
-                          ? "unpack it, or use --form expand"
-                          : "--copy-assets DIR copies what is named";
+    diagnostic.help(scene_.form == SceneForm::reference ? "unpack it, or use --form expand"
+                                                        : "--copy-assets DIR copies what is named");
   }
 }
 

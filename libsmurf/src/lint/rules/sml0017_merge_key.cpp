@@ -10,7 +10,7 @@ void check_document(const yaml::Document& document, Findings& findings) {
     const bool is_quoted = node.key_span().end - node.key_span().begin != node.key().size();
     if (node.key() != "<<" || is_quoted) continue;
     findings.report(node.key_span(), "MARS does not merge `<<` into this mapping, Phobos does")
-        .help = "write the keys here";
+        .help("write the keys here");
   }
 }
 

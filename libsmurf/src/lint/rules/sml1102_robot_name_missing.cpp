@@ -22,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
   const Edit edit =
       name.written ? Edit{name.span, escape_xml(stem)}
                    : Edit{{tag.source, tag.end, tag.end}, " name=\"" + escape_xml(stem) + "\""};
-  diagnostic.help = "name it, e.g. " + quoted(stem) + " like the file";
+  diagnostic.help("name it, e.g. " + quoted(stem) + " like the file");
   diagnostic.fixes.push_back({Applicability::unsafe, {edit}});
 }
 

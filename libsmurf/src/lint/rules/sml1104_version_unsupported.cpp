@@ -10,7 +10,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(model.robot->version.span, "the version " + quoted(*model.robot->version) +
                                                      " is refused by urdfdom before 5.1");
-  diagnostic.help = "write `1.0`, or delete the attribute";
+  diagnostic.help("write `1.0`, or delete the attribute");
   diagnostic.fixes.push_back({Applicability::unsafe, {{model.robot->version.span, "1.0"}}});
 }
 

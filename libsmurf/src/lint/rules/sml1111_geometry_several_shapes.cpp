@@ -13,7 +13,7 @@ void check_geometry(const LinkedModel& model, const urdf::Geometry& geometry, Fi
     if (!is_shape(child.name())) continue;
     if (first) {
       Diagnostic& diagnostic = findings.report(child.name_span(), "a second shape in one geometry");
-      diagnostic.labels.push_back({first.name_span(), "the first one"});
+      diagnostic.label(first.name_span(), "the first one");
       if (first.name() == child.name()) diagnostic.construct = "same";
       return;
     }

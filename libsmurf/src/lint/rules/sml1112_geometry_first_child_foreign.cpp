@@ -15,9 +15,9 @@ void check_geometry(const LinkedModel& model, const urdf::Link& link,
     if (!is_shape(child.name())) continue;
     Diagnostic& diagnostic = findings.report(
         first.name_span(), quoted(first.name()) + " comes before the shape of this geometry");
-    diagnostic.labels.push_back({child.name_span(), "the shape"});
-    diagnostic.notes.push_back("urdfdom loses " + title(link) + " from here on");
-    diagnostic.help = "put the shape first";
+    diagnostic.label(child.name_span(), "the shape");
+    diagnostic.note("urdfdom loses " + title(link) + " from here on");
+    diagnostic.help("put the shape first");
     return;
   }
 }

@@ -16,10 +16,10 @@ void check(const LinkedModel& model, Findings& findings) {
     withhold_fix(diagnostic, other_link(parent));
     if (diagnostic != nullptr && one.name == "world") {
       diagnostic->construct = "drake-world";
-      diagnostic->notes.push_back(
+      diagnostic->note(
           "only Drake has a link `world` without a declaration; check files for Drake with "
           "`--target drake`");
-      diagnostic->help = "declare it: `<link name=\"world\"/>`";
+      diagnostic->help("declare it: `<link name=\"world\"/>`");
     }
   }
 }

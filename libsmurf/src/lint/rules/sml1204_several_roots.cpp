@@ -30,11 +30,11 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(name_place(model, root), "no joint leads to " + title(root) +
                                                      ", so the robot has several root links");
     diagnostic.caret = "also a root";
-    diagnostic.help = "connect it by a joint, or delete it";
-    diagnostic.labels.push_back({name_place(model, first), "the first root link"});
+    diagnostic.help("connect it by a joint, or delete it");
+    diagnostic.label(name_place(model, first), "the first root link");
     if (!led_to_by_drake.contains(*root.name)) continue;
     diagnostic.construct = "drake-joint";
-    diagnostic.notes.push_back(drake::kJointNote);
+    diagnostic.note(drake::kJointNote);
   }
 }
 

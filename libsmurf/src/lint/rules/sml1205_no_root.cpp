@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!child || to_size(*child) != 0) continue;
     Diagnostic& diagnostic = findings.report(
         joints[i].child.span, title(joints[i]) + " closes a loop: every link has a parent");
-    diagnostic.labels.push_back({name_place(model, model.link(*child)), "the first link"});
+    diagnostic.label(name_place(model, model.link(*child)), "the first link");
     return;
   }
   findings.report(tag_name(model, model.robot->document.root),

@@ -30,8 +30,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (other.type == urdf::JointType::fixed) diagnostic.construct = "fixed";
     if (is_below(model, *model.tree.joint_parent[i], *child)) diagnostic.construct += "#ring";
     diagnostic.caret = "a second parent";
-    diagnostic.help = "keep one of the two joints; URDF has no closed chains";
-    diagnostic.labels.push_back({other.child.span, "first made a child here"});
+    diagnostic.help("keep one of the two joints; URDF has no closed chains");
+    diagnostic.label(other.child.span, "first made a child here");
   }
 }
 

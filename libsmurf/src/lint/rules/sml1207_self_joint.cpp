@@ -22,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(joint.child.span,
                         title(joint) + " connects the link " + quoted(*joint.child) + " to itself");
-    diagnostic.labels.push_back({joint.parent.span, "the same link as parent"});
+    diagnostic.label(joint.parent.span, "the same link as parent");
     // The link that it should lead to is a root then, which is not reported for itself.
     if (has_other_roots(model, *joint.child)) {
       diagnostic.consequences.push_back(&rules::sml1204_several_roots);

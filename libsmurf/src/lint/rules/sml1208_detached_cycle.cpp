@@ -25,7 +25,7 @@ void report(const LinkedModel& model, const std::vector<std::size_t>& ring, Find
   constexpr std::size_t kShown = 5;
   joints.pop_back();
   for (std::size_t i = 0; i < std::min(joints.size(), kShown); ++i) {
-    diagnostic.labels.push_back({model.robot->joints[joints[i]].child.span, "part of the ring"});
+    diagnostic.label(model.robot->joints[joints[i]].child.span, "part of the ring");
   }
 }
 

@@ -13,8 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const urdf::Joint& joint = model.joint(*above);
     Diagnostic& diagnostic =
         findings.report(joint.child.span, title(joint) + " leads to the link `world`");
-    diagnostic.labels.push_back(
-        {link.name.span, "Gazebo, Drake and MuJoCo treat this as the world"});
+    diagnostic.label(link.name.span, "Gazebo, Drake and MuJoCo treat this as the world");
     if (joint.is_movable()) diagnostic.construct = "moving";
     return;
   }
@@ -27,7 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
   findings
       .report(tag_name(model, has_mass ? link.inertial->element : link.collisions[0].element),
               std::string("the link `world` has ") + (has_mass ? "an inertial" : "a collision"))
-      .labels.push_back({link.name.span, "Gazebo, Drake and MuJoCo treat this as the world"});
+      .label(link.name.span, "Gazebo, Drake and MuJoCo treat this as the world");
 }
 
 constexpr std::string_view kDrops =

@@ -16,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(joint.type_name.span, title(joint) + " is floating, but " +
                                           title(model.link(*parent)) + " is not the root")
-        .labels.push_back({name_place(model, model.joint(*above)), "leads to the parent"});
+        .label(name_place(model, model.joint(*above)), "leads to the parent");
   }
 }
 

@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (*first == i) continue;
     Diagnostic& diagnostic =
         findings.report(all[i].name.span, "a second link is named " + quoted(*all[i].name));
-    diagnostic.labels.push_back({all[*first].name.span, "the first one"});
+    diagnostic.label(all[*first].name.span, "the first one");
   }
 }
 

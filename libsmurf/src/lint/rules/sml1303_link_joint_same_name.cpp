@@ -21,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;
-  diagnostic->labels.push_back({link_name, "the link"});
+  diagnostic->label(link_name, "the link");
   if (!has_movable) diagnostic->construct = "fixed";
 }
 

@@ -21,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(use.name.span, "a second " + std::string(to_string(use.role)) + " named " +
                                            quoted(*use.name));
-    diagnostic.labels.push_back({places[*first], "the first"});
+    diagnostic.label(places[*first], "the first");
   });
 }
 

@@ -15,7 +15,7 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;
-  diagnostic->notes.push_back("MuJoCo, tf2 and USD treat it as the separator of a path");
+  diagnostic->note("MuJoCo, tf2 and USD treat it as the separator of a path");
 }
 
 constexpr Fact kFacts[] = {

@@ -23,11 +23,10 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (Diagnostic* diagnostic = with_blank.report("such names", findings)) {
     diagnostic->severity = Severity::warning;
-    diagnostic->notes.push_back(
-        "Gazebo derives names of topics from it, which must not contain spaces");
+    diagnostic->note("Gazebo derives names of topics from it, which must not contain spaces");
   }
   if (Diagnostic* diagnostic = others.report("such names", findings)) {
-    diagnostic->notes.push_back("Isaac and USD rename it to " + quoted(renamed));
+    diagnostic->note("Isaac and USD rename it to " + quoted(renamed));
   }
 }
 

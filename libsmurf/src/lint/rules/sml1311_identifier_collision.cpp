@@ -9,7 +9,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         second->span, quoted(**second) + " and " + quoted(**first) + " are one name, " +
                           quoted(as_identifier(**first)) + ", to Isaac and USD");
-    diagnostic.labels.push_back({first->span, "the other " + std::string(kind)});
+    diagnostic.label(first->span, "the other " + std::string(kind));
   }
 }
 

@@ -10,7 +10,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(second->span, "the " + std::string(kind) + "s " + quoted(**first) +
                                           " and " + quoted(**second) + " differ in case only");
-    diagnostic.labels.push_back({first->span, "the other " + std::string(kind)});
+    diagnostic.label(first->span, "the other " + std::string(kind));
   }
 }
 

@@ -17,9 +17,9 @@ void check_role(const LinkedModel& model, GeometryRole role, Findings& findings)
   const std::string what(to_string(role));
   Diagnostic& diagnostic = findings.report(
       first, "this " + what + " has no name, and the annotations name " + what + "s");
-  diagnostic.notes.push_back("MARS calls every one of them `" + what + "_`");
+  diagnostic.note("MARS calls every one of them `" + what + "_`");
   if (count > 1) {
-    diagnostic.notes.push_back(std::to_string(count - 1) + " more in this file");
+    diagnostic.note(std::to_string(count - 1) + " more in this file");
   }
 }
 

@@ -27,12 +27,12 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(joint.type_name.span, quoted(*joint.type_name) + " is not a joint type");
     diagnostic.construct = *joint.type_name;
     if (is_limited(joint)) diagnostic.construct += "#limited";
-    diagnostic.help = "use revolute, continuous, prismatic, fixed, floating or planar";
+    diagnostic.help("use revolute, continuous, prismatic, fixed, floating or planar");
     if (*joint.type_name == "spherical") {
-      diagnostic.notes.push_back("only Bullet and MuJoCo know this type");
+      diagnostic.note("only Bullet and MuJoCo know this type");
     }
     if (const auto near = nearest(*joint.type_name, kTypes)) {
-      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      diagnostic.help("did you mean " + quoted(*near) + "?");
       const bool is_case = path::to_lower(*joint.type_name) == *near;
       diagnostic.fixes.push_back({is_case ? Applicability::safe : Applicability::unsafe,
                                   {{joint.type_name.span, std::string(*near)}}});

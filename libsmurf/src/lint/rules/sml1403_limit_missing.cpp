@@ -25,8 +25,8 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(name_place(model, joint),
                 title(joint) + " is " + *joint.type_name + " and has no `limit`")
-        .help = joint.type == urdf::JointType::revolute ? "add one, or make the joint continuous"
-                                                        : "add one";
+        .help(joint.type == urdf::JointType::revolute ? "add one, or make the joint continuous"
+                                                      : "add one");
   });
 }
 

@@ -22,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(tag_name(model, joint.limit->element),
                         "the limit of " + title(joint) + " has no " +
                             (missing.empty() ? "`lower` and no `upper`" : quoted(missing)));
-    diagnostic.notes.push_back("urdfdom reads 0, MuJoCo and Drake no limit, Bullet -1 as upper");
+    diagnostic.note("urdfdom reads 0, MuJoCo and Drake no limit, Bullet -1 as upper");
     // Absent, both are 0 to urdfdom: the joint is locked there and free elsewhere.
     if (missing.empty()) diagnostic.severity = Severity::warning;
   });

@@ -17,11 +17,11 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         lower.span, "the lower limit " + format_number(*lower) + " of " + title(joint) +
                         " is above its upper limit " + format_number(*upper));
-    diagnostic.labels.push_back({upper.span, "the upper limit"});
-    diagnostic.help = "swap the two values";
+    diagnostic.label(upper.span, "the upper limit");
+    diagnostic.help("swap the two values");
     // Bullet's way to say "no limit".
     if (*lower == 1 && (*upper == 0 || *upper == -1)) {
-      diagnostic.help = "make the joint continuous, if no limit is meant";
+      diagnostic.help("make the joint continuous, if no limit is meant");
     }
     diagnostic.fixes.push_back(
         {Applicability::unsafe,

@@ -13,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
         .report(joint.limit->upper.span,
                 is_blank ? "the limit of " + title(joint) + " is all zeros, so it cannot move"
                          : "the limits of " + title(joint) + " are equal, so it cannot move")
-        .notes.push_back("MuJoCo ignores such limits: the joint is free there");
+        .note("MuJoCo ignores such limits: the joint is free there");
   });
 }
 

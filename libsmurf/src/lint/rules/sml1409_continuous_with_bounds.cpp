@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(lower.written ? lower.span : upper.span,
                 title(joint) + " is continuous, but has position limits")
-        .notes.push_back("MuJoCo, Drake and Isaac enforce them, the others ignore them");
+        .note("MuJoCo, Drake and Isaac enforce them, the others ignore them");
   });
 }
 

@@ -21,8 +21,8 @@ void check(const LinkedModel& model, Findings& findings) {
           .report(bound->span, "the limit " + format_number(**bound) + " of " + title(joint) +
                                    " is " + format_rounded(size / (2 * std::numbers::pi), 3) +
                                    " turns; is it in degrees?")
-          .help = format_number(**bound) + " degrees are " +
-                  format_rounded(**bound * std::numbers::pi / 180, 6) + " rad";
+          .help(format_number(**bound) + " degrees are " +
+                format_rounded(**bound * std::numbers::pi / 180, 6) + " rad");
       return;
     }
   });

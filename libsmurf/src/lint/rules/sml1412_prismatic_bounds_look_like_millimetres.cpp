@@ -17,7 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
       findings
           .report(bound->span, "the limit " + format_number(**bound) + " of " + title(joint) +
                                    " is in metres; are millimetres meant?")
-          .help = format_number(**bound) + " mm are " + format_rounded(**bound / 1000) + " m";
+          .help(format_number(**bound) + " mm are " + format_rounded(**bound / 1000) + " m");
       return;
     }
   });

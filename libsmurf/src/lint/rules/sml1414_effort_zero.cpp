@@ -10,7 +10,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!joint.has_one_axis() || joint.mimic || !joint.limit || !joint.limit->effort) return;
     if (*joint.limit->effort != 0 || has_equal_bounds(joint)) return;
     findings.report(joint.limit->effort.span, "the effort limit of " + title(joint) + " is 0")
-        .notes.push_back("MuJoCo reads no limit, Gazebo and Bullet no force at all");
+        .note("MuJoCo reads no limit, Gazebo and Bullet no force at all");
   });
 }
 

@@ -8,7 +8,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.has_one_axis() || joint.axis_element != xml::kNoElement) return;
     findings.report(name_place(model, joint), title(joint) + " has no axis, so it moves about x")
-        .help = "write `<axis xyz=\"1 0 0\"/>` if that is meant";
+        .help("write `<axis xyz=\"1 0 0\"/>` if that is meant");
   });
 }
 

@@ -25,9 +25,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(joint.axis.span, "the axis of " + title(joint) + " has the length " +
                                              format_rounded(length) + ", not 1");
-    diagnostic.notes.push_back("Bullet moves this joint " + format_rounded(length) +
-                               " times as far as commanded");
-    diagnostic.help = "write " + quoted(unit);
+    diagnostic.note("Bullet moves this joint " + format_rounded(length) +
+                    " times as far as commanded");
+    diagnostic.help("write " + quoted(unit));
     diagnostic.fixes.push_back({Applicability::unsafe, {{joint.axis.span, unit}}});
   });
 }

@@ -28,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(joint.axis.span, "the axis of " + title(joint) + " is " + quoted(aligned) +
                                              " up to rounding errors");
-    diagnostic.help = "write " + quoted(aligned);
+    diagnostic.help("write " + quoted(aligned));
     diagnostic.fixes.push_back({Applicability::unsafe, {{joint.axis.span, aligned}}});
   });
 }

@@ -19,7 +19,7 @@ struct Useless {
   void report(Applicability applicability, std::string help, Findings& findings) {
     Diagnostic* diagnostic = habit.report("such elements", findings);
     if (diagnostic == nullptr) return;
-    diagnostic->help = std::move(help);
+    diagnostic->help(std::move(help));
     diagnostic->fixes.push_back({applicability, std::move(removals)});
   }
 };

@@ -20,8 +20,8 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(tag_name(model, joint.dynamics->element),
                                              "the dynamics of " + title(joint) +
                                                  " has neither `damping` nor `friction`");
-    diagnostic.notes.push_back("urdfdom refuses the whole file");
-    diagnostic.help = "delete it";
+    diagnostic.note("urdfdom refuses the whole file");
+    diagnostic.help("delete it");
     if (element.begin() == element.end() && element.element().attribute_count == 0) {
       diagnostic.fixes.push_back({Applicability::safe, {{joint.dynamics->span, ""}}});
     }

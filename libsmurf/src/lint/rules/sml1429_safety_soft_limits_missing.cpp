@@ -16,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(tag_name(model, safety.element),
                 "the safety controller of " + title(joint) + " lacks a soft limit")
-        .notes.push_back("MoveIt reads the absent limit as 0");
+        .note("MoveIt reads the absent limit as 0");
   });
 }
 

@@ -39,11 +39,11 @@ void check(const LinkedModel& model, Findings& findings) {
     const bool is_lower = *soft_lower < *lower || *soft_lower > *soft_upper;
     Diagnostic& diagnostic =
         findings.report(is_lower ? soft_lower.span : soft_upper.span, std::move(fault));
-    diagnostic.labels.push_back({is_lower ? lower.span : upper.span, "the hard limit"});
+    diagnostic.label(is_lower ? lower.span : upper.span, "the hard limit");
     if (*soft_lower > *soft_upper) return;
     const std::string new_lower = format_number(std::max(*soft_lower, *lower));
     const std::string new_upper = format_number(std::min(*soft_upper, *upper));
-    diagnostic.help = "write soft limits from " + new_lower + " to " + new_upper;
+    diagnostic.help("write soft limits from " + new_lower + " to " + new_upper);
     diagnostic.fixes.push_back(
         {Applicability::unsafe, {{soft_lower.span, new_lower}, {soft_upper.span, new_upper}}});
   });

@@ -28,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (own != nullptr) withhold_fix(diagnostic, own->value());
     if (diagnostic == nullptr || !drake_joints.contains(one.name)) continue;
     diagnostic->construct = "drake-joint";
-    diagnostic->notes.push_back(drake::kJointNote);
+    diagnostic->note(drake::kJointNote);
   }
 }
 

@@ -19,11 +19,11 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(own.joint.span, title(joint) + " mimics " + title(middle) +
                                             ", which mimics " + quoted(*next.joint));
-    diagnostic.labels.push_back({next.joint.span, "the next joint of the chain"});
+    diagnostic.label(next.joint.span, "the next joint of the chain");
     const double factor = own.multiplier.value_or(1);
-    diagnostic.help = "mimic " + quoted(*next.joint) + " with the multiplier " +
-                      format_rounded(factor * next.multiplier.value_or(1)) + " and the offset " +
-                      format_rounded(factor * next.offset.value_or(0) + own.offset.value_or(0));
+    diagnostic.help("mimic " + quoted(*next.joint) + " with the multiplier " +
+                    format_rounded(factor * next.multiplier.value_or(1)) + " and the offset " +
+                    format_rounded(factor * next.offset.value_or(0) + own.offset.value_or(0)));
   }
 }
 

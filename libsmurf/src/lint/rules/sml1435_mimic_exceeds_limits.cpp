@@ -38,9 +38,8 @@ void check(const LinkedModel& model, Findings& findings) {
         title(joint) + " follows " + title(leader) + " from " + format_rounded(low, 4) + " to " +
             format_rounded(high, 4) + ", its limits are " + format_rounded(lower, 4) + " and " +
             format_rounded(upper, 4));
-    diagnostic.labels.push_back({tag_name(model, joint.limit->element), "the limits"});
-    diagnostic.labels.push_back(
-        {tag_name(model, leader.limit->element), "the limits of the joint that leads"});
+    diagnostic.label(tag_name(model, joint.limit->element), "the limits");
+    diagnostic.label(tag_name(model, leader.limit->element), "the limits of the joint that leads");
   }
 }
 

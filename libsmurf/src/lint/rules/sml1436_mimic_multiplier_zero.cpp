@@ -9,7 +9,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.mimic || joint.mimic->multiplier.value_or(1) != 0) return;
     findings.report(joint.mimic->multiplier.span, title(joint) + " mimics with the multiplier 0")
-        .notes.push_back("Phobos reads 1");
+        .note("Phobos reads 1");
   });
 }
 

@@ -23,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(joint.mimic->joint.span,
                 title(joint) + " mimics " + title(leader) + ", which is " + *leader.type_name)
-        .labels.push_back({leader.type_name.span, "has no single position to follow"});
+        .label(leader.type_name.span, "has no single position to follow");
   }
 }
 

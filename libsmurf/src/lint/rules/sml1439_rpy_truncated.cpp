@@ -22,9 +22,9 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       edits.front().span, "a rounded right angle; " + edits.front().text + " is exact");
   if (edits.size() > 1) {
-    diagnostic.notes.push_back(std::to_string(edits.size() - 1) + " more such angles in this file");
+    diagnostic.note(std::to_string(edits.size() - 1) + " more such angles in this file");
   }
-  diagnostic.help = "write all digits";
+  diagnostic.help("write all digits");
   diagnostic.fixes.push_back({Applicability::unsafe, std::move(edits)});
 }
 

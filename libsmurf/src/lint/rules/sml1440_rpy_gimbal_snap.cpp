@@ -28,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(pitch.span, "the pitch " + std::string(pitch.text) + " is " +
                                         format_rounded(std::fabs(pitch.value - exact), 2) +
                                         " rad off a right angle, and Gazebo makes it one");
-    diagnostic.help = "write " + format_number(exact);
+    diagnostic.help("write " + format_number(exact));
     diagnostic.fixes.push_back({Applicability::unsafe, {{pitch.span, format_number(exact)}}});
   });
 }

@@ -19,8 +19,8 @@ void check(const LinkedModel& model, Findings& findings) {
           .report(rpy.value_span(), "the angle " + format_number(angle) + " is " +
                                         format_rounded(angle / (2 * std::numbers::pi), 3) +
                                         " turns; is it in degrees?")
-          .help = format_number(angle) + " degrees are " +
-                  format_rounded(angle * std::numbers::pi / 180, 6) + " rad";
+          .help(format_number(angle) + " degrees are " +
+                format_rounded(angle * std::numbers::pi / 180, 6) + " rad");
       break;
     }
   });

@@ -39,7 +39,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                      " m away; are millimetres meant?");
   }
   if (Diagnostic* diagnostic = habit.report("such origins", findings)) {
-    diagnostic->help = format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m";
+    diagnostic->help(format_rounded(first) + " mm are " + format_rounded(first / 1000) + " m");
   }
 }
 

@@ -15,7 +15,7 @@ void check(const LinkedModel& model, Findings& findings) {
         check_reference(model, NameKind::joint, one.name, one.span, "a transmission", findings);
     if (diagnostic == nullptr || !drake_joints.contains(one.name)) continue;
     diagnostic->construct = "drake-joint";
-    diagnostic->notes.push_back(drake::kJointNote);
+    diagnostic->note(drake::kJointNote);
   }
 }
 

@@ -15,8 +15,8 @@ void check_slip(xml::View gazebo, Findings& findings) {
     if (!nearest(one.name(), kKnown)) continue;
     Diagnostic& diagnostic =
         findings.report(one.name_span(), quoted(one.name()) + " is no attribute of `gazebo`");
-    diagnostic.notes.push_back("Gazebo applies this element to the whole model");
-    diagnostic.help = "did you mean `reference`?";
+    diagnostic.note("Gazebo applies this element to the whole model");
+    diagnostic.help("did you mean `reference`?");
     diagnostic.fixes.push_back({Applicability::unsafe,
                                 {{one.name_span(), "reference"}},
                                 Fix::NewName{gazebo.tag_span(), "reference"}});
@@ -36,11 +36,11 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!gazebo || gazebo.name() != "gazebo" || one.is_known()) continue;
     Diagnostic& diagnostic =
         findings.report(one.span, "no link and no joint is called " + quoted(one.name));
-    diagnostic.notes.push_back("Gazebo ignores this element and everything in it");
+    diagnostic.note("Gazebo ignores this element and everything in it");
     auto near = findings.suggest(one.name, model.link_names.names());
     if (!near) near = findings.suggest(one.name, model.joint_names.names());
     if (!near) continue;
-    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.help("did you mean " + quoted(*near) + "?");
     diagnostic.fixes.push_back({Applicability::unsafe, {{one.span, escape_xml(*near)}}});
   }
 }

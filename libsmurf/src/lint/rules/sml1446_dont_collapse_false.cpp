@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
       return;
     Diagnostic& diagnostic =
         findings.report(attribute->span(), "Isaac reads any value of `dont_collapse` as true");
-    diagnostic.help = "delete the attribute";
+    diagnostic.help("delete the attribute");
     diagnostic.fixes.push_back({Applicability::unsafe, {{attribute->span(), ""}}});
   });
 }

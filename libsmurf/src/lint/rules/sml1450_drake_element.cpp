@@ -78,7 +78,7 @@ class Checker {
   Diagnostic& unread(xml::View element, std::string note) {
     Diagnostic& diagnostic =
         findings_.report(element.name_span(), quoted(element.name()) + " has no effect here");
-    diagnostic.notes.push_back(std::move(note));
+    diagnostic.note(std::move(note));
     diagnostic.construct = drake::kUnread;
     return diagnostic;
   }
@@ -86,9 +86,9 @@ class Checker {
   void refused(xml::View element) {
     Diagnostic& diagnostic =
         findings_.report(element.name_span(), "Drake refuses " + quoted(element.name()));
-    diagnostic.help = element.name() == "drake:soft_hydroelastic"
-                          ? "write `drake:compliant_hydroelastic`"
-                          : "a texture of a URDF is written `<texture filename=\"...\"/>`";
+    diagnostic.help(element.name() == "drake:soft_hydroelastic"
+                        ? "write `drake:compliant_hydroelastic`"
+                        : "a texture of a URDF is written `<texture filename=\"...\"/>`");
   }
 
   /// A transmission whose type is an element also belongs to ros_control: SML1448.
@@ -105,7 +105,7 @@ class Checker {
     const auto slip = ranges::find_if(
         foreign, [&](xml::View child) { return nearest(child.name(), known).has_value(); });
     if (slip == foreign.end()) return;
-    diagnostic.labels.push_back({slip->name_span(), "this one is misspelt"});
+    diagnostic.label(slip->name_span(), "this one is misspelt");
     foreign.erase(slip);
   }
 
@@ -115,7 +115,7 @@ class Checker {
     Diagnostic& diagnostic =
         unread(child, "Drake does not look for it in " + quoted(parent.name()));
     if (const auto near = nearest(child.name(), known)) {
-      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      diagnostic.help("did you mean " + quoted(*near) + "?");
     }
   }
 
@@ -147,7 +147,7 @@ class Checker {
       const bool is_known = ranges::any_of(
           spec.attributes, [&](const AttributeSpec& one) { return one.name == at.name(); });
       if (!is_known && nearest(at.name(), absent)) {
-        diagnostic.labels.push_back({at.name_span(), "this one is misspelt"});
+        diagnostic.label(at.name_span(), "this one is misspelt");
       }
     }
   }

@@ -19,9 +19,9 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(first, "only Drake reads this element");
   diagnostic.construct = "drake-element";
   if (count > 1) {
-    diagnostic.notes.push_back(std::to_string(count - 1) + " more in this file");
+    diagnostic.note(std::to_string(count - 1) + " more in this file");
   }
-  diagnostic.help = "check them with `--target drake`";
+  diagnostic.help("check them with `--target drake`");
 }
 
 constexpr Fact kFacts[] = {

@@ -23,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(name_place(model, model.link(link)),
                                              title(model.link(link)) + " moves and has no mass");
     if (massless[to_size(link)]) diagnostic.construct = "without-collision";
-    diagnostic.labels.push_back({name_place(model, model.joint(*above)), "moved by this joint"});
+    diagnostic.label(name_place(model, model.joint(*above)), "moved by this joint");
   }
 }
 

@@ -20,12 +20,12 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(name.span.empty() ? tag_name(model, model.robot->document.root) : name.span,
                       "no link of this robot has an inertial");
-  diagnostic.labels.push_back({name_place(model, *movable), "moving links need a mass"});
+  diagnostic.label(name_place(model, *movable), "moving links need a mass");
   const std::vector<bool> massless = massless_bodies(model);
   if (std::find(massless.begin(), massless.end(), true) != massless.end()) {
     diagnostic.construct = "massless-body";
   }
-  diagnostic.notes.push_back("Gazebo loads nothing of it, Bullet gives each link 1 kg");
+  diagnostic.note("Gazebo loads nothing of it, Bullet gives each link 1 kg");
 }
 
 constexpr Fact kFacts[] = {

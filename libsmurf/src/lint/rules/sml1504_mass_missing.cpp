@@ -18,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(inertial.name_span(),
                 "the inertial of " + title(link) + (has_inertia ? " has no mass" : " is empty"))
-        .notes.push_back("urdfdom drops the visuals and collisions of this link");
+        .note("urdfdom drops the visuals and collisions of this link");
   });
 }
 

@@ -16,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
     }
     if (!inertial.child("mass")) return;
     findings.report(inertial.name_span(), "the inertial of " + title(link) + " has no inertia")
-        .notes.push_back("urdfdom drops the visuals and collisions of this link");
+        .note("urdfdom drops the visuals and collisions of this link");
   });
 }
 

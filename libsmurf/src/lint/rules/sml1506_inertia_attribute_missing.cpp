@@ -40,10 +40,9 @@ void check(const LinkedModel& model, Findings& findings) {
     if (missing.empty()) return;
     Diagnostic& diagnostic = findings.report(inertia.name_span(), "the inertia of " + title(link) +
                                                                       " has no " + missing);
-    diagnostic.notes.push_back(
-        "urdfdom reads all six as 0 and drops the visuals and collisions of this link");
+    diagnostic.note("urdfdom reads all six as 0 and drops the visuals and collisions of this link");
     if (!is_diagonal_whole) return;
-    diagnostic.help = "write 0 where there is no product of inertia";
+    diagnostic.help("write 0 where there is no product of inertia");
     const std::uint32_t end = inertia.attributes().back().span().end;
     diagnostic.fixes.push_back({Applicability::safe, {{{inertia.span().source, end, end}, zeros}}});
   });

@@ -25,10 +25,10 @@ void check(const LinkedModel& model, Findings& findings) {
           findings.report(below->name_span(),
                           "readers ignore " + quoted(lower) + " in the inertia of " + title(link));
       if (parse_number(below->value()) == parse_number(above->value())) {
-        diagnostic.help = "delete it; " + quoted(upper) + " has the same value";
+        diagnostic.help("delete it; " + quoted(upper) + " has the same value");
         diagnostic.fixes.push_back({Applicability::safe, {{below->span(), ""}}});
       } else {
-        diagnostic.labels.push_back({above->value_span(), "and read another value here"});
+        diagnostic.label(above->value_span(), "and read another value here");
       }
     }
   });

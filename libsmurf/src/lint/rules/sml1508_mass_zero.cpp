@@ -25,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!link.inertial || !link.inertial->mass || *link.inertial->mass != 0) return;
     Diagnostic& diagnostic =
         findings.report(link.inertial->mass.span, "the mass of " + title(link) + " is 0");
-    diagnostic.help = "write the mass, or remove the `inertial` of a link that is only a frame";
+    diagnostic.help("write the mass, or remove the `inertial` of a link that is only a frame");
     if (is_massless_body) diagnostic.construct = "massless-body";
     if (has_mass) diagnostic.construct += "#merged";
     if (!has_mass && is_root(model, link)) diagnostic.construct += "#root";

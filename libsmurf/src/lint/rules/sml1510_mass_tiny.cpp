@@ -38,7 +38,7 @@ void check(const LinkedModel& model, Findings& findings) {
       return;
     }
     if (is_dropped) {
-      diagnostic.notes.push_back("sdformat (Gazebo) up to 12 drops such a link and all below it");
+      diagnostic.note("sdformat (Gazebo) up to 12 drops such a link and all below it");
     }
     diagnostic.construct = is_dropped ? "mass" : "merged";
     if (is_dropped && is_root(model, link)) diagnostic.construct = "root";

@@ -46,7 +46,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (sound[at]) diagnostic.construct = "sound-together";
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4);
-    diagnostic.notes.push_back("the principal moments of a body must be positive");
+    diagnostic.note("the principal moments of a body must be positive");
   });
 }
 

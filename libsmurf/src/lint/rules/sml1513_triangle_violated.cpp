@@ -28,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4) + ": " +
                        format_rounded(high, 4) + " > " + format_rounded(low, 4) + " + " +
                        format_rounded(middle, 4);
-    diagnostic.notes.push_back("the largest moment can be at most the sum of the other two");
+    diagnostic.note("the largest moment can be at most the sum of the other two");
   });
 }
 

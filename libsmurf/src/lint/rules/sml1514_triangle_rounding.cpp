@@ -78,7 +78,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                              "the largest moment of " + title(link) +
                                                  " exceeds the sum of the others by rounding");
     diagnostic.caret = "too large by " + format_rounded(100 * excess, 2) + " %";
-    diagnostic.notes.push_back("MuJoCo refuses the file");
+    diagnostic.note("MuJoCo refuses the file");
     const auto& [low, middle, high] = *moments;
     diagnostic.construct = beyond(high - (low + middle), low + middle + high);
     if (sound.empty()) sound = sound_together(model);
@@ -86,7 +86,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const Field<double>* entry = largest_of_diagonal(*link.inertial);
     if (entry == nullptr) return;
     const std::string lowered = format_number(((*moments)[0] + (*moments)[1]) * (1 - kMargin));
-    diagnostic.help = "write " + lowered;
+    diagnostic.help("write " + lowered);
     diagnostic.fixes.push_back({Applicability::unsafe, {{entry->span, lowered}}});
   });
 }

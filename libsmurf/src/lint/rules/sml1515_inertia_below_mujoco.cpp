@@ -70,7 +70,7 @@ void check(const LinkedModel& model, Findings& findings) {
         .report(inertia_place(model, *link.inertial),
                 "the smallest moment of inertia of " + title(link) + " is " +
                     format_rounded((*moments)[0], 3) + " kg m2")
-        .notes.push_back("MuJoCo refuses less than 1e-14");
+        .note("MuJoCo refuses less than 1e-14");
   });
 }
 

@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.caret = "of a ball of " + format_rounded(2 * std::sqrt(2.5 / mass), 2) + " m and " +
                      format_rounded(mass, 3) + " kg";
   if (count > 1) {
-    diagnostic.notes.push_back(std::to_string(count - 1) + " more links in this file");
+    diagnostic.note(std::to_string(count - 1) + " more links in this file");
   }
 }
 

@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(inertia_place(model, *links[0]->inertial),
                         std::to_string(links.size()) + " of " + std::to_string(count) +
                             " links with a mass have this mass and inertia");
-    diagnostic.labels.push_back({inertia_place(model, *links[1]->inertial), "the same again"});
+    diagnostic.label(inertia_place(model, *links[1]->inertial), "the same again");
   }
 }
 

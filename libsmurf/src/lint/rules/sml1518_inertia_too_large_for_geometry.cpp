@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
                         "the inertia of " + title(link) + " is too large for its mass and shapes");
     diagnostic.caret = format_rounded(*excess, 2) + " times what they allow";
     if (const auto unit = likely_unit(ratio_to_block(*body, *extent))) {
-      diagnostic.help = "is it in " + std::string(*unit) + "?";
+      diagnostic.help("is it in " + std::string(*unit) + "?");
     }
   });
 }

@@ -43,7 +43,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(place, "the mass of " + title(link) + " is too small for its shapes");
     diagnostic.caret = format_rounded(mass / largest.volume, 2) + " kg/m3 in one of them";
-    diagnostic.labels.push_back({largest.place, "is this in metres?"});
+    diagnostic.label(largest.place, "is this in metres?");
   });
 }
 

@@ -31,8 +31,8 @@ void check(const LinkedModel& model, Findings& findings) {
       box += (i == 0 ? "" : ", ") + std::string(1, "xyz"[i]) + " " +
              format_rounded(extent->low[i], 3) + " to " + format_rounded(extent->high[i], 3);
     }
-    diagnostic.notes.push_back("they reach from " + box + " in the frame of the link");
-    if (!has_origin) diagnostic.help = "add an `origin` to the inertial";
+    diagnostic.note("they reach from " + box + " in the frame of the link");
+    if (!has_origin) diagnostic.help("add an `origin` to the inertial");
   });
 }
 

@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
                         title(link) + (mass > other ? " is heavier" : " is lighter") + " than " +
                             title(parent) + ", which it hangs on, by a factor of " +
                             format_number(std::round(std::max(mass / other, other / mass))));
-    diagnostic.labels.push_back({parent.inertial->mass.span, "the other mass"});
+    diagnostic.label(parent.inertial->mass.span, "the other mass");
   }
 }
 

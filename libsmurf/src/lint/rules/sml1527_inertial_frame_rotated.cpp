@@ -24,9 +24,9 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (count == 0) return;
   Diagnostic& diagnostic = findings.report(first, "the inertial of " + whose + " is rotated");
-  diagnostic.notes.push_back("Isaac ignores the rotation, Phobos cannot merge such links");
+  diagnostic.note("Isaac ignores the rotation, Phobos cannot merge such links");
   if (count > 1) {
-    diagnostic.notes.push_back(std::to_string(count - 1) + " more links in this file");
+    diagnostic.note(std::to_string(count - 1) + " more links in this file");
   }
 }
 

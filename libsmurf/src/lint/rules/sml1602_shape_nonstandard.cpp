@@ -20,7 +20,7 @@ void check_geometry(const LinkedModel& model, const urdf::Link& link,
   const std::string_view known[] = {"capsule", "plane", "cdf", "ellipsoid"};
   if (std::none_of(std::begin(known), std::end(known), is_name)) return;
   findings.report(shape.name_span(), quoted(shape.name()) + " is not a shape of URDF 1.0")
-      .notes.push_back("urdfdom before 5.1 drops it and everything after it from " + title(link));
+      .note("urdfdom before 5.1 drops it and everything after it from " + title(link));
 }
 
 void check(const LinkedModel& model, Findings& findings) {

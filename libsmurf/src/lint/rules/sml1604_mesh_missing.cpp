@@ -23,9 +23,9 @@ void report_package(const std::vector<const MeshReference*>& uses, std::string_v
   diagnostic.severity = Severity::warning;
   diagnostic.construct = "package";
   if (uses.size() > 1) {
-    diagnostic.notes.push_back("the URDF names " + std::to_string(uses.size()) + " files of it");
+    diagnostic.note("the URDF names " + std::to_string(uses.size()) + " files of it");
   }
-  diagnostic.help = "name its folder: `--package " + name + "=DIR`";
+  diagnostic.help("name its folder: `--package " + name + "=DIR`");
 }
 
 void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& findings) {
@@ -41,8 +41,8 @@ void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& f
   if (lost_beside > 0) {
     const std::string others =
         lost_beside == 1 ? "the other file" : "the " + std::to_string(lost_beside) + " other files";
-    diagnostic.notes.push_back(others + " that the URDF names in this folder" +
-                               (lost_beside == 1 ? " is" : " are") + " missing, too");
+    diagnostic.note(others + " that the URDF names in this folder" +
+                    (lost_beside == 1 ? " is" : " are") + " missing, too");
   }
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
 }

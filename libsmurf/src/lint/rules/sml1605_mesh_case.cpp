@@ -26,7 +26,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(first.span, "file not found: " + quoted(path.filename) +
                                         "; a file exists whose name differs in case only");
     diagnostic.caret = "the file is " + quoted(first.similar);
-    diagnostic.help = "write " + quoted(corrected(first));
+    diagnostic.help("write " + quoted(corrected(first)));
     diagnostic.fixes.push_back(rewrite(path, corrected(first), Applicability::safe));
     if (first.is_texture) diagnostic.severity = Severity::warning;
   }

@@ -14,9 +14,9 @@ void check(const LinkedModel& model, Findings& findings) {
     std::replace(slashes.begin(), slashes.end(), '\\', '/');
     Diagnostic& diagnostic = findings.report(first.span, "the path " + quoted(path.filename) +
                                                              " uses `\\` as separator");
-    diagnostic.help = "write " + quoted(slashes);
+    diagnostic.help("write " + quoted(slashes));
     if (first.similar.empty()) {
-      diagnostic.notes.push_back("there is no file of that name either");
+      diagnostic.note("there is no file of that name either");
     } else {
       diagnostic.fixes.push_back(rewrite(path, slashes, Applicability::safe));
     }

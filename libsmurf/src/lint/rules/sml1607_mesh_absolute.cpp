@@ -20,10 +20,9 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!first.exists) diagnostic.caret = "not found here";
     if (first.exists || first.is_texture) diagnostic.severity = Severity::warning;
     if (files.size() > 1) {
-      diagnostic.notes.push_back("the URDF names " + std::to_string(files.size()) +
-                                 " files in this folder");
+      diagnostic.note("the URDF names " + std::to_string(files.size()) + " files in this folder");
     }
-    diagnostic.help = "write it relative to the URDF";
+    diagnostic.help("write it relative to the URDF");
   }
 }
 

@@ -18,9 +18,9 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(first->span, "MARS does not understand the address " +
                                                             quoted(first->filename));
   if (count > 1) {
-    diagnostic.notes.push_back("the URDF names " + std::to_string(count) + " meshes in this way");
+    diagnostic.note("the URDF names " + std::to_string(count) + " meshes in this way");
   }
-  diagnostic.help = "write paths that resolve from both the URDF and the .smurf";
+  diagnostic.help("write paths that resolve from both the URDF and the .smurf");
 }
 
 constexpr Fact kFacts[] = {

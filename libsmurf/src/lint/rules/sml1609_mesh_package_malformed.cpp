@@ -24,9 +24,9 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       paths.front().first().span, "the address " + quoted(first) + " names no package and file");
   if (paths.size() > 1) {
-    diagnostic.notes.push_back("this applies to " + std::to_string(paths.size()) + " addresses");
+    diagnostic.note("this applies to " + std::to_string(paths.size()) + " addresses");
   }
-  diagnostic.help = "write package://NAME/PATH";
+  diagnostic.help("write package://NAME/PATH");
   Fix fix{Applicability::unsafe, {}};
   for (const PathUses& path : paths) {
     const auto name = corrected(path.filename);
@@ -34,7 +34,7 @@ void check(const LinkedModel& model, Findings& findings) {
     const Fix one = rewrite(path, *name, Applicability::unsafe);
     fix.edits.insert(fix.edits.end(), one.edits.begin(), one.edits.end());
   }
-  if (const auto name = corrected(first)) diagnostic.help = "did you mean " + quoted(*name) + "?";
+  if (const auto name = corrected(first)) diagnostic.help("did you mean " + quoted(*name) + "?");
   if (!fix.edits.empty()) diagnostic.fixes.push_back(std::move(fix));
 }
 

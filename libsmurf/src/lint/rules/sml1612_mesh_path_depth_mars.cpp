@@ -22,14 +22,14 @@ void report(const LinkedModel& model, std::string_view reader,
       findings.report(first->span, std::string(reader) + " cannot find " + quoted(first->filename) +
                                        (is_mars ? " from the .smurf" : ""));
   diagnostic.caret = "resolved to " + quoted(is_mars ? first->mars_path : first->path);
-  diagnostic.notes.push_back((is_mars ? "URDF readers find " : "MARS, from the .smurf, finds ") +
-                             quoted(is_mars ? first->path : first->mars_path));
+  diagnostic.note((is_mars ? "URDF readers find " : "MARS, from the .smurf, finds ") +
+                  quoted(is_mars ? first->path : first->mars_path));
   if (count > 1) {
-    diagnostic.notes.push_back("this applies to " + std::to_string(count) + " paths of the URDF");
+    diagnostic.note("this applies to " + std::to_string(count) + " paths of the URDF");
   }
-  diagnostic.help = is_mars || !first->mars_path.ends_with(".bobj")
-                        ? "keep the URDF and the .smurf in folders side by side"
-                        : "add the mesh itself; only MARS reads .bobj";
+  diagnostic.help(is_mars || !first->mars_path.ends_with(".bobj")
+                      ? "keep the URDF and the .smurf in folders side by side"
+                      : "add the mesh itself; only MARS reads .bobj");
 }
 
 void check(const LinkedModel& model, Findings& findings) {

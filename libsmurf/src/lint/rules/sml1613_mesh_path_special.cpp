@@ -21,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
       first->span, "the path " + quoted(first->filename) + " contains " +
                        (found == ' ' ? std::string("a space") : quoted(std::string(1, found))));
   if (names.size() > 1) {
-    diagnostic.notes.push_back("this applies to " + std::to_string(names.size()) + " files");
+    diagnostic.note("this applies to " + std::to_string(names.size()) + " files");
   }
 }
 

@@ -28,8 +28,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::string subject = extension.empty() ? "a mesh file without extension"
                                                   : "a mesh of format " + quoted(extension);
     if (extension == ".bobj") {
-      findings.report(reference.span, subject + " is read by MARS only").help =
-          "name the .obj or .stl; MARS takes the .bobj beside it";
+      findings.report(reference.span, subject + " is read by MARS only")
+          .help("name the .obj or .stl; MARS takes the .bobj beside it");
     } else {
       findings.report(reference.span, subject + " is read by no URDF reader known here");
     }

@@ -19,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
       continue;
     }
     diagnostic.severity = Severity::error;
-    diagnostic.notes.push_back("MuJoCo refuses an STL of more than 200000");
+    diagnostic.note("MuJoCo refuses an STL of more than 200000");
   }
 }
 

@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
       },
       "the mesh is turned inside out: its triangles face inward",
       "are turned inside out: their triangles face inward", findings);
-  if (diagnostic != nullptr) diagnostic->help = "flip the normals and export it again";
+  if (diagnostic != nullptr) diagnostic->help("flip the normals and export it again");
 }
 
 }  // namespace

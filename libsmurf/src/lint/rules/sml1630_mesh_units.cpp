@@ -28,12 +28,12 @@ void report(const Suspects& suspects, bool is_huge, Findings& findings) {
       mesh.filename.span, "the mesh is " + format_rounded(suspects.extent, 3) + " m long");
   diagnostic.caret = is_huge ? "in millimetres?" : "scaled twice?";
   if (mesh.scale) {
-    diagnostic.labels.push_back({mesh.scale.span, "with this scale"});
+    diagnostic.label(mesh.scale.span, "with this scale");
   } else if (is_huge) {
-    diagnostic.help = "write scale=\"0.001 0.001 0.001\" if the file is in millimetres";
+    diagnostic.help("write scale=\"0.001 0.001 0.001\" if the file is in millimetres");
   }
   if (suspects.files > 1) {
-    diagnostic.notes.push_back("this applies to " + std::to_string(suspects.files) + " mesh files");
+    diagnostic.note("this applies to " + std::to_string(suspects.files) + " mesh files");
   }
 }
 

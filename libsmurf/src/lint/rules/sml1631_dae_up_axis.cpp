@@ -13,7 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
       },
       "the up axis of the mesh is not Z, and readers treat that in different ways",
       "have an up axis other than Z, which readers treat in different ways", findings);
-  if (diagnostic != nullptr) diagnostic->help = "export it with Z up";
+  if (diagnostic != nullptr) diagnostic->help("export it with Z up");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ void check(const LinkedModel& model, Findings& findings) {
       [](const OpenedMesh& mesh) { return mesh.facts.unit_meters && *mesh.facts.unit_meters != 1; },
       "the unit of the mesh is not the metre, which readers treat in different ways",
       "have a unit other than the metre, which readers treat in different ways", findings);
-  if (diagnostic != nullptr) diagnostic->help = "export it in metres";
+  if (diagnostic != nullptr) diagnostic->help("export it in metres");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ void check(const LinkedModel& model, Findings& findings) {
       model, [](const OpenedMesh& mesh) { return !mesh.facts.extras.empty(); },
       "the mesh file contains lights, cameras or animations",
       "contain lights, cameras or animations", findings);
-  if (diagnostic != nullptr) diagnostic->help = "export the mesh alone";
+  if (diagnostic != nullptr) diagnostic->help("export the mesh alone");
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(reference->span, "another collision mesh is called " +
                                              quoted(path::stem(reference->filename)) +
                                              " too, elsewhere or in another format");
-    diagnostic.labels.push_back({first.filename.span, "the first one"});
-    diagnostic.notes.push_back("MuJoCo uses the first for both");
+    diagnostic.label(first.filename.span, "the first one");
+    diagnostic.note("MuJoCo uses the first for both");
   });
 }
 

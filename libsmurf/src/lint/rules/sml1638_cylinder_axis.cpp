@@ -44,9 +44,9 @@ void check(const LinkedModel& model, Findings& findings) {
         tag_name(model, collision.geometry.shape_element),
         "the axis of the cylinder is z, but the mesh that it replaces extends along " +
             std::string(axis == 0 ? "x" : "y"));
-    diagnostic.labels.push_back({tag_name(model, visual.geometry.shape_element), "the mesh"});
-    diagnostic.help = axis == 0 ? "turn its origin by rpy=\"0 1.5708 0\""
-                                : "turn its origin by rpy=\"1.5708 0 0\"";
+    diagnostic.label(tag_name(model, visual.geometry.shape_element), "the mesh");
+    diagnostic.help(axis == 0 ? "turn its origin by rpy=\"0 1.5708 0\""
+                              : "turn its origin by rpy=\"1.5708 0 0\"");
   });
 }
 

@@ -42,7 +42,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(reference.span, "MARS loads " + quoted(reference.mars_path) +
                                     " instead, which has another size or place")
-        .help = "write the .bobj again, or delete it";
+        .help("write the .bobj again, or delete it");
   }
 }
 

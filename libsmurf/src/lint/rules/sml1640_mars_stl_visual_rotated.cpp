@@ -24,9 +24,9 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(first->span, "MARS turns this STL by -90 degrees about x, as it is a visual");
   if (files.size() > 1) {
-    diagnostic.notes.push_back("this applies to " + std::to_string(files.size()) + " STL files");
+    diagnostic.note("this applies to " + std::to_string(files.size()) + " STL files");
   }
-  diagnostic.help = "add a .bobj beside it, which MARS loads instead and does not turn";
+  diagnostic.help("add a .bobj beside it, which MARS loads instead and does not turn");
 }
 
 constexpr Fact kFacts[] = {

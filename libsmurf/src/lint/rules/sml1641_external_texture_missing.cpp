@@ -13,11 +13,11 @@ void check(const LinkedModel& model, Findings& findings) {
         std::string("the mesh names the ") + (first.is_texture ? "texture " : "material library ") +
             quoted(first.filename) +
             (first.is_denied ? ", which lies outside of the project" : ", which is not there"));
-    if (first.is_denied) diagnostic.help = "read it with `--allow-outside`";
+    if (first.is_denied) diagnostic.help("read it with `--allow-outside`");
     if (!first.is_texture) diagnostic.severity = Severity::info;
     if (mesh.file.lost.size() > 1) {
-      diagnostic.notes.push_back(std::to_string(mesh.file.lost.size() - 1) +
-                                 " other files that it names are missing, too");
+      diagnostic.note(std::to_string(mesh.file.lost.size() - 1) +
+                      " other files that it names are missing, too");
     }
   }
 }

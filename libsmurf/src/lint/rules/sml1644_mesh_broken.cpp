@@ -31,8 +31,8 @@ void report_outside(const std::vector<Span>& places, Findings& findings) {
                                " meshes were not looked at: they lie outside of the project";
   Diagnostic& diagnostic = findings.report(places.front(), message);
   diagnostic.severity = Severity::warning;
-  diagnostic.help =
-      "add `--allow-outside` to check " + std::string(places.size() == 1 ? "it" : "them");
+  diagnostic.help("add `--allow-outside` to check " +
+                  std::string(places.size() == 1 ? "it" : "them"));
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -47,7 +47,7 @@ void check(const LinkedModel& model, Findings& findings) {
       Diagnostic& diagnostic = findings.report(reference.span, "the mesh " + file->reason +
                                                                    ", too many to be checked here");
       diagnostic.severity = Severity::warning;
-      diagnostic.help = raise_limit("mesh-bytes");
+      diagnostic.help(raise_limit("mesh-bytes"));
     } else if (lies_outside(*file)) {
       outside.push_back(reference.span);
     } else if (file->status != ReadStatus::ok) {

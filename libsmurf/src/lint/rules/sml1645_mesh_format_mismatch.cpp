@@ -17,7 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
             (found == MeshFormat::unknown ? "no mesh format known here"
                                           : std::string(to_string(mesh.facts.format))));
     diagnostic.construct = extension.empty() ? extension : extension.substr(1);
-    if (found != MeshFormat::unknown) diagnostic.help = "give the file the extension of its format";
+    if (found != MeshFormat::unknown) diagnostic.help("give the file the extension of its format");
   }
 }
 

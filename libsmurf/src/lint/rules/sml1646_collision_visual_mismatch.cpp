@@ -90,7 +90,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_otherwise_reported(model, link)) return;
     Diagnostic& diagnostic =
         findings.report(tag_name(model, link.collisions.front().element), std::move(message));
-    diagnostic.labels.push_back({tag_name(model, link.visuals.front().element), "the visual"});
+    diagnostic.label(tag_name(model, link.visuals.front().element), "the visual");
   });
 }
 

@@ -31,7 +31,7 @@ class MaterialCheck {
     findings_
         .report(material.name.span,
                 "the material " + quoted(*material.name) + " has neither colour nor texture")
-        .notes.push_back("urdfdom drops it with a message");
+        .note("urdfdom drops it with a message");
   }
 
   void use(const urdf::Material& material) {
@@ -42,10 +42,10 @@ class MaterialCheck {
     Diagnostic& diagnostic =
         findings_.report(name.span, "the material " + quoted(*name) + " is not defined anywhere");
     if (uses_[*name] > 1) {
-      diagnostic.notes.push_back("it is used " + std::to_string(uses_[*name]) + " times");
+      diagnostic.note("it is used " + std::to_string(uses_[*name]) + " times");
     }
     if (const auto near = findings_.suggest(*name, defined_.names())) {
-      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      diagnostic.help("did you mean " + quoted(*near) + "?");
       diagnostic.fixes.push_back({Applicability::unsafe, {{name.span, escape_xml(*near)}}});
     }
   }

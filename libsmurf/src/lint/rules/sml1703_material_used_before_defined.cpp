@@ -33,8 +33,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (early == waiting.end()) return;
     Diagnostic& diagnostic = findings.report(
         early->second->name.span, "the material " + quoted(name) + " is used before it is defined");
-    diagnostic.labels.push_back({material.name.span, "it is defined here"});
-    diagnostic.help = "define it at the top of the robot";
+    diagnostic.label(material.name.span, "it is defined here");
+    diagnostic.help("define it at the top of the robot");
   });
 }
 

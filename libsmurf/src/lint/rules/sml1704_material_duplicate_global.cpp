@@ -15,7 +15,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(materials[i].name.span,
                         "a second material of the robot is named " + quoted(*materials[i].name));
-    diagnostic.labels.push_back({materials[*first].name.span, "the first one"});
+    diagnostic.label(materials[*first].name.span, "the first one");
   }
 }
 

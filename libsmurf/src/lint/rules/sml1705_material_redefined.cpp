@@ -48,9 +48,9 @@ void check(const LinkedModel& model, Findings& findings) {
                             (is_color ? "colour" : "texture") + " here");
     const Span before = is_color ? first.rgba.span : first.texture.span;
     if (before.empty()) {
-      diagnostic.labels.push_back({tag_name(model, first.element), "none here"});
+      diagnostic.label(tag_name(model, first.element), "none here");
     } else {
-      diagnostic.labels.push_back({before, "the first one"});
+      diagnostic.label(before, "the first one");
     }
     if (is_rounding(material, first)) diagnostic.construct = "rounding";
   });

@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
       Diagnostic& diagnostic =
           findings.report(material.rgba.span, "the colour component " + format_number(component) +
                                                   " is not between 0 and 1");
-      if (component > 1) diagnostic.help = "divide 0-255 values by 255";
+      if (component > 1) diagnostic.help("divide 0-255 values by 255");
       return;
     }
   });

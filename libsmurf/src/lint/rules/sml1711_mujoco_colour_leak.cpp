@@ -27,9 +27,9 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(tag_name(model, first->element),
                       "this visual has no material; MuJoCo paints it like the one before");
-  diagnostic.labels.push_back({tag_name(model, coloured_first->element), "the one before"});
+  diagnostic.label(tag_name(model, coloured_first->element), "the one before");
   if (links > 1) {
-    diagnostic.notes.push_back("this applies to " + std::to_string(links) + " links");
+    diagnostic.note("this applies to " + std::to_string(links) + " links");
   }
 }
 

@@ -30,9 +30,8 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(places.front(), "the mesh of a " + what + " is a ." + format + " file");
     diagnostic.construct = format;
     if (places.size() > 1) {
-      diagnostic.notes.push_back("the same applies to those of " +
-                                 std::to_string(places.size() - 1) + " more " + what +
-                                 (places.size() > 2 ? "s" : ""));
+      diagnostic.note("the same applies to those of " + std::to_string(places.size() - 1) +
+                      " more " + what + (places.size() > 2 ? "s" : ""));
     }
   }
 }

@@ -20,11 +20,10 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(places.front(), "the mesh of a " + what + " is named by `package://`");
     if (places.size() > 1) {
-      diagnostic.notes.push_back("the same applies to those of " +
-                                 std::to_string(places.size() - 1) + " more " + what +
-                                 (places.size() > 2 ? "s" : ""));
+      diagnostic.note("the same applies to those of " + std::to_string(places.size() - 1) +
+                      " more " + what + (places.size() > 2 ? "s" : ""));
     }
-    diagnostic.help = "smurf2urdf writes paths relative to the URDF";
+    diagnostic.help("smurf2urdf writes paths relative to the URDF");
   }
 }
 

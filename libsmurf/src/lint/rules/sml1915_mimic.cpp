@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(tag_name(model, mimics.front()->mimic->element),
                                            title(*mimics.front()) + " mimics another joint");
   if (mimics.size() > 1) {
-    diagnostic.notes.push_back("so do " + std::to_string(mimics.size() - 1) + " more joints");
+    diagnostic.note("so do " + std::to_string(mimics.size() - 1) + " more joints");
   }
 }
 

@@ -50,7 +50,7 @@ void check(const LinkedModel& model, Findings& findings) {
     diagnostic.construct += "#massless-body";
   }
   if (links.size() > 1) {
-    diagnostic.notes.push_back(std::to_string(links.size() - 1) + " more links have none");
+    diagnostic.note(std::to_string(links.size() - 1) + " more links have none");
   }
 }
 

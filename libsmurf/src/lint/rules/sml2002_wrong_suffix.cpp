@@ -18,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(file.span, "MARS does not read files that end in " + quoted(extension));
     diagnostic.construct = expected.substr(1);
-    diagnostic.help = "rename the file so that it ends in " + quoted(expected);
+    diagnostic.help("rename the file so that it ends in " + quoted(expected));
   }
 }
 

@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(other->span,
                 "MARS ignores " + quoted(other->value) + ", so that `files` lists no URDF")
-        .help = "convert it to a .urdf and list that";
+        .help("convert it to a .urdf and list that");
     return;
   }
   findings.report(root.find("files").key_span(), "`files` lists no URDF");

@@ -17,8 +17,8 @@ void check(const LinkedModel& model, Findings& findings) {
                           (others == 0 ? " lies beside the main file but is"
                                        : " lie beside the main file but are") +
                           " not listed");
-  diagnostic.notes.push_back("readers load only what `files` lists");
-  diagnostic.help = others == 0 ? "list it, or delete it" : "list them, or delete them";
+  diagnostic.note("readers load only what `files` lists");
+  diagnostic.help(others == 0 ? "list it, or delete it" : "list them, or delete them");
 }
 
 }  // namespace

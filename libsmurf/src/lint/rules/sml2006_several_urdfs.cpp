@@ -14,8 +14,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (last != nullptr && last->value != file.value) {
       Diagnostic& diagnostic =
           findings.report(file.span, "MARS reads this URDF instead of " + quoted(last->value));
-      diagnostic.labels.push_back({last->span, "the URDF before it"});
-      diagnostic.notes.push_back("Phobos refuses two URDFs");
+      diagnostic.label(last->span, "the URDF before it");
+      diagnostic.note("Phobos refuses two URDFs");
     }
     last = &file;
   }

@@ -21,9 +21,9 @@ void check(const LinkedModel& model, Findings& findings) {
                         quoted(key.value.key()) + " is " +
                             (is_list ? "a list here and a mapping" : "a mapping here and a list") +
                             " in a file before");
-    diagnostic.labels.push_back({found->second.key_span(), is_list ? "a mapping" : "a list"});
-    diagnostic.notes.push_back(is_list ? "MARS makes the mapping the first item of the list"
-                                       : "MARS ends with an exception");
+    diagnostic.label(found->second.key_span(), is_list ? "a mapping" : "a list");
+    diagnostic.note(is_list ? "MARS makes the mapping the first item of the list"
+                            : "MARS ends with an exception");
   }
 }
 

@@ -18,8 +18,8 @@ void check(const LinkedModel& model, Findings& findings) {
           findings.report(section.key_span(), quoted(section.key()) +
                                                   " is a plain value, but annotation files contain "
                                                   "only lists and mappings");
-      diagnostic.notes.push_back("MARS ends with an exception on it");
-      diagnostic.help = "move it to the main file, or delete it";
+      diagnostic.note("MARS ends with an exception on it");
+      diagnostic.help("move it to the main file, or delete it");
     }
   }
 }

@@ -10,8 +10,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const bool is_list = key.value.is_sequence() || key.value.is_mapping();
     if (key.file.kind != ModelFile::Kind::annotation || key.value.key() != "files" || !is_list)
       continue;
-    findings.report(key.value.key_span(), "only the main file lists `files`").help =
-        "list them in the .smurf";
+    findings.report(key.value.key_span(), "only the main file lists `files`")
+        .help("list them in the .smurf");
   }
 }
 

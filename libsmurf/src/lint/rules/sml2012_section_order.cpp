@@ -39,10 +39,10 @@ void check_order(const LinkedModel& model, const Order& order, std::string_view 
                                                       " and finds nothing of what it names there");
   for (const std::string_view section : used) {
     if (!comes_before(order, user, section)) continue;
-    diagnostic.labels.push_back({order.at(section).second, "comes too late"});
+    diagnostic.label(order.at(section).second, "comes too late");
   }
   const Span listed = place_in_files(model, place.source);
-  if (!listed.empty()) diagnostic.labels.push_back({listed, "the file is listed here"});
+  if (!listed.empty()) diagnostic.label(listed, "the file is listed here");
 }
 
 void check(const LinkedModel& model, Findings& findings) {

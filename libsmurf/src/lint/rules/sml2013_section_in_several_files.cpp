@@ -17,8 +17,8 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_new || before == key.file.source) continue;
     Diagnostic& diagnostic =
         findings.report(key.value.key_span(), quoted(key.value.key()) + " is in another file, too");
-    diagnostic.labels.push_back({found->second.value.key_span(), "the first part"});
-    diagnostic.notes.push_back("MARS joins the parts, Phobos reads the last one only");
+    diagnostic.label(found->second.value.key_span(), "the first part");
+    diagnostic.note("MARS joins the parts, Phobos reads the last one only");
   }
 }
 

@@ -19,9 +19,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(file.span, "MARS ignores " + quoted(file.value) +
                                                             ": it is no .urdf or .yml");
     if (extension == ".sdf") {
-      diagnostic.notes.push_back("Phobos reads it instead of a URDF");
+      diagnostic.note("Phobos reads it instead of a URDF");
     } else {
-      diagnostic.notes.push_back("Phobos treats it as an annotation file");
+      diagnostic.note("Phobos treats it as an annotation file");
     }
   }
 }

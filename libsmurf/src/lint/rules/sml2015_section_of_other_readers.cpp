@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
     KeyRenames& names =
         renames.try_emplace(key.value.span().source, key.value.document().view()).first->second;
     const std::string remedy = names.is_free(section->name) ? "rename it" : "move it there";
-    diagnostic.help = remedy + "; Phobos reads both";
+    diagnostic.help(remedy + "; Phobos reads both");
     names.offer(diagnostic.fixes, key.value, section->name);
   }
 }

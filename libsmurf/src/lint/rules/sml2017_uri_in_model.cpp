@@ -15,9 +15,9 @@ void check(const LinkedModel& model, Findings& findings) {
           node.key_span(), "in MARS, the keys of another file override those written here");
       const bool is_main = file.kind == ModelFile::Kind::main;
       if (is_main && node.text().starts_with('/')) {
-        diagnostic.notes.push_back("the absolute path is not found in the main file");
+        diagnostic.note("the absolute path is not found in the main file");
       }
-      diagnostic.help = "write the keys of that file here";
+      diagnostic.help("write the keys of that file here");
     }
   }
 }

@@ -14,8 +14,8 @@ void check(const LinkedModel& model, Findings& findings) {
   if (name.written && (!name || !name->empty())) return;
   const yaml::View written = root.find("modelname");
   const Span place = written ? written.key_span() : (*root.begin()).key_span();
-  findings.report(place, "the main file has no `modelname`").help =
-      "use the name of the robot in its URDF";
+  findings.report(place, "the main file has no `modelname`")
+      .help("use the name of the robot in its URDF");
 }
 
 constexpr Fact kFacts[] = {

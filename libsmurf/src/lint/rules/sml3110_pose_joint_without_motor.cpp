@@ -24,8 +24,8 @@ void check(const LinkedModel& model, Findings& findings) {
                                            ": there is no motor of this name");
     const auto found = by_joint.find(one.name);
     if (found == by_joint.end()) continue;
-    diagnostic.labels.push_back({found->second->name.span, "the motor of this joint"});
-    diagnostic.help = "name the motor " + quoted(one.name) + ", like its joint";
+    diagnostic.label(found->second->name.span, "the motor of this joint");
+    diagnostic.help("name the motor " + quoted(one.name) + ", like its joint");
   }
 }
 

@@ -13,8 +13,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(place_of(one), "MARS has no motor " + quoted(one.name) +
                                            ": it is a joint, which only Phobos accepts");
-    diagnostic.labels.push_back(
-        {definition(model, NameKind::joint, one.name), "the joint is defined here"});
+    diagnostic.label(definition(model, NameKind::joint, one.name), "the joint is defined here");
   }
 }
 

@@ -14,8 +14,8 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         sensor.link.span, "no joint leads to " + quoted(*sensor.link) + ", but " +
                               subject("sensor", sensor) + " should measure its forces");
-    diagnostic.labels.push_back({model.robot->links[*index].name.span, "the root link"});
-    diagnostic.notes.push_back("MARS dereferences a null pointer");
+    diagnostic.label(model.robot->links[*index].name.span, "the root link");
+    diagnostic.note("MARS dereferences a null pointer");
   }
 }
 

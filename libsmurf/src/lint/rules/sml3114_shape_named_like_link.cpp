@@ -24,7 +24,7 @@ void check_shape(const LinkedModel& model, const Field<std::string>& name, std::
       name.span, "MARS attaches what belongs to " +
                      std::string(is_inertial ? "the inertial of " : "") + title(*link) +
                      " to the " + std::string(kind) + " of the same name");
-  diagnostic.labels.push_back({link->name.span, "the link"});
+  diagnostic.label(link->name.span, "the link");
 }
 
 void check(const LinkedModel& model, Findings& findings) {

@@ -35,7 +35,7 @@ void check(const LinkedModel& model, Findings& findings) {
         Diagnostic& diagnostic =
             findings.report(name.span, quoted(name.value) + " publishes no data for " +
                                            subject("sensor", sensor) + " to read");
-        diagnostic.labels.push_back({found->second, "switched off here"});
+        diagnostic.label(found->second, "switched off here");
       }
     }
   }

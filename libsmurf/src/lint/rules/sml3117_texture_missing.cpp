@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
         texture.span, (texture.is_denied ? "the texture lies outside of the project: "
                                          : "texture file not found: ") +
                           quoted(texture.filename));
-    if (texture.is_denied) diagnostic.help = "read it with `--allow-outside`";
+    if (texture.is_denied) diagnostic.help("read it with `--allow-outside`");
     if (texture.path != texture.filename) {
       diagnostic.caret = "resolved to " + quoted(texture.path);
     }

@@ -20,8 +20,8 @@ void check_entries(const Entries& entries, std::string_view kind, std::string_vi
     if (!first) continue;
     Diagnostic& diagnostic = findings.report(
         entry.name.span, "there is another " + std::string(kind) + " " + quoted(*entry.name));
-    diagnostic.labels.push_back({entries[*first].name.span, "the first one"});
-    diagnostic.notes.emplace_back(note);
+    diagnostic.label(entries[*first].name.span, "the first one");
+    diagnostic.note(note);
   }
 }
 

@@ -13,7 +13,7 @@ void check_list(const Field<NameList>& list, const Subject& who, Findings& findi
     const auto first = names.add(name.value, i);
     if (!first) continue;
     findings.report(name.span, who + " lists " + quoted(name.value) + " twice")
-        .labels.push_back({(*list)[*first].span, "listed here"});
+        .label((*list)[*first].span, "listed here");
   }
 }
 

@@ -13,8 +13,8 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(motor.joint.span, subject("motor", motor) + " drives " + title(*joint) +
                                               ", which is " + *joint->type_name);
-    if (joint->type != urdf::JointType::fixed) diagnostic.notes.push_back("MARS makes it fixed");
-    diagnostic.labels.push_back({joint->type_name.span, "the type of the joint"});
+    if (joint->type != urdf::JointType::fixed) diagnostic.note("MARS makes it fixed");
+    diagnostic.label(joint->type_name.span, "the type of the joint");
   }
 }
 

@@ -17,7 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(motor.joint.span, "the joint " + quoted(*motor.joint) + " is driven by " +
                                               subject("motor", other) + " as well");
-    diagnostic.labels.push_back({other.joint.span, "driven here"});
+    diagnostic.label(other.joint.span, "driven here");
   }
 }
 

@@ -16,7 +16,7 @@ void report(const Motor& motor, const urdf::Joint& joint, const Field<double>& b
   Diagnostic& diagnostic = findings.report(
       bound.span, subject("motor", motor) + " goes to " + format_rounded(*bound) +
                       " in MARS, but " + title(joint) + " only to " + format_rounded(*limit));
-  diagnostic.labels.push_back({limit.span, "the limit of the joint"});
+  diagnostic.label(limit.span, "the limit of the joint");
 }
 
 bool looks_like_degrees(double bound, const urdf::Joint& joint) {
@@ -36,7 +36,7 @@ void check_absent(const Motor& motor, const urdf::Joint& joint, const Field<doub
       given.span, subject("motor", motor) + " has no " + (is_low ? "lower" : "upper") +
                       " bound and goes to " + format_rounded(bound) + " in MARS, but " +
                       title(joint) + " only to " + format_rounded(*limit));
-  diagnostic.labels.push_back({limit.span, "the limit of the joint"});
+  diagnostic.label(limit.span, "the limit of the joint");
 }
 
 /// Misspelt bounds are reported by their rule.

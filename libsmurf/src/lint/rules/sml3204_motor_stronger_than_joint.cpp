@@ -22,7 +22,7 @@ void check_pair(const Motor& motor, const urdf::Joint& joint, const Pair& pair,
                               format_rounded(*pair.of_motor) + ", but the " +
                               std::string(pair.attribute) + " limit of " + title(joint) + " is " +
                               format_rounded(*pair.of_joint));
-  diagnostic.labels.push_back({pair.of_joint.span, "the limit of the joint"});
+  diagnostic.label(pair.of_joint.span, "the limit of the joint");
 }
 
 void check(const LinkedModel& model, Findings& findings) {

@@ -20,9 +20,9 @@ void report(const std::vector<Motor>& motors, const std::vector<std::size_t>& ci
   Diagnostic& diagnostic = findings.report(
       first.mimic_motor.span, circle.size() == 1 ? subject("motor", first) + " mimics itself"
                                                  : "motors mimic each other in a circle");
-  if (circle.size() > 1) diagnostic.notes.push_back(chain);
+  if (circle.size() > 1) diagnostic.note(chain);
   for (std::size_t i = 1; i < circle.size(); ++i) {
-    diagnostic.labels.push_back({motors[circle[i]].mimic_motor.span, "part of the circle"});
+    diagnostic.label(motors[circle[i]].mimic_motor.span, "part of the circle");
   }
 }
 

@@ -23,7 +23,7 @@ void check_number(const Motor& motor, const Field<double>& of_motor, const Field
       findings.report(of_motor.span, quoted(key) + " of " + subject("motor", motor) + " is " +
                                          format_rounded(*of_motor) + ", but " +
                                          format_rounded(in_urdf) + " in the URDF");
-  diagnostic.labels.push_back({of_joint.written ? of_joint.span : mimic, "in the URDF"});
+  diagnostic.label(of_joint.written ? of_joint.span : mimic, "in the URDF");
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -36,8 +36,8 @@ void check(const LinkedModel& model, Findings& findings) {
       Diagnostic& diagnostic = findings.report(
           motor.joint.span, subject("motor", motor) + " moves on its own in MARS, but " +
                                 title(*joint) + " mimics another one in the URDF");
-      diagnostic.labels.push_back({place, "the mimic element"});
-      diagnostic.help = "add `mimic_motor` and `mimic_multiplier`";
+      diagnostic.label(place, "the mimic element");
+      diagnostic.help("add `mimic_motor` and `mimic_multiplier`");
       continue;
     }
     if (!motor.mimic_motor || !mimic.joint) continue;
@@ -47,7 +47,7 @@ void check(const LinkedModel& model, Findings& findings) {
           motor.mimic_motor.span, subject("motor", motor) + " follows " +
                                       quoted(*motor.mimic_motor) + ", but " + title(*joint) +
                                       " follows " + quoted(*mimic.joint) + " in the URDF");
-      diagnostic.labels.push_back({mimic.joint.span, "in the URDF"});
+      diagnostic.label(mimic.joint.span, "in the URDF");
     }
     check_number(motor, motor.mimic_multiplier, mimic.multiplier, 1, "mimic_multiplier", place,
                  findings);

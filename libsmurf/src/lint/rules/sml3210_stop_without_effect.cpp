@@ -21,7 +21,7 @@ void check_axis(const JointAnnotation& joint, yaml::View mapping, const std::str
       findings.report(place.key_span(),
                       "MARS sets no stop of " + subject("joint", joint) + ": its lower stop is 0");
   if (const yaml::View written = mapping.find("lowStopAxis" + axis)) {
-    diagnostic.labels.push_back({written.span(), "the lower stop"});
+    diagnostic.label(written.span(), "the lower stop");
   }
 }
 

@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(mapping_of(model, entry).find("lowStopAxis1").key_span(),
                         "the stops of " + title(*joint) + " have no effect in MARS: " +
                             subject("motor", *motor->second) + " switches them off");
-    diagnostic.labels.push_back({motor->second->joint.span, "driven here"});
+    diagnostic.label(motor->second->joint.span, "driven here");
   }
 }
 

@@ -18,9 +18,9 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(entry.low_stop.span, "MARS keeps " + title(*joint) + " between " +
                                                  format_number(-*entry.high_stop) + " and " +
                                                  format_number(-*entry.low_stop));
-    diagnostic.labels.push_back({lower.span, "the URDF's limits have the other sign"});
-    diagnostic.help = "write `lowStopAxis1: " + format_number(-*upper) +
-                      "` and `highStopAxis1: " + format_number(-*lower) + "`";
+    diagnostic.label(lower.span, "the URDF's limits have the other sign");
+    diagnostic.help("write `lowStopAxis1: " + format_number(-*upper) +
+                    "` and `highStopAxis1: " + format_number(-*lower) + "`");
   }
 }
 

@@ -11,7 +11,7 @@ void check_text(const Field<std::string>& in_urdf, const std::optional<Spanned<s
   Diagnostic& diagnostic = findings.report(
       here->span, quoted(key) + " of " + title(joint) + " is " + quoted(here->value) +
                       " here, but " + quoted(*in_urdf) + " in the URDF");
-  diagnostic.labels.push_back({in_urdf.span, "in the URDF"});
+  diagnostic.label(in_urdf.span, "in the URDF");
 }
 
 /// A joint type of the physics engine that has other degrees of freedom than the URDF's.

@@ -33,7 +33,7 @@ void check_count(yaml::View mapping, const Subject& who, Findings& findings) {
   Diagnostic& diagnostic = findings.report(place_to_add(mapping, missing),
                                            who + " has no " + quoted(missing) +
                                                ", but the other three keys of its spring");
-  diagnostic.notes.push_back("rock-cpp/smurf reads all four of them, or none");
+  diagnostic.note("rock-cpp/smurf reads all four of them, or none");
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -50,7 +50,7 @@ void check(const LinkedModel& model, Findings& findings) {
                           quoted(pair.others) + " of " + subject("joint", joint) + " is " +
                               format_number(*elsewhere) + ", but " + quoted(pair.mars) + " is " +
                               format_number(*in_mars));
-      diagnostic.labels.push_back({mapping.find(pair.mars).span(), "what MARS reads"});
+      diagnostic.label(mapping.find(pair.mars).span(), "what MARS reads");
     }
     check_count(mapping, subject("joint", joint), findings);
   }

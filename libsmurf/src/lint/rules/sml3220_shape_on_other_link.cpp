@@ -45,12 +45,12 @@ void check_entries(const LinkedModel& model, const Entries& entries, NameKind ki
     Diagnostic& diagnostic = findings.report(
         entry.link.span, "the " + shape + " " + quoted(*entry.name) + " belongs to " +
                              title(other) + ", not to " + quoted(*entry.link));
-    diagnostic.labels.push_back({definition(model, kind, *entry.name), "the " + shape});
+    diagnostic.label(definition(model, kind, *entry.name), "the " + shape);
     if (fits_everywhere(*other.name)) {
       diagnostic.fixes.push_back(
           {Applicability::unsafe, {{within_quotes(model, entry.link.span), *other.name}}});
     }
-    diagnostic.help = "did you mean " + quoted(*other.name) + "?";
+    diagnostic.help("did you mean " + quoted(*other.name) + "?");
   }
 }
 

@@ -31,7 +31,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(entry.diffuse_color.span,
                         "the material " + quoted(*entry.name) + " has another colour in the URDF");
-    diagnostic.labels.push_back({found->second->rgba.span, "the colour of the URDF"});
+    diagnostic.label(found->second->rgba.span, "the colour of the URDF");
   }
 }
 

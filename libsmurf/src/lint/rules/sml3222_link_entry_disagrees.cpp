@@ -11,7 +11,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(entry.link.span, "MARS 2 changes the link " + quoted(*entry.link) +
                                              ", MARS and Phobos " + quoted(*entry.name));
-    diagnostic.labels.push_back({entry.name.span, "the name for MARS and Phobos"});
+    diagnostic.label(entry.name.span, "the name for MARS and Phobos");
   }
 }
 

@@ -27,7 +27,7 @@ void check_entry(const LinkedModel& model, const JointPoseSet::Entry& entry, Fin
       findings.report(entry.position.span, "the position " + format_number(position) + " lies " +
                                                (is_below ? "below" : "above") + " the limit " +
                                                format_number(*limit) + " of " + title(*joint));
-  diagnostic.labels.push_back({limit.span, "the limit"});
+  diagnostic.label(limit.span, "the limit");
 }
 
 void check(const LinkedModel& model, Findings& findings) {

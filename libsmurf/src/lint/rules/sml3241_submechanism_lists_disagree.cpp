@@ -20,7 +20,7 @@ void check_list(const LinkedModel& model, const Submechanism& mechanism, std::st
     Diagnostic& diagnostic = findings.report(
         name.span, quoted(key) + " of " + subject("submechanism", mechanism) + " contains " +
                        quoted(name.value) + ", which `jointnames` does not");
-    diagnostic.labels.push_back({mechanism.joint_names.span, "all joints of the mechanism"});
+    diagnostic.label(mechanism.joint_names.span, "all joints of the mechanism");
   }
 }
 

@@ -74,8 +74,8 @@ void check_entries(const LinkedModel& model, const std::vector<T>& entries, std:
       odd->name.written ? odd->name.span : odd->span,
       subject(what, *odd) + " has no " + quoted(needed.key) + ", unlike " +
           (others == 1 ? "the other one" : "the " + std::to_string(others) + " others"));
-  diagnostic.labels.push_back({place_to_add(mapping, needed.key), "add it after this"});
-  diagnostic.notes.emplace_back(needed.consequence);
+  diagnostic.label(place_to_add(mapping, needed.key), "add it after this");
+  diagnostic.note(needed.consequence);
 }
 
 /// Only they have gains and bounds.

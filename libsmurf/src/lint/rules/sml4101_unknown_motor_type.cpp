@@ -30,12 +30,10 @@ void check(const LinkedModel& model, Findings& findings) {
     if (std::find(std::begin(kTypes), std::end(kTypes), *motor.type) != std::end(kTypes)) continue;
     Diagnostic& diagnostic =
         findings.report(motor.type.span, quoted(*motor.type) + " is not a motor type");
-    diagnostic.notes.push_back("MARS runs " + subject("motor", motor) +
-                               " as a position controller");
-    diagnostic.help =
-        "known types: PID, DC, generic_bldc, generic_dc, direct_torque, direct_effort";
+    diagnostic.note("MARS runs " + subject("motor", motor) + " as a position controller");
+    diagnostic.help("known types: PID, DC, generic_bldc, generic_dc, direct_torque, direct_effort");
     if (const auto near = nearest(*motor.type, kTypes)) {
-      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      diagnostic.help("did you mean " + quoted(*near) + "?");
       diagnostic.fixes.push_back(
           {Applicability::unsafe, {{within_quotes(model, motor.type.span), std::string(*near)}}});
     }

@@ -38,14 +38,14 @@ void check(const LinkedModel& model, Findings& findings) {
     if (std::any_of(std::begin(kTypes), std::end(kTypes), is_type)) continue;
     Diagnostic& diagnostic = findings.report(
         sensor.type.span, "MARS does not know the sensor type " + quoted(*sensor.type));
-    diagnostic.notes.push_back(
+    diagnostic.note(
         "it stops loading here: later objects, the pose and the anchor of the robot are missing");
     if (std::any_of(std::begin(kPhobosTypes), std::end(kPhobosTypes), is_type)) {
       diagnostic.construct = "phobos-sensor";
-      diagnostic.notes.push_back("Phobos knows it");
-      diagnostic.help = *sensor.type == "IMU" ? "the type of MARS is `NodeIMU`" : "";
+      diagnostic.note("Phobos knows it");
+      diagnostic.help(*sensor.type == "IMU" ? "the type of MARS is `NodeIMU`" : "");
     } else if (const auto near = nearest(*sensor.type, kTypes)) {
-      diagnostic.help = "did you mean " + quoted(*near) + "?";
+      diagnostic.help("did you mean " + quoted(*near) + "?");
       diagnostic.fixes.push_back(
           {Applicability::unsafe, {{within_quotes(model, sensor.type.span), std::string(*near)}}});
     }

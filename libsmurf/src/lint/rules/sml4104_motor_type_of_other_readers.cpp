@@ -21,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
       Diagnostic& diagnostic = findings.report(
           motor.type.span, "MARS treats " + quoted(foreign.type) + ", a type of " +
                                std::string(foreign.reader) + ", as a position controller");
-      diagnostic.help = "the type of MARS is " + quoted(foreign.in_mars);
+      diagnostic.help("the type of MARS is " + quoted(foreign.in_mars));
     }
   }
 }

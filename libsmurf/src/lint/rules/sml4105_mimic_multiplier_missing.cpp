@@ -19,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
         .report(mapping.find("mimic_motor").key_span(), subject("motor", motor) +
                                                             " does not follow in MARS: without "
                                                             "`mimic_multiplier` the factor is 0")
-        .help = "add `mimic_multiplier: 1.0`";
+        .help("add `mimic_multiplier: 1.0`");
   }
 }
 

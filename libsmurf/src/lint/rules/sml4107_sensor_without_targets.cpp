@@ -28,10 +28,10 @@ void check(const LinkedModel& model, Findings& findings) {
         place, subject("sensor", sensor) + " names no " +
                    std::string(to_string(*sensor_target(*sensor.type))) + " to measure");
     if (!targets && !sensor.id.written) {
-      diagnostic.labels.push_back({place_to_add(mapping, "id"), "add `id` after this"});
+      diagnostic.label(place_to_add(mapping, "id"), "add `id` after this");
     }
     if (!targets) continue;
-    diagnostic.help = "did you mean `id` instead of `targets`?";
+    diagnostic.help("did you mean `id` instead of `targets`?");
     KeyRenames(mapping).offer(diagnostic.fixes, targets, "id");
   }
 }

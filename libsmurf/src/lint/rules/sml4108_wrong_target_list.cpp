@@ -33,7 +33,7 @@ void check(const LinkedModel& model, Findings& findings) {
           .report(mapping.find(list.key).key_span(), "a " + *sensor.type + " measures " + kind +
                                                          "s, but " + subject("sensor", sensor) +
                                                          " lists " + quoted(list.key))
-          .help = "list them in `" + kind + "s`";
+          .help("list them in `" + kind + "s`");
     }
   }
 }

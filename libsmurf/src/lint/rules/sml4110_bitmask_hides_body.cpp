@@ -47,7 +47,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (others > 0) who += " and " + std::to_string(others) + (others == 1 ? " other" : " others");
   Diagnostic& diagnostic = findings.report(first.bitmask.span, "ray sensors of MARS do not see " +
                                                                    who + ": bit 15 is not set");
-  diagnostic.help = "set bit 15: `bitmask: " + std::to_string(*first.bitmask | kSeenByRays) + "`";
+  diagnostic.help("set bit 15: `bitmask: " + std::to_string(*first.bitmask | kSeenByRays) + "`");
   // A robot with ray sensors is rarely meant to be invisible to them.
   if (has_ray_sensor(model)) diagnostic.severity = Severity::warning;
 }

@@ -13,7 +13,7 @@ void check_rate(const Field<double>& rate, const Subject& who, Findings& finding
   findings
       .report(rate.span,
               "MARS reads the rate of " + who + " as " + format_number(std::trunc(*rate)) + " ms")
-      .help = "a rate is a period in whole milliseconds";
+      .help("a rate is a period in whole milliseconds");
 }
 
 void check(const LinkedModel& model, Findings& findings) {

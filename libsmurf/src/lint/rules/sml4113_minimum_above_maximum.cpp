@@ -19,7 +19,7 @@ void check_pair(yaml::View mapping, std::string_view lower, std::string_view upp
   Diagnostic& diagnostic = findings.report(
       place.span(), quoted(lower) + " is " + format_number(*low) + ", which is more than " +
                         quoted(upper) + ", " + format_number(*high));
-  diagnostic.labels.push_back({mapping.find(upper).span(), "the upper bound"});
+  diagnostic.label(mapping.find(upper).span(), "the upper bound");
 }
 
 template <class Entries>
@@ -43,7 +43,7 @@ void check_ranges(const LinkedModel& model, Findings& findings) {
         findings.report(low.span, subject("motor", motor) + " cannot move: both its bounds are " +
                                       format_number(*low));
     diagnostic.severity = Severity::warning;
-    diagnostic.labels.push_back({high.span, "the upper bound"});
+    diagnostic.label(high.span, "the upper bound");
   }
 }
 

@@ -30,7 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(place, subject("material", material) + " has no `a` in " + keys +
                            ": MARS takes 0, Phobos 1")
-        .help = "add `a: 1.0`";
+        .help("add `a: 1.0`");
   }
 }
 

@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         show.span(), "`show_cam` of a ScanningSonar is undefined behaviour in MARS");
     diagnostic.fixes.push_back({Applicability::unsafe, {{show.span(), "false"}}});
-    diagnostic.help = "write `false`";
+    diagnostic.help("write `false`");
   }
 }
 

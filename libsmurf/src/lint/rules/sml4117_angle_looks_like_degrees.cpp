@@ -23,8 +23,8 @@ Diagnostic* check_angle(std::optional<double> angle, Span place, std::string_vie
       place, std::string(what) + " of " + whose + " is " + format_number(*angle) + " rad, " +
                  format_rounded(std::fabs(*angle) / (2 * std::numbers::pi), 3) +
                  " turns; is it in degrees?");
-  diagnostic.help = format_number(*angle) + " degrees are " +
-                    format_rounded(*angle * std::numbers::pi / 180, 6) + " rad";
+  diagnostic.help(format_number(*angle) + " degrees are " +
+                  format_rounded(*angle * std::numbers::pi / 180, 6) + " rad");
   return &diagnostic;
 }
 
@@ -36,7 +36,7 @@ void check_angles(std::initializer_list<const Field<double>*> angles, std::strin
     if (found == nullptr) {
       found = check_angle(angle->value(), angle->span, what, whose, findings);
     } else if (*angle && looks_like_degrees(**angle)) {
-      found->labels.push_back({angle->span, "this too"});
+      found->label(angle->span, "this too");
     }
   }
 }

@@ -24,9 +24,8 @@ void check_value(yaml::View mapping, std::string_view key, bool is_camera, Findi
       mapping.find(key).span(),
       "MARS takes " + quoted(key) + " of this sensor as " + text +
           (is_camera ? " degrees; is it in radians?" : " radians; is it in degrees?"));
-  diagnostic.help = is_camera
-                        ? text + " rad are " + format_rounded(*value * factor, 6) + " degrees"
-                        : text + " degrees are " + format_rounded(*value / factor, 6) + " rad";
+  diagnostic.help(is_camera ? text + " rad are " + format_rounded(*value * factor, 6) + " degrees"
+                            : text + " degrees are " + format_rounded(*value / factor, 6) + " rad");
 }
 
 /// A flat picture shows less than half a turn.
@@ -52,7 +51,7 @@ void check_turns(yaml::View orientation, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         orientation.find(key).span(), "MARS takes " + quoted(key) + " of this sensor as " +
                                           format_number(*value) + " degrees; is it in radians?");
-    diagnostic.help = "in degrees it is " + format_number(*degrees);
+    diagnostic.help("in degrees it is " + format_number(*degrees));
     diagnostic.fixes.push_back(
         {Applicability::unsafe, {{orientation.find(key).span(), format_number(*degrees)}}});
     return;

@@ -26,7 +26,7 @@ void check_entries(const LinkedModel& model, const Entries& entries, std::string
                             " is a quaternion of length " + format_rounded(*length));
       if (*length < kShortest) {
         diagnostic.severity = Severity::error;
-        diagnostic.notes.emplace_back("it defines no rotation");
+        diagnostic.note("it defines no rotation");
       }
     }
   }

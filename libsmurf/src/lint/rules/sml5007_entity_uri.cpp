@@ -15,7 +15,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         key.key_span(), title(entity) + " names its file by `URI`, which MARS replaces by the "
                                         "file's contents");
-    diagnostic.help = "write `file`";
+    diagnostic.help("write `file`");
     KeyRenames(mapping).offer(diagnostic.fixes, key, "file");
   });
 }

@@ -33,7 +33,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(place, "the type of " + title(entity) + " is " + quoted(type) +
                                    ", which MARS does not know");
-    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.help("did you mean " + quoted(*near) + "?");
     if (is_written && fits_everywhere(*near)) {
       diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
     }

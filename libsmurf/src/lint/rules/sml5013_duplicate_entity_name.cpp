@@ -22,10 +22,10 @@ void check(const LinkedScene& scene, Findings& findings) {
       const auto place = [&](const Entity& one) { return is_shared ? one.span : one.name.span; };
       Diagnostic& diagnostic =
           findings.report(place(entity), "the scene already has an entity " + quoted(*entity.name));
-      diagnostic.labels.push_back({place(*known->second), "the first one is here"});
+      diagnostic.label(place(*known->second), "the first one is here");
       if (!is_shared) continue;
       diagnostic.severity = Severity::warning;
-      diagnostic.help = "give each group a file of its own, or leave `name` out of the file";
+      diagnostic.help("give each group a file of its own, or leave `name` out of the file");
     }
   }
 }

@@ -71,7 +71,7 @@ class Ambiguities {
   }
 
   static void label(Diagnostic& diagnostic, Span place, std::string text) {
-    diagnostic.labels.push_back({place, std::move(text)});
+    diagnostic.label(place, std::move(text));
   }
 
   const LinkedScene& scene_;

@@ -33,9 +33,9 @@ void check(const LinkedScene& scene, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         edits.size() == 1 ? edits.front().span : entity.rotation.span,
         title(entity) + " is turned by so few degrees that radians seem to be meant");
-    diagnostic.help = "in degrees:";
+    diagnostic.help("in degrees:");
     for (const Edit& edit : edits) {
-      diagnostic.help += (&edit == &edits.front() ? " " : ", ") + edit.text;
+      diagnostic.help_text += (&edit == &edits.front() ? " " : ", ") + edit.text;
     }
     diagnostic.fixes.push_back({Applicability::unsafe, std::move(edits)});
   });

@@ -32,8 +32,8 @@ void check(const LinkedScene& scene, Findings& findings) {
       places.push_back(number.span());
       texts.emplace_back(number.text());
     }
-    diagnostic.help = "then write [" + texts[3] + ", " + texts[0] + ", " + texts[1] + ", " +
-                      texts[2] + "]; a half turn about z is [180]";
+    diagnostic.help("then write [" + texts[3] + ", " + texts[0] + ", " + texts[1] + ", " +
+                    texts[2] + "]; a half turn about z is [180]");
     Fix& fix = diagnostic.fixes.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) fix.edits.push_back({places[i], texts[(i + 3) % 4]});
   });

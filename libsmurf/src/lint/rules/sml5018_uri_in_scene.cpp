@@ -20,7 +20,7 @@ void check(const LinkedScene& scene, Findings& findings) {
       Diagnostic& diagnostic = findings.report(
           node.key_span(),
           "MARS replaces `URI` by the keys of this file, which override those written here");
-      diagnostic.help = "write the keys of that file here";
+      diagnostic.help("write the keys of that file here");
     }
   }
 }

@@ -17,9 +17,9 @@ constexpr std::string_view kShapes[] = {"plane", "box", "sphere", "cylinder", "c
 void report_shape(yaml::View shape, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(shape.place(), quoted(shape.text()) + " is no shape of a primitive");
-  diagnostic.help = "shapes are plane, box, sphere, cylinder and capsule";
+  diagnostic.help("shapes are plane, box, sphere, cylinder and capsule");
   if (const auto near = nearest(shape.text(), kShapes)) {
-    diagnostic.help = "did you mean " + quoted(*near) + "?";
+    diagnostic.help("did you mean " + quoted(*near) + "?");
     diagnostic.fixes.push_back(
         {Applicability::unsafe, {{within_quotes(shape), std::string(*near)}}});
   }
@@ -70,7 +70,7 @@ void check(const LinkedScene& scene, Findings& findings) {
           findings.report(shape.span(), "a primitive " + std::string(shape.text()) +
                                             " has no size unless "
                                             "`extend` gives it one");
-      diagnostic.help = "add `extend: {x: RADIUS, y: LENGTH, z: 0}`";
+      diagnostic.help("add `extend: {x: RADIUS, y: LENGTH, z: 0}`");
     }
   });
 }

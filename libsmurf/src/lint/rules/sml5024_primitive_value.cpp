@@ -36,7 +36,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     }
     for (const Diagnostic& wrong : found.diagnostics()) {
       Diagnostic& diagnostic = findings.report(wrong.span, wrong.message);
-      diagnostic.help = wrong.help;
+      diagnostic.help(wrong.help_text);
       diagnostic.fixes = wrong.fixes;
     }
   });

@@ -22,7 +22,7 @@ void check(const LinkedScene& scene, Findings& findings) {
       if (!has_effect(value)) continue;
       Diagnostic& diagnostic =
           findings.report(value.key_span(), quoted(key) + " has no effect on a primitive in MARS");
-      if (key == "anchor") diagnostic.help = "`movable: false` keeps a primitive where it is";
+      if (key == "anchor") diagnostic.help("`movable: false` keeps a primitive where it is");
     }
   });
 }

@@ -13,7 +13,7 @@ namespace {
 void report(yaml::View value, const KeySpec& meant, KeyRenames& renames, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       value.key_span(), quoted(value.key()) + " is not a key that readers of scenes know");
-  diagnostic.help = "did you mean " + quoted(meant.name) + "?";
+  diagnostic.help("did you mean " + quoted(meant.name) + "?");
   if (takes_value(meant, value)) renames.offer(diagnostic.fixes, value, meant.name);
 }
 

@@ -21,7 +21,7 @@ void check(const LinkedScene& scene, Findings& findings) {
       }
       Diagnostic& diagnostic = findings.report(
           list.key_span(), "only MARS reads " + quoted(key) + " beside " + quoted(first.key()));
-      diagnostic.labels.push_back({first.key_span(), "Phobos reads this list only"});
+      diagnostic.label(first.key_span(), "Phobos reads this list only");
     }
   }
 }

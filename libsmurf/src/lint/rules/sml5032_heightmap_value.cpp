@@ -24,8 +24,8 @@ constexpr std::string_view kImages[] = {".png",  ".jpg", ".jpeg", ".bmp", ".gif"
 void check_image(const Entity& entity, Findings& findings) {
   if (!entity.file) {
     if (entity.file.written || slip_of(entity, "file") != nullptr) return;
-    findings.report(place_of(entity), title(entity) + " is a height map without an image").help =
-        "name the image under `file`";
+    findings.report(place_of(entity), title(entity) + " is a height map without an image")
+        .help("name the image under `file`");
     return;
   }
   const std::string extension = path::to_lower(path::extension(*entity.file));
@@ -43,7 +43,7 @@ void check_keys(const Entity& entity, yaml::View mapping, Findings& findings) {
   }
   for (const Diagnostic& wrong : found.diagnostics()) {
     Diagnostic& diagnostic = findings.report(wrong.span, wrong.message);
-    diagnostic.help = wrong.help;
+    diagnostic.help(wrong.help_text);
     diagnostic.fixes = wrong.fixes;
   }
   for (const std::string_view key : missing) {
@@ -51,11 +51,11 @@ void check_keys(const Entity& entity, yaml::View mapping, Findings& findings) {
     if (slip != nullptr && nearest(slip->name.value, missing) == key) {
       Diagnostic& diagnostic = findings.report(
           slip->name.span, quoted(slip->name.value) + " is not a key of a height map");
-      diagnostic.help = "did you mean " + quoted(key) + "?";
+      diagnostic.help("did you mean " + quoted(key) + "?");
       KeyRenames(mapping).offer(diagnostic.fixes, {mapping.document(), slip->node}, key);
     } else {
       findings.report(place_of(entity), title(entity) + " has no " + quoted(key))
-          .labels.push_back({place_to_add(mapping, key), "add it after this"});
+          .label(place_to_add(mapping, key), "add it after this");
     }
   }
 }

@@ -48,7 +48,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     Diagnostic& diagnostic = findings.report((other ? other : *root.begin()).key_span(),
                                              "the scene has no entities, so it is empty");
     if (other) diagnostic.caret = "no reader of scenes knows this key";
-    diagnostic.help = "list robots and objects under `entities`";
+    diagnostic.help("list robots and objects under `entities`");
   }
 }
 

@@ -13,8 +13,8 @@ void check_link(const Use& use, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       entity.anchor.span, title(entity) + " is fixed to " + quoted(*entity.anchor) +
                               ", but its position is relative to the origin of the scene");
-  diagnostic.help = "write " + quoted("parent: " + *entity.anchor) +
-                    " to place it there, or `parent: world` if the origin is meant";
+  diagnostic.help("write " + quoted("parent: " + *entity.anchor) +
+                  " to place it there, or `parent: world` if the origin is meant");
 }
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -28,10 +28,10 @@ void check(const LinkedScene& scene, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         use.entity.anchor.span, title(use.entity) + " is anchored to its parent, but has none");
     diagnostic.construct = "parent";
-    diagnostic.help = "write `world` if that is meant";
+    diagnostic.help("write `world` if that is meant");
     const Field<std::string>& file = use.entity.file;
     if (!use.entity.parent.written && file.written) {
-      diagnostic.labels.push_back({file.span, "no `parent` follows"});
+      diagnostic.label(file.span, "no `parent` follows");
     }
   });
 }

@@ -25,9 +25,8 @@ void check(const LinkedScene& scene, Findings& findings) {
         findings.report(anchor.span, "MARS replaces this anchor by that of the include, which is " +
                                          words(use.scene, around.anchor));
     const Entity& including = *scene.entity(use.around);
-    diagnostic.labels.push_back(
-        {including.anchor.written ? including.anchor.span : place_of(including),
-         "the scene is included here"});
+    diagnostic.label(including.anchor.written ? including.anchor.span : place_of(including),
+                     "the scene is included here");
   });
 }
 

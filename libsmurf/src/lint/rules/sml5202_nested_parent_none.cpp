@@ -12,9 +12,8 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (!use.is_nested() || !parent || (!parent->empty() && *parent != "none")) return;
     Diagnostic& diagnostic = findings.report(
         parent.span, "MARS does not move an entity with this parent along with the include");
-    diagnostic.help = "leave the key out, or write `world`";
-    diagnostic.labels.push_back(
-        {place_of(*scene.entity(use.around)), "the scene is included here"});
+    diagnostic.help("leave the key out, or write `world`");
+    diagnostic.label(place_of(*scene.entity(use.around)), "the scene is included here");
   });
 }
 

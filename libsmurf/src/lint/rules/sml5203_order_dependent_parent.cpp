@@ -64,7 +64,7 @@ void check(const LinkedScene& scene, Findings& findings) {
           k == 0 ? parent_place(scene, instance) : scene.entity(instance).anchor.span,
           "MARS creates " + quoted(instance.name) + " before " + quoted(target.name) +
               " and does not find the link it refers to");
-      diagnostic.labels.push_back({place_of(scene.entity(target)), "created later"});
+      diagnostic.label(place_of(scene.entity(target)), "created later");
       break;
     }
   }

@@ -16,8 +16,7 @@ void check(const LinkedScene& scene, Findings& findings) {
         findings.report(place_of(use.entity),
                         title(use.entity) + " is no root of the assembly, so that MARS leaves "
                                             "it in the world frame");
-    diagnostic.labels.push_back(
-        {place_of(*scene.entity(use.around)), "the assembly is included here"});
+    diagnostic.label(place_of(*scene.entity(use.around)), "the assembly is included here");
   });
 }
 

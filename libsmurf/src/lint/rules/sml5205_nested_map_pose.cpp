@@ -17,9 +17,8 @@ void check(const LinkedScene& scene, Findings& findings) {
         findings.report(is_position ? use.entity.position.span : use.entity.rotation.span,
                         "MARS cannot compose this " + key +
                             " with the pose of the include, because it is a mapping");
-    diagnostic.help = is_position ? "write [x, y, z]" : "write [w, x, y, z]";
-    diagnostic.labels.push_back(
-        {place_of(*scene.entity(use.around)), "the scene is included here"});
+    diagnostic.help(is_position ? "write [x, y, z]" : "write [w, x, y, z]");
+    diagnostic.label(place_of(*scene.entity(use.around)), "the scene is included here");
   });
 }
 

@@ -19,7 +19,7 @@ void check(const LinkedScene& scene, Findings& findings) {
         findings.report(is_position ? entity.position.span : entity.rotation.span,
                         is_position ? "the position of a primitive is a mapping in MARS"
                                     : "the rotation of a primitive is a mapping in MARS");
-    diagnostic.help = is_position ? "write {x: , y: , z: }" : "write {w: , x: , y: , z: }";
+    diagnostic.help(is_position ? "write {x: , y: , z: }" : "write {w: , x: , y: , z: }");
   });
 }
 

@@ -12,8 +12,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (!use.inherits_in_mars() || entity_type(use.entity) != "primitive") return;
     Diagnostic& diagnostic =
         findings.report(use.entity.type.span, "MARS cannot load a primitive in an included scene");
-    diagnostic.labels.push_back(
-        {place_of(*scene.entity(use.around)), "the scene is included here"});
+    diagnostic.label(place_of(*scene.entity(use.around)), "the scene is included here");
   });
 }
 

@@ -19,7 +19,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (!is_own || is_old_scene(created_later.type)) return;
     Diagnostic& diagnostic = findings.report(own.span, "MARS creates this old scene before " +
                                                            quoted(created_later.name));
-    diagnostic.labels.push_back({place_of(scene.entity(created_later)), "created later"});
+    diagnostic.label(place_of(scene.entity(created_later)), "created later");
   });
 }
 

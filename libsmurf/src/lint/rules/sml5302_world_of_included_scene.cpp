@@ -27,7 +27,7 @@ void check(const LinkedScene& scene, Findings& findings) {
       Diagnostic& diagnostic = findings.report(
           inner.key_span(),
           quoted(key) + " of an included scene is overridden by the enclosing scene");
-      diagnostic.labels.push_back({outer.key_span(), "this one is set afterwards"});
+      diagnostic.label(outer.key_span(), "this one is set afterwards");
     }
   }
 }

@@ -37,7 +37,7 @@ void check(const LinkedScene& scene, Findings& findings) {
       continue;
     Diagnostic& diagnostic = findings.report(
         environment.key_span(), "this environment has no `fog` and so switches fog off in MARS");
-    diagnostic.labels.push_back({*fog, "fog is asked for here"});
+    diagnostic.label(*fog, "fog is asked for here");
   }
 }
 

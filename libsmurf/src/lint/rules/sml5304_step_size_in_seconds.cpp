@@ -28,7 +28,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     const std::string milliseconds = format_rounded(*step * 1000, 12);
     Diagnostic& diagnostic = findings.report(step.span, "the step is " + format_number(*step) +
                                                             " milliseconds; are seconds meant?");
-    diagnostic.help = "in milliseconds it is " + milliseconds;
+    diagnostic.help("in milliseconds it is " + milliseconds);
     diagnostic.fixes.push_back({Applicability::unsafe, {{step.span, milliseconds}}});
   }
 }

@@ -24,13 +24,14 @@ void check(const LinkedScene& scene, Findings& findings) {
                                         " m/s^2; that of the earth is 9.81");
     } else if (z > 0 && z > 0.5 * strength) {
       Diagnostic& diagnostic = findings.report(up.span(), "gravity pulls upward");
-      diagnostic.help = "did you mean " + format_number(-z) + "?";
+      diagnostic.help("did you mean " + format_number(-z) + "?");
       diagnostic.fixes.push_back({Applicability::unsafe, {{up.span(), format_number(-z)}}});
     } else if (strength == 0 && !up && !keys.find("gravity").find("Z")) {
       findings.report(gravity.span, "there is no gravity: `z` is missing and reads as 0");
     } else if (strength > 0 && z == 0) {
-      findings.report(gravity.span, "gravity pulls sideways").help =
-          "z points upward in MARS, so that gravity is `z: " + format_number(-strength) + "`";
+      findings.report(gravity.span, "gravity pulls sideways")
+          .help("z points upward in MARS, so that gravity is `z: " + format_number(-strength) +
+                "`");
     }
   }
 }

@@ -23,7 +23,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         fog.find("end").span(), "the fog is full at " + format_number(*end) + " m, but begins at " +
                                     format_number(*start) + " m");
-    diagnostic.labels.push_back({fog.find("start").span(), "it begins here"});
+    diagnostic.label(fog.find("start").span(), "it begins here");
   }
 }
 

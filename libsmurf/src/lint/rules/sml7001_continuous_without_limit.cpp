@@ -8,8 +8,8 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.type != urdf::JointType::continuous || joint.limit) return;
-    findings.report(joint.type_name.span, "continuous " + title(joint) + " has no `limit`").help =
-        "add `<limit effort=\"...\" velocity=\"...\"/>`";
+    findings.report(joint.type_name.span, "continuous " + title(joint) + " has no `limit`")
+        .help("add `<limit effort=\"...\" velocity=\"...\"/>`");
   });
 }
 

@@ -33,7 +33,7 @@ void check_offsets(yaml::View sensor, Findings& findings) {
   const yaml::View orientation = sensor.find("orientation_offset");
   if (orientation && orientation.is_mapping() && !has_just(orientation, {"w", "x", "y", "z"})) {
     findings.report(orientation.key_span(), "Phobos reads a quaternion here, and nothing else")
-        .help = "write it with w, x, y, z";
+        .help("write it with w, x, y, z");
   }
   if (position && (position.is_null() || position.is_mapping()) &&
       !has_just(position, {"x", "y", "z"})) {
@@ -46,8 +46,8 @@ void check_offsets(yaml::View sensor, Findings& findings) {
   findings
       .report(position.key_span(),
               "Phobos accepts `position_offset` only after `orientation_offset`")
-      .help = orientation ? "write `orientation_offset` before it"
-                          : "write `orientation_offset: {w: 1, x: 0, y: 0, z: 0}` before it";
+      .help(orientation ? "write `orientation_offset` before it"
+                        : "write `orientation_offset: {w: 1, x: 0, y: 0, z: 0}` before it");
 }
 
 void check_sensor(const Sensor& sensor, yaml::View mapping, Findings& findings) {
@@ -58,8 +58,8 @@ void check_sensor(const Sensor& sensor, yaml::View mapping, Findings& findings) 
   }
   const yaml::View joint = mapping.find("joint");
   if (type == "Joint6DOF" && joint) {
-    findings.report(joint.key_span(), "Phobos accepts no `joint` here").help =
-        "leave it out: the sensor measures the joint above its link";
+    findings.report(joint.key_span(), "Phobos accepts no `joint` here")
+        .help("leave it out: the sensor measures the joint above its link");
   }
   for (const std::string_view key : kNeeded) {
     const yaml::View value = mapping.find(key);
@@ -109,7 +109,7 @@ void check_dependencies(const LinkedModel& model, Findings& findings) {
         if (!leaders || !leaders.is_sequence() || leaders.size() == 0) continue;
         if ((*leaders.begin()).is_mapping()) continue;
         findings.report(leaders.key_span(), "Phobos expects mappings in `depends_on`, not names")
-            .help = "write `{joint: NAME, multiplier: 1, offset: 0}`";
+            .help("write `{joint: NAME, multiplier: 1, offset: 0}`");
       }
     }
   }
@@ -120,8 +120,8 @@ void check_main_file(const LinkedModel& model, Findings& findings) {
   const yaml::View root = model.files.front().document->view();
   const yaml::View files = root && root.is_mapping() ? root.find("files") : yaml::View();
   if (!files || !files.is_scalar() || files.text().empty()) return;
-  findings.report(files.place(), "Phobos expects a list of `files`").help =
-      "make it an item: `- FILE`";
+  findings.report(files.place(), "Phobos expects a list of `files`")
+      .help("make it an item: `- FILE`");
 }
 
 void check_robot(const LinkedModel& model, Findings& findings) {
@@ -129,8 +129,8 @@ void check_robot(const LinkedModel& model, Findings& findings) {
   const xml::View robot = model.robot->document.view();
   const xml::View sensor = robot ? robot.child("sensor") : xml::View();
   if (!sensor) return;
-  findings.report(sensor.name_span(), "Phobos accepts no `sensor` beside the links").help =
-      "keep sensors in a `sensors` section";
+  findings.report(sensor.name_span(), "Phobos accepts no `sensor` beside the links")
+      .help("keep sensors in a `sensors` section");
 }
 
 void check(const LinkedModel& model, Findings& findings) {

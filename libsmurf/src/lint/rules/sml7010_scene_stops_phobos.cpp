@@ -17,8 +17,8 @@ void check_position(yaml::View position, Findings& findings) {
 
 void check_entities(yaml::View entities, Findings& findings) {
   if (entities.is_null()) {
-    findings.report(entities.key_span(), "Phobos finds no list in " + quoted(entities.key())).help =
-        "write `[]` where there are no entities";
+    findings.report(entities.key_span(), "Phobos finds no list in " + quoted(entities.key()))
+        .help("write `[]` where there are no entities");
   }
   if (!entities.is_sequence()) return;
   for (const yaml::View entity : entities) {

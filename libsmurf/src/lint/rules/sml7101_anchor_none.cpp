@@ -8,8 +8,8 @@ namespace {
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     if (entity.anchor.value_or("") != "none") return;
-    findings.report(entity.anchor.span, title(entity) + " has the anchor `none`").help =
-        "leave the key out";
+    findings.report(entity.anchor.span, title(entity) + " has the anchor `none`")
+        .help("leave the key out");
   });
 }
 

@@ -9,8 +9,8 @@ namespace {
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     if (!entity.file || path::to_lower(path::extension(*entity.file)) != ".urdf") return;
-    findings.report(entity.file.span, title(entity) + " is a URDF").help =
-        "name a .smurf that lists it";
+    findings.report(entity.file.span, title(entity) + " is a URDF")
+        .help("name a .smurf that lists it");
   });
 }
 
