@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wheels and sdists whose bytes depend on nothing but what is in them."""
+"""Wheels and sdists whose bytes depend only on their contents."""
 import base64
 import gzip
 import hashlib

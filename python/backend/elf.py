@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""On which systems a program of Linux runs, from its bytes."""
+"""Finds out from the bytes of a Linux program on which systems it runs."""
 import struct
 import sys
 import sysconfig

@@ -26,7 +26,7 @@ MODULE = "_smurf" + (sysconfig.get_config_var("EXT_SUFFIX") or ".so")
 
 
 class NoPrograms(Exception):
-    """Why there are none."""
+    """The reason why there are no programs."""
 
 
 def gather(work):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the project says of itself, from the files that say it."""
+"""The metadata of the project, read from its files."""
 import pathlib
 import re
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the module raises."""
+"""The exceptions of the module."""
 
 
 class Error(Exception):
-    """A file cannot be read, or has errors that keep something from being done with it.
+    """A file cannot be read, or its errors prevent the operation.
 
     `findings` is a list of smurf.Finding that say why; it may be empty.
     """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""try_all.py smurf2urdf|smurfs-flatten [OPTION]... [-- PATH...]: converts every model or scene, and keeps nothing.
+"""try_all.py smurf2urdf|smurfs-flatten [OPTION]... [-- PATH...]: converts every model or scene, and discards the results.
 
 The files are those that smurf-lint would check in the PATHs, or in the current folder; the OPTIONs are those of the
 program. The programs are those on PATH. For hooks; ends with the highest exit code of the program.

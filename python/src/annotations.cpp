@@ -21,8 +21,8 @@ void bind_actuation(py::module_& module) {
       .field("max_effort", &Motor::max_effort, "N m or N.")
       .field("min_value", &Motor::min_value, "Lowest commanded position, rad or m.")
       .field("max_value", &Motor::max_value, "Highest commanded position, rad or m.")
-      .field("min_position", &Motor::min_position, "Newer name of min_value; it wins in MARS.")
-      .field("max_position", &Motor::max_position, "Newer name of max_value; it wins in MARS.")
+      .field("min_position", &Motor::min_position, "Newer name of min_value; MARS prefers it.")
+      .field("max_position", &Motor::max_position, "Newer name of max_value; MARS prefers it.")
       .field("p", &Motor::p, "Proportional gain.")
       .field("i", &Motor::i, "Integral gain; MARS measures time in milliseconds.")
       .field("d", &Motor::d, "Differential gain; MARS measures time in milliseconds.")
@@ -97,14 +97,16 @@ void bind_mechanisms(py::module_& module) {
           "A dict from motors or joints, as written, to positions, rad or m. "
           "Model.joint_positions() names joints only.");
   entry<Submechanism>(module, "Submechanism", "An entry of `submechanisms`.")
-      .field("contextual_name", &Submechanism::contextual_name, "Name among mechanisms alike.")
+      .field("contextual_name", &Submechanism::contextual_name,
+             "Name of this mechanism in the robot.")
       .field("type", &Submechanism::type, "Type.")
       .field("joint_names", &Submechanism::joint_names, "All joints.")
       .field("joint_names_spanning_tree", &Submechanism::joint_names_spanning_tree, "Joints.")
       .field("joint_names_active", &Submechanism::joint_names_active, "Joints.")
       .field("joint_names_independent", &Submechanism::joint_names_independent, "Joints.");
   entry<Exoskeleton>(module, "Exoskeleton", "An entry of `exoskeletons`.")
-      .field("contextual_name", &Exoskeleton::contextual_name, "Name among mechanisms alike.")
+      .field("contextual_name", &Exoskeleton::contextual_name,
+             "Name of this mechanism in the robot.")
       .field("around", &Exoskeleton::around, "Part of the human.")
       .field("joint_names", &Exoskeleton::joint_names, "All joints.")
       .field("joint_names_spanning_tree", &Exoskeleton::joint_names_spanning_tree, "Joints.")

@@ -115,18 +115,18 @@ void bind_finding(py::module_& module) {
 }
 
 void bind_verdict(py::module_& module) {
-  py::class_<TargetVerdict>(module, "TargetVerdict", "What becomes of the files in one reader.")
+  py::class_<TargetVerdict>(module, "TargetVerdict", "What one reader does with the files.")
       .def_property_readonly(
           "target", [](const TargetVerdict& self) { return to_text(self.reader->name); },
           "Name of the reader: \"mujoco\".")
       .def_property_readonly(
           "answer", [](const TargetVerdict& self) { return to_text(to_string(self.answer())); },
           "\"takes\", \"loses\", \"unknown\" or \"refuses\".")
-      .def_readonly("refusals", &TargetVerdict::refusals, "Findings that it refuses the files for.")
+      .def_readonly("refusals", &TargetVerdict::refusals,
+                    "Findings for which it refuses the files.")
       .def_readonly("losses", &TargetVerdict::losses,
-                    "Findings of which it silently makes something else.")
-      .def_readonly("unknown", &TargetVerdict::unknown,
-                    "Errors of which it is not known what it makes.")
+                    "Findings that it silently reads differently.")
+      .def_readonly("unknown", &TargetVerdict::unknown, "Errors whose effect on it is not known.")
       .def("__repr__", [](const TargetVerdict& self) {
         return to_text("<smurf.TargetVerdict " + std::string(self.reader->name) + ": " +
                        std::string(to_string(self.answer())) + ">");
@@ -149,7 +149,7 @@ void bind_report(py::module_& module) {
           "Number of findings that are infos.")
       .def_property_readonly(
           "suppressed", [](const CheckReport& self) { return self.rest.summary.suppressed; },
-          "Number of findings that comments or the baseline let pass.")
+          "Number of findings that comments or the baseline suppress.")
       .def_property_readonly(
           "targets",
           [](const CheckReport& self) {
@@ -205,8 +205,9 @@ py::object to_report(Report report, const SourceMap& sources) {
 }
 
 void bind_places(py::module_& module) {
-  py::class_<Place>(module, "Place",
-                    "Characters of a file, counted from 1; the end is not part of it.")
+  py::class_<Place>(
+      module, "Place",
+      "A range of a file: lines and columns (characters) from 1; the end is exclusive.")
       .def_property_readonly(
           "file", [](const Place& self) { return to_path(self.file); },
           "The path, as it was given or found.")

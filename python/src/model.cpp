@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A model: what was read, where its links are, and its URDF.
+// A model: its contents, the poses of its links, and its URDF.
 #include "model.hpp"
 
 #include <array>
@@ -111,7 +111,7 @@ Enum from_word(const py::handle& value, const char* argument,
     ++index;
     known += std::string(known.empty() ? "" : ", ") + word;
   }
-  throw py::value_error(std::string(argument) + " is none of " + known);
+  throw py::value_error(std::string(argument) + " is not one of " + known);
 }
 
 AppliedAnnotations from_applied(const py::handle& value) {
@@ -126,7 +126,8 @@ AppliedAnnotations from_applied(const py::handle& value) {
     } else if (name == "mimic") {
       applied.mimic = true;
     } else {
-      throw py::value_error("apply: '" + name + "' is none of materials, limits, dynamics, mimic");
+      throw py::value_error("apply: '" + name +
+                            "' is not one of materials, limits, dynamics, mimic");
     }
   }
   return applied;
@@ -159,7 +160,7 @@ void prove(const LinkedModel& model, const std::string& urdf, const UrdfExport& 
   const LoadedModel result = session.load_model("plain.urdf", settings);
   const Proof proof = compare_models(model, result.model, proof_scope(options));
   if (!result.model.robot || !proof.holds()) {
-    throw std::runtime_error("the result is another robot: " + proof.difference);
+    throw std::runtime_error("the exported robot differs: " + proof.difference);
   }
 }
 
@@ -334,7 +335,7 @@ void bind_functions(py::class_<Model>& model) {
   model
       .def(
           "forward_kinematics", &link_poses, py::arg("positions") = py::none(),
-          "Where the links are: a dict from names of links to X_RL, the pose of the link L in the "
+          "The poses of the links: a dict from names of links to X_RL, the pose of the link L in the "
           "first root link R, an array of shape (4, 4), m.\n\n"
           "`positions` is a dict from names of joints to rad or m, or the name of a joint pose set; "
           "joints that it leaves out are at zero, and those that mimic others follow them. Links "
@@ -367,7 +368,7 @@ void bind_functions(py::class_<Model>& model) {
             if (!text) throw py::value_error("the model is too large for a JSON text");
             return to_text(*text);
           },
-          "All that was read as JSON text (schemas/model-dump.schema.json).");
+          "Everything that was read, as JSON text (schemas/model-dump.schema.json).");
 }
 
 }  // namespace

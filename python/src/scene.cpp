@@ -109,7 +109,7 @@ const Dialect& from_dialect(const py::object& name) {
   if (const Dialect* dialect = find_dialect(text)) return *dialect;
   std::string known;
   for (const Dialect* dialect : dialects()) known += " " + std::string(dialect->name);
-  throw py::value_error("'" + text + "' is none of the dialects:" + known);
+  throw py::value_error("'" + text + "' is not one of the dialects:" + known);
 }
 
 [[noreturn]] void raise_found(const Scene& self, const std::string& what, DiagnosticSink found) {
@@ -127,7 +127,7 @@ Flat flatten_scene(const Scene& self, const py::object& dialect, bool links,
                          .output_folder = from_path(output_folder),
                          .current_folder = current_folder(),
                          .old_scenes = &loaded.old_scenes};
-  // Without these there is no pose to give; what rules find leaves them all known.
+  // Findings that leave a pose unknown; those of rules never do.
   const auto is_loss = [&](const Diagnostic& one) {
     return loss_in_scene(one, *loaded.sources).has_value();
   };
@@ -431,7 +431,7 @@ void bind_scene(py::module_& module) {
             if (!text) throw py::value_error("the scene is too large for a JSON text");
             return to_text(*text);
           },
-          "All that was read as JSON text (schemas/model-dump.schema.json).")
+          "Everything that was read, as JSON text (schemas/model-dump.schema.json).")
       .def("__eq__",
            [](const Scene& a, const py::object& b) {
              return py::isinstance<Scene>(b) && a == b.cast<const Scene&>();

@@ -97,7 +97,7 @@ CHANGES = {
     "masses and inertias": ('<mass value="2"/>', '<mass value="3"/>'),
     "masses of moving links that have none": ('<link name="finger"/>', '<link name="finger">'
                                               + BODY.format(m="1") + "</link>"),
-    "inertias that no simulator takes": ("0.000201", "0.0002"),
+    "inertias that simulators refuse": ("0.000201", "0.0002"),
     "visual shapes": ('<visual name="hull"><geometry><box size="1 2 3"/>',
                       '<visual name="hull"><geometry><box size="1 2 4"/>'),
     "collision shapes": ('<collision name="bumper"><geometry><box size="1 2 3"/>',
@@ -150,8 +150,8 @@ CHANGES = {
     "start positions": (", pose: bent", ""),
     "keys of primitives": (", colour: blue", ""),
 }
-CHANGES["gravity that nobody wrote"] = CHANGES["gravity"]
-CHANGES["step size that nobody wrote"] = CHANGES["step size"]
+CHANGES["gravity when none is set"] = CHANGES["gravity"]
+CHANGES["step size when none is set"] = CHANGES["step size"]
 # What only some formats keep, beside the entry that it is a part of.
 PARTS = {
     "bitmask of a collision": ("bitmask: 6", "bitmask: 4", ("sdf", "mjcf")),
@@ -161,8 +161,8 @@ PARTS = {
     "gain of a motor": ("p: 20", "p: 10", ("mjcf",)),
 }
 # A format that keeps everything else has nothing to say of these.
-ASIDES = {"masses of moving links that have none", "inertias that no simulator takes", "motor setting",
-          "sensor setting", "gravity that nobody wrote", "step size that nobody wrote",
+ASIDES = {"masses of moving links that have none", "inertias that simulators refuse", "motor setting",
+          "sensor setting", "gravity when none is set", "step size when none is set",
           "ambient colours of lights", "keys of primitives"}
 OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])
 

@@ -72,11 +72,11 @@ class LimitsTest(unittest.TestCase):
 
     def test_what_cannot_be_asked_for(self):
         for item, wrong in {
-                "xml-deepth=10": "'xml-deepth' is none of file-bytes, ",
+                "xml-deepth=10": "'xml-deepth' is not one of file-bytes, ",
                 "xml-depth": "'xml-depth' is not NAME=N",
-                "xml-depth=many": "'many' is no whole number from 1 to 98",
-                "xml-depth=99": "'99' is no whole number from 1 to 98",
-                "xml-depth=0": "'0' is no whole number from 1 to 98"}.items():
+                "xml-depth=many": "'many' is not a whole number from 1 to 98",
+                "xml-depth=99": "'99' is not a whole number from 1 to 98",
+                "xml-depth=0": "'0' is not a whole number from 1 to 98"}.items():
             for tool in COMMANDS:
                 with self.subTest(item, tool=tool):
                     done = self.run_tool(tool, *COMMANDS[tool], "--limit", item)

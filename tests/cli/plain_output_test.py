@@ -118,7 +118,7 @@ for form in ("sdf", "sdf1.6", "mjcf", "urdf", "svg", "junit"):
 class Names(PlainOutputTest):
     def formats(self):
         text = self.run_tool("smurfs-flatten", "--format", "?", "x").stderr.decode()
-        names = re.search(r"is none of ([^;\n]*)", text)[1].split(", ")
+        names = re.search(r"is not one of ([^;\n]*)", text)[1].split(", ")
         self.assertGreater(len(names), 8)
         return names
 

@@ -74,7 +74,7 @@ class Hooks:
         self.robots = self.repository(self.folder / "robots")
         shutil.copytree(ROOT / "fixtures/models/arm", self.robots / "arm")
         shutil.copytree(ROOT / "fixtures/scenes/nested", self.robots / "cell")
-        (self.robots / "ci.yml").write_text("motors: this file is none of ours\n")
+        (self.robots / "ci.yml").write_text("motors: this file is not one of ours\n")
         (self.robots / ".pre-commit-config.yaml").write_text(CONFIG.format(hooks=self.hooks, suffix=self.suffix))
         self.commit(self.robots)
         self.assertEqual(self.call(self.robots, "pre-commit", "install").returncode, 0)

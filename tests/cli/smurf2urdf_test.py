@@ -97,7 +97,7 @@ class Options(ExportTest):
         self.assertEqual(self.export("--apply", "materials,dynamics,mimic"), self.source())
         self.assertEqual(self.export("--apply", "limits"),
                          self.source().replace('effort="40"', 'effort="41.5"'))
-        self.expect_complaint("--apply: 'limit' is none of materials, limits, dynamics, mimic, "
+        self.expect_complaint("--apply: 'limit' is not one of materials, limits, dynamics, mimic, "
                               "all; did you mean 'limits'?", "arm/smurf/arm.smurf", "--apply",
                               "limit")
 
@@ -289,7 +289,7 @@ class Refusal(ExportTest):
 
     def test_unreadable(self):
         self.expect_complaint("cannot read 'no.smurf': No such file or directory", "no.smurf")
-        self.expect_complaint("no input is named; see --help")
+        self.expect_complaint("no input file; see --help")
 
     def test_a_scene(self):
         self.write("hall.smurfs", "entities: []\n")
@@ -304,7 +304,7 @@ class Refusal(ExportTest):
         self.assertEqual(self.expect(0, "arm/urdf/").stdout, self.expect(0, "arm/urdf/arm.urdf").stdout)
         shutil.copytree(self.folder / "arm", self.folder / "both" / "left")
         shutil.copytree(self.folder / "arm", self.folder / "both" / "right")
-        self.expect_complaint("'both' holds 2 files that could be meant; name one, such as "
+        self.expect_complaint("'both' contains 2 files to choose from; name one, such as "
                               "'both/left/smurf/arm.smurf'", "both")
         self.write("none/notes.txt", "")
         self.expect_complaint("no .smurf, .smurfs, .smurfa or .urdf file in 'none'", "none")

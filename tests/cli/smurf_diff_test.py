@@ -144,7 +144,7 @@ joint elbow: upper limit 1.75 -> 1.57 rad (-10.3 %)                  new.urdf:13
         self.assertEqual(self.edited('xyz="0 0 0.3"', 'xyz="0 0 0.301"', "--tolerance", "0.01"), [])
         self.assertEqual(self.edited("0.35", "0.3500000000000001", "--tolerance", "0"),
                          ["link arm: mass 0.35 -> 0.3500000000000001 kg (+3.17e-14 %)"])
-        self.expect_complaint("--tolerance: '-1' is no number from 0 on", "a", "b", "--tolerance=-1")
+        self.expect_complaint("--tolerance: '-1' is not a number of at least 0", "a", "b", "--tolerance=-1")
 
     def test_meshes_are_their_content(self):
         mesh = '<mesh filename="%s"/>'
@@ -205,7 +205,7 @@ class Models(Diff):
         self.write("s.smurfs", "entities: []\n")
         self.write("t.txt", "x")
         self.expect_complaint("cannot read 'gone.urdf': No such file or directory", "r.urdf", "gone.urdf")
-        self.expect_complaint("'t.txt' is no model, scene, URDF or annotation file", "t.txt", "r.urdf")
+        self.expect_complaint("'t.txt' is not a model, scene, URDF or annotation file", "t.txt", "r.urdf")
         self.expect_complaint("'s.smurfs' and 'r.urdf' are a scene and a model, which cannot be compared", "s.smurfs", "r.urdf")
         self.expect_complaint("two inputs are compared, not 1; see --help", "r.urdf")
         self.expect_complaint("standard input can be one of them only", "-", "-")

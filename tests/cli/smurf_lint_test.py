@@ -215,7 +215,7 @@ smurf-lint --explain SML1404, or https://github.com/smurf-tools/smurf/blob/main/
     def test_unknown_target(self):
         done = self.expect(2, "--target", "ros,mujuco", "arm.urdf")
         self.assertEqual(done.stdout, "")
-        self.assertIn("'mujuco' is none of mars, ", done.stderr)
+        self.assertIn("'mujuco' is not one of mars, ", done.stderr)
         self.assertTrue(done.stderr.endswith("; did you mean 'mujoco'?\n"), done.stderr)
 
 
@@ -490,17 +490,17 @@ class Usage(LintTest):
                 ("unknown option '-Q' (see --help)", ["-Q"]),
                 ("unknown option '--selct'; did you mean '--select'?", ["--selct=SML1"]),
                 ("--format needs a value: FORMAT[=FILE]", ["--format"]),
-                ("--format: 'jsn' is none of full, concise, json, sarif, github, gitlab, junit, auto; did you mean 'json'?",
+                ("--format: 'jsn' is not one of full, concise, json, sarif, github, gitlab, junit, auto; did you mean 'json'?",
                  ["--format=jsn"]),
                 ("--format: there is no file name after '='", ["--format=json="]),
-                ("--color: 'allways' is none of auto, always, never; did you mean 'always'?",
+                ("--color: 'allways' is not one of auto, always, never; did you mean 'always'?",
                  ["--color", "allways"]),
                 ("--select: there is no rule 'unknown-jont'; did you mean 'unknown-joint'?",
                  ["--select", "SML1,unknown-jont"]),
                 ("--ignore: there is no rule 'sml3101'; did you mean 'SML3101'?",
                  ["--ignore=sml3101"]),
                 ("--severity: 'SML3101' is not ID=LEVEL", ["--severity", "SML3101"]),
-                ("--severity: 'fatal' is none of error, warning, info",
+                ("--severity: 'fatal' is not one of error, warning, info",
                  ["--severity", "SML3101=fatal"]),
                 ("--max-warnings: '-1' is not a whole number of at least 0",
                  ["--max-warnings=-1"]),
@@ -511,7 +511,7 @@ class Usage(LintTest):
                 ("there is no rule, section or key 'x'", ["--explain", "x"]),
                 ("there is no rule, section or key 'sensrs'; did you mean 'sensors'?", ["--explain", "sensrs"]),
                 ("unknown option '--gener'; did you mean '--generate-baseline'?", ["--gener"]),
-                ("--severity: 'warn' is none of error, warning, info; did you mean 'warning'?",
+                ("--severity: 'warn' is not one of error, warning, info; did you mean 'warning'?",
                  ["--severity", "SML3101=warn"]),
                 ("two reports go to standard output; give one a file of its own: "
                  "--format json=FILE", ["--format", "full", "--format", "json"]),
@@ -896,7 +896,7 @@ class Dumps(LintTest):
     def test_mistakes(self):
         self.expect_complaint("cannot read 'no.smurf': No such file or directory", "--dump-model", "no.smurf")
         self.write("notes.txt", "")
-        self.expect_complaint("'notes.txt' is no model, scene, URDF or annotation file", "--dump-model", "notes.txt")
+        self.expect_complaint("'notes.txt' is not a model, scene, URDF or annotation file", "--dump-model", "notes.txt")
 
 
 class JsonAnnotations(LintTest):

@@ -302,16 +302,16 @@ class Options(LoadCheckTest):
     def test_stages(self):
         [check] = self.report(0, "good.urdf", "--stages", "hang")["checks"]
         self.assertEqual(list(self.stages(check)), ["BUILD", "HANG"])
-        self.expect_complaint("--stages: 'HANK' is none of BUILD, POSE0, STILL, HANG, DROP, ANCHOR; "
+        self.expect_complaint("--stages: 'HANK' is not one of BUILD, POSE0, STILL, HANG, DROP, ANCHOR; "
                               "did you mean 'HANG'?", "good.urdf", "--stages", "hank")
 
     def test_bounds(self):
         [check] = self.report(1, "good.urdf", "--bounds", "gap=0,drop-energy=1")["checks"]
         self.assertEqual(self.stages(check)["HANG"], "fail")
-        self.expect_complaint("--bounds: 'gab' is none of axis, mass-ratio, overlap, motion, gap, "
+        self.expect_complaint("--bounds: 'gab' is not one of axis, mass-ratio, overlap, motion, gap, "
                               "twist, hang-energy, drop-energy, anchor; did you mean 'gap'?",
                               "good.urdf", "--bounds", "gab=1")
-        self.expect_complaint("--bounds: '-1' is no number of at least 0", "good.urdf",
+        self.expect_complaint("--bounds: '-1' is not a number of at least 0", "good.urdf",
                               "--bounds", "gap=-1")
 
     def test_tighter_bounds_show_what_rounding_does(self):
@@ -483,7 +483,7 @@ class Options(LoadCheckTest):
             self.assertIn(model, [check["file"] for check in report["checks"]])
             self.assertEqual({check["verdict"] for check in report["checks"]}, {"pass"})
         self.write("empty.zsmurfs", packed(x_smurf=""))
-        self.expect_complaint("cannot read 'empty.zsmurfs': it holds no .smurfs", "empty.zsmurfs")
+        self.expect_complaint("cannot read 'empty.zsmurfs': it contains no .smurfs", "empty.zsmurfs")
 
 
 if __name__ == "__main__":

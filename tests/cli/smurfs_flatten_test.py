@@ -175,7 +175,7 @@ class Output(FlattenTest):
     def test_a_folder_with_one_scene(self):
         self.write("world/deep/only.smurfs", SCENE.replace("models/", "../../models/"))
         self.assertEqual(len(self.flat("world")["instances"]), 2)
-        self.expect_complaint("'.' holds 5 files that could be meant; name one, such as 'broken.smurfs'", ".")
+        self.expect_complaint("'.' contains 5 files to choose from; name one, such as 'broken.smurfs'", ".")
         self.expect_complaint("no .smurf, .smurfs, .smurfa or .urdf file in 'none'; 1 .xacro file was not checked: "
                               "expand it first (xacro FILE | smurf-lint -)", self.make_xacro("none"))
 
@@ -234,7 +234,7 @@ class Dialects(FlattenTest):
         self.assertIn("2 of 3 entities are not the same to all readers (m, deg, in the world)", table)
         self.assertRegex(table, r"A\n  spec, mars, mars2 +1 +2 +3 +0 +0 +0\.7\n"
                                 r"  phobos +1 +2 +3 +0 +0 +40\.107\n"
-                                r"      39\.4 deg away: takes the angles for radians\n")
+                                r"      39\.4 deg away: reads the angles as radians\n")
         self.assertNotIn("\nB\n", table)
 
     def test_the_same_to_all(self):
@@ -272,7 +272,7 @@ class Dialects(FlattenTest):
         self.assertEqual(explain("mars"), explain("spec"))
         *_, world, note = explain("phobos")
         self.assertTrue(world.endswith("xyz 1 2 3  rpy 0 0 40.1070457 deg"), world)
-        self.assertEqual(note, "phobos takes the angles for radians")
+        self.assertEqual(note, "phobos reads the angles as radians")
         steps = explain("mars", "in/A", "outer.smurfs")
         self.assertEqual([s.split()[1] for s in steps[:2]], ["include", "entity"])
         self.assertEqual(steps[-1], "mars loses the anchor")
@@ -379,8 +379,8 @@ class OldScenes(FlattenTest):
             self.assertIn(loss, found)
 
     def test_broken(self):
-        for data, reason in [(b"PK no", "is no zip archive"),
-                             (archive({"other.scene": OLD_XML}), "holds no `old.scene`"),
+        for data, reason in [(b"PK no", "is not a zip archive"),
+                             (archive({"other.scene": OLD_XML}), "contains no `old.scene`"),
                              (archive({"../old.scene": OLD_XML}), "is not inside it")]:
             self.write("old.scn", data)
             self.write("old.smurfs", "entities:\n- {name: Old, file: old.scn}\n")
@@ -403,12 +403,12 @@ class Archives(FlattenTest):
 
     def test_mistakes(self):
         self.write("a.zsmurfs", b"no")
-        self.expect_complaint("cannot read 'a.zsmurfs': it is no zip archive", "a.zsmurfs")
+        self.expect_complaint("cannot read 'a.zsmurfs': it is not a zip archive", "a.zsmurfs")
         self.write("a.zsmurfs", archive({"x.smurf": ""}))
-        self.expect_complaint("cannot read 'a.zsmurfs': it holds no .smurfs", "a.zsmurfs")
+        self.expect_complaint("cannot read 'a.zsmurfs': it contains no .smurfs", "a.zsmurfs")
         self.write("a.zsmurfs", archive({"x.smurfs": "", "y.smurfs": ""}))
-        self.expect_complaint("cannot read 'a.zsmurfs': it holds several .smurfs and none of its "
-                              "own name", "a.zsmurfs")
+        self.expect_complaint("cannot read 'a.zsmurfs': it contains several .smurfs, none of which "
+                              "has the name of the archive", "a.zsmurfs")
 
 
     def test_entities_in_archives(self):
@@ -444,7 +444,7 @@ class Archives(FlattenTest):
         done = self.run_tool("top.smurfs")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("--> box.zsmurf/box.urdf:", done.stderr)
-        for content, reason in [(b"no", "it is no zip archive"), (archive({"a": ""}), "it holds no .smurf")]:
+        for content, reason in [(b"no", "it is not a zip archive"), (archive({"a": ""}), "it contains no .smurf")]:
             self.write("box.zsmurf", content)
             done = self.run_tool("top.smurfs")
             self.assertEqual(done.returncode, 1)

@@ -271,7 +271,7 @@ class Links(StrangerTest):
             self.write(f"assets/{name}", MESH)
             done = self.expect(2, "smurfs-flatten", "--format", "sdf", "--force", "src.urdf", "--copy-assets", "out",
                                "-o", "w.sdf")
-            self.assertIn("its name is that of no mesh or image", done.stderr)
+            self.assertIn("its name is not that of a mesh or image", done.stderr)
             self.assertFalse((self.project / "out").exists())
 
     def test_new_models(self):

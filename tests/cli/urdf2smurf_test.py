@@ -142,7 +142,7 @@ class Readers(ImportTest):
 
     def test_what_mars_makes_of_the_urdf_is_said(self):
         self.write("foot.urdf", CONTACT)
-        self.assertIn("; MARS makes something else of the URDF (1 error): see smurf-lint out/smurf/foot.smurf",
+        self.assertIn("; MARS reads the URDF differently (1 error): see smurf-lint out/smurf/foot.smurf",
                       self.remark("foot.urdf", "-o", "out"))
 
     def test_the_style_of_phobos(self):
@@ -217,7 +217,7 @@ class Refusal(ImportTest):
                               "--flat", "--in-place")
         self.expect_complaint("--name is the name of a file, without folder", "in/urdf/arm.urdf",
                               "-o", "out", "--name", "../x")
-        self.expect_complaint("a model is several files: -o names a folder", "in/urdf/arm.urdf",
+        self.expect_complaint("a model consists of several files, so -o must name a folder", "in/urdf/arm.urdf",
                               "-o", "-")
 
     def test_input(self):

@@ -50,7 +50,7 @@ std::string keys_page() {
   page << "# Keys\n\n"
           "Every section and key of SMURF models and scenes. Made from the key tables in "
           "`libsmurf/src/ast` by `format_page_test`; do not edit. How the files fit together is "
-          "told in [the guide](README.md).\n\n"
+          "described in [the guide](README.md).\n\n"
           "The default is that of MARS 1; no default means that nothing changes when the key is "
           "absent. An empty \"read by\" means the readers of the whole section. \"nobody\" means "
           "that programs write the key, and none reads it. Keys that are not listed are kept for "

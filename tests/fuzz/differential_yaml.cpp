@@ -24,7 +24,7 @@ constexpr Refusal kRefusals[] = {
     {"SML0003", "", "yaml-cpp takes any bytes; Python, and so Phobos, only UTF-8"},
     {"SML0004", "", "yaml-cpp takes any bytes; YAML forbids control characters"},
     {"SML0005", "", "yaml-cpp reads UTF-16 and UTF-32; no other reader of models does"},
-    {"SML0010", "a merge left its marks", "yaml-cpp reads them as texts"},
+    {"SML0010", "a merge conflict left its markers", "yaml-cpp reads them as texts"},
     {"SML0010", "no `---` follows this directive", "yaml-cpp reads on, PyYAML does not"},
     {"SML0010", "this line does not fit", "yaml-cpp ends the document there and says nothing"},
     {"SML0010", "there is no entry before this comma", "yaml-cpp reads a null there"},

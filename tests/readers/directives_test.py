@@ -69,7 +69,7 @@ class Directives(reader.ReaderTest):
         self.assertNotIn("world", text.split("directives")[1].replace("w.urdf", ""))
         done = self.run_tool("s.smurfs", "--format", "dmd", "-o", "out.dmd", "--strict")
         self.assertEqual(done.returncode, 1)
-        self.assertEqual(done.stderr.count("takes its link `world` for the world"), 3)
+        self.assertEqual(done.stderr.count("treats its link `world` as the world"), 3)
 
     def test_the_package_is_written(self):
         self.write("s.smurfs", "entities:\n- {name: B, type: primitive, geometry: {type: box}}\n")

@@ -235,16 +235,17 @@ void add_sections(Json& schema) {
 Json annotations_schema() {
   Json schema = head("annotations", "SMURF annotation file",
                      "A .yml file in the list `files` of a model: sections by name. Sections that "
-                     "are not listed here may hold anything.");
+                     "are not listed here may have any value.");
   schema["type"] = "object";
   add_sections(schema);
   return schema;
 }
 
 Json model_schema() {
-  Json schema = head("smurf", "SMURF model (.smurf)",
-                     "The main file of a model: which files belong to it. It may hold sections of "
-                     "annotations itself.");
+  Json schema =
+      head("smurf", "SMURF model (.smurf)",
+           "The main file of a model: which files belong to it. It may contain sections of "
+           "annotations itself.");
   schema.update(object_of(specs_of(main_keys())));
   add_sections(schema);
   return schema;

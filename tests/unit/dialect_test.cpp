@@ -68,8 +68,8 @@ TEST_CASE("Phobos takes radians, and quaternions that end with w") {
   check_pose(loaded, "phobos", "yaw", rotation_z(0.5));
   check_pose(loaded, "phobos", "wxyz", rotation(0.6, 0.8, 0, 0));
   check_pose(loaded, "phobos", "map", rotation(0.8, 0, 0, 0.6));
-  CHECK(reading(loaded, "phobos", "euler").note == "takes the angles for radians");
-  CHECK(reading(loaded, "phobos", "wxyz").note == "takes the quaternion for x, y, z, w");
+  CHECK(reading(loaded, "phobos", "euler").note == "reads the angles as radians");
+  CHECK(reading(loaded, "phobos", "wxyz").note == "reads the quaternion as x, y, z, w");
   CHECK(reading(loaded, "phobos", "map").note == "");
   CHECK(!reading(loaded, "phobos", "list").X_WE);
   CHECK(!reading(loaded, "phobos", "thing").X_WE);

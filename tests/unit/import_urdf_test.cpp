@@ -225,7 +225,7 @@ TEST_CASE("a collision gets a name only when a sensor must refer to it") {
   CHECK(bot.text("urdf/bot.urdf").find("l1_collision") == std::string::npos);
   const Imported in_place(robot(kFourJoints, bump), {.layout = SmurfLayout::in_place});
   CHECK(in_place.result.annotations.sensors.empty());
-  CHECK(in_place.findings().find("the URDF stays as it is") != std::string::npos);
+  CHECK(in_place.findings().find("the URDF is not changed") != std::string::npos);
 }
 
 TEST_CASE("colours, textures and damping") {

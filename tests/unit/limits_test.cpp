@@ -247,7 +247,7 @@ TEST_CASE("limits: those of archives") {
   limits.archive_bytes = 10;
   limits.archive_files = 1;
   CHECK(read_zip(bytes, limits).reason ==
-        "holds more than 1 files; raise the limit with `--limit archive-files=N`");
+        "contains more than 1 files; raise the limit with `--limit archive-files=N`");
 }
 
 TEST_CASE("limits: every row of the table has a name of its own, a usual value and a test") {

@@ -299,18 +299,18 @@ TEST_CASE("mesh: what is broken, and where") {
 
   CHECK(defect(replaced(obj(), "f 1//1", "f 9//1")) == "13: a face names the vertex 9 of 8");
   CHECK(defect(replaced(obj(), "f 1//1", "f 0//1")) ==
-        "13: the corner `0//1` of a face is no index");
-  CHECK(defect("v 0 0 0\nf -2 1 1\n") == "2: a face names the vertex -2, but 1 stand before it");
+        "13: the corner `0//1` of a face is not an index");
+  CHECK(defect("v 0 0 0\nf -2 1 1\n") == "2: a face names the vertex -2, but 1 come before it");
   CHECK(defect("v 0 0\n") == "1: a vertex has fewer than three coordinates");
   CHECK(defect("v 0 0 1,5\n") == "1: the coordinate `1,5` is not a number");
   CHECK(defect("v 0 0 0\nf 1 1\n") == "2: a face has fewer than three corners");
 
   std::string index = bobj();
   index[8 * 16 + 16 + 4] = 9;
-  CHECK(defect(index) == "0: a triangle names the vertex 9, but 8 stand before it");
+  CHECK(defect(index) == "0: a triangle names the vertex 9, but 8 come before it");
   std::string normal = bobj();
   normal[8 * 16 + 16 + 12] = 0;
-  CHECK(defect(normal) == "0: a triangle names the normal 0, but 1 stand before it");
+  CHECK(defect(normal) == "0: a triangle names the normal 0, but 1 come before it");
   CHECK(defect(bobj() + "....") == "0: there is no record of kind 774778414");
   CHECK(defect(bobj().substr(0, 100)) == "0: the file ends inside a record");
   std::string chunk;
@@ -320,7 +320,7 @@ TEST_CASE("mesh: what is broken, and where") {
 
   CHECK(defect(replaced(collada(), "</mesh>", "")).substr(0, 4) == "10: ");
   CHECK(defect(replaced(collada(), "10 0 0", "10 0")) ==
-        "12: the transform of a node is no list of numbers");
+        "12: the transform of a node is not a list of numbers");
   CHECK(defect(replaced(collada(), " 0.000000", " x")) ==
         "7: the coordinates of the vertices are not all numbers");
 }

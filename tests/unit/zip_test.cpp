@@ -63,7 +63,7 @@ TEST_CASE("files do not share their bytes") {
   const std::size_t moved = trailer + entry.size();
   twice[moved + 8] = twice[moved + 10] = 2;
   twice[moved + 12] = static_cast<char>(2 * entry.size());
-  CHECK(read_zip(twice, at_most(100'000)).reason == "holds files that share their bytes");
+  CHECK(read_zip(twice, at_most(100'000)).reason == "contains files that share their bytes");
 }
 
 TEST_CASE("names stay inside") {
@@ -75,8 +75,8 @@ TEST_CASE("names stay inside") {
 }
 
 TEST_CASE("broken archives are refused, whatever is broken") {
-  CHECK(read_zip("", at_most(100)).reason == "is no zip archive");
-  CHECK(read_zip("PK", at_most(100)).reason == "is no zip archive");
+  CHECK(read_zip("", at_most(100)).reason == "is not a zip archive");
+  CHECK(read_zip("PK", at_most(100)).reason == "is not a zip archive");
   const std::string sound = zip({{"a.txt", "some text"}, {"b.txt", "more text"}});
   // minizip takes what is missing for zeros, which the last four bytes are.
   for (std::size_t size = 0; size + 4 < sound.size(); ++size) {
@@ -116,7 +116,7 @@ TEST_CASE("archives as folders") {
   CHECK(archives.list("x/outer.ZSMURFS") == std::vector<std::string>{"in", "top.txt"});
   CHECK(archives.list("x/outer.ZSMURFS/in/deep.zsmurf/a") == std::vector<std::string>{"b.txt"});
   CHECK(read("broken.zsmurf/a.smurf").status == ReadStatus::denied);
-  CHECK(read("broken.zsmurf/a.smurf").reason == "the archive is no zip archive");
+  CHECK(read("broken.zsmurf/a.smurf").reason == "the archive is not a zip archive");
 }
 
 TEST_CASE("all archives together unpack to a limit") {

@@ -132,7 +132,7 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
     if (is_in_place(copy)) continue;
     if (input_kind(copy.to()) != InputKind::resource) {
       complain(tool, "cannot copy '" + copy.from +
-                         "': its name is that of no mesh or image; nothing was written");
+                         "': its name is not that of a mesh or image; nothing was written");
       return false;
     }
     const FileContent there = disk.read(copy.to(), limits.mesh_bytes);

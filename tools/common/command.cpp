@@ -149,7 +149,7 @@ std::vector<std::string_view> split_items(std::string_view list) {
 std::string none_of(std::string_view value, std::span<const std::string_view> known) {
   std::string words;
   for (const std::string_view word : known) words.append(words.empty() ? "" : ", ").append(word);
-  return "'" + std::string(value) + "' is none of " + words + did_you_mean(value, known);
+  return "'" + std::string(value) + "' is not one of " + words + did_you_mean(value, known);
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known) {

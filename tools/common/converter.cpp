@@ -30,12 +30,12 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
           allow_outside_option(options.allow_outside),
           limit_option(options.limits),
           color_option(options.color),
-          quiet_option(options.quiet, "Say nothing but errors.")};
+          quiet_option(options.quiet, "Print errors only.")};
 }
 
 Setter take_one_operand(std::string& operand) {
   return [&operand](std::string_view value) -> std::optional<std::string> {
-    if (!operand.empty()) return "'" + std::string(value) + "' is one operand too many";
+    if (!operand.empty()) return "'" + std::string(value) + "' is one argument too many";
     operand = value;
     return std::nullopt;
   };
@@ -55,8 +55,8 @@ std::optional<std::string> Conversion::find_in(const std::string& folder) const 
     std::erase_if(files, [&](const std::string& file) { return input_kind(file) != kind; });
     if (files.size() == 1) return files.front();
     if (files.empty()) continue;
-    complain(tool_, "'" + folder + "' holds " + std::to_string(files.size()) +
-                        " files that could be meant; name one, such as '" + files.front() + "'");
+    complain(tool_, "'" + folder + "' contains " + std::to_string(files.size()) +
+                        " files to choose from; name one, such as '" + files.front() + "'");
     return std::nullopt;
   }
   complain(tool_, why_nothing(found, folder));
@@ -74,7 +74,7 @@ bool Conversion::is_accepted(const std::string& path) const {
 
 std::optional<std::string> Conversion::open(const std::string& path) {
   if (path.empty()) {
-    complain(tool_, "no input is named; see --help");
+    complain(tool_, "no input file; see --help");
     return std::nullopt;
   }
   path_ = path;

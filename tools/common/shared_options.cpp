@@ -33,7 +33,8 @@ std::optional<std::string> set_limit(std::string_view item, Limits& limits) {
   const std::string_view text = item.substr(equals + 1);
   const std::optional<std::int64_t> number = parse_integer(text);
   if (!number || *number < 1 || static_cast<std::uint64_t>(*number) > info->most) {
-    return "'" + std::string(text) + "' is no whole number from 1 to " + std::to_string(info->most);
+    return "'" + std::string(text) + "' is not a whole number from 1 to " +
+           std::to_string(info->most);
   }
   limits.*info->value = static_cast<std::uint64_t>(*number);
   return std::nullopt;
@@ -91,17 +92,18 @@ Option report_option(std::string_view name, std::vector<ReportRequest>& reports)
 
 Option fail_on_option(Threshold& threshold) {
   using Level = std::optional<Severity>;
-  return {.group = "Exit code",
-          .name = "fail-on",
-          .metavar = "LEVEL",
-          .help =
-              "Exit with 1 on findings of this severity or above: error (the default), warning, "
-              "info or never.",
-          .values = {"error", "warning", "info", "never"},
-          .set = choose<Level>(threshold.fail_on, {{"error", Severity::error},
-                                                   {"warning", Severity::warning},
-                                                   {"info", Severity::info},
-                                                   {"never", std::nullopt}})};
+  return {
+      .group = "Exit code",
+      .name = "fail-on",
+      .metavar = "LEVEL",
+      .help =
+          "Exit with 1 on findings of this severity or above: error (the default), warning, info "
+          "or never.",
+      .values = {"error", "warning", "info", "never"},
+      .set = choose<Level>(threshold.fail_on, {{"error", Severity::error},
+                                               {"warning", Severity::warning},
+                                               {"info", Severity::info},
+                                               {"never", std::nullopt}})};
 }
 
 Option stdin_filename_option(std::string& path) {
@@ -124,8 +126,9 @@ Option limit_option(Limits& limits) {
   return {.group = "Input",
           .name = "limit",
           .metavar = "NAME=N",
-          .help = "Set another limit on what files may demand, such as yaml-depth=200; `--limit "
-                  "help` lists the limits.",
+          .help =
+              "Set another limit on what files may demand, such as yaml-depth=200; `--limit help` "
+              "lists the limits.",
           .help_page = limits_page,
           .set = [&limits](std::string_view list) -> std::optional<std::string> {
             for (const std::string_view item : split_items(list)) {
@@ -149,8 +152,8 @@ Option allow_outside_option(bool& allow_outside) {
       .group = "Input",
       .name = "allow-outside",
       .help =
-          "Read files that models name wherever they are. By default, only files in the "
-          "current folder, in the repository or package of the input, and in packages are read.",
+          "Read files that models name wherever they are. By default, only files in the current "
+          "folder, in the repository or package of the input, and in packages are read.",
       .set = set_flag(allow_outside)};
 }
 

@@ -35,7 +35,7 @@ std::optional<Version> open(const std::string& operand, const Options& options,
   if (!path) return std::nullopt;
   const InputKind kind = input_kind(*path);
   if (kind == InputKind::resource || kind == InputKind::other) {
-    complain(kTool, "'" + operand + "' is no model, scene, URDF or annotation file");
+    complain(kTool, "'" + operand + "' is not a model, scene, URDF or annotation file");
     return std::nullopt;
   }
   return Version{*path, operand};

@@ -13,33 +13,35 @@ namespace {
 Setter set_tolerance(double& tolerance) {
   return [&tolerance](std::string_view value) -> std::optional<std::string> {
     const std::optional<double> number = parse_number(value);
-    if (!number || *number < 0) return "'" + std::string(value) + "' is no number from 0 on";
+    if (!number || *number < 0) return "'" + std::string(value) + "' is not a number of at least 0";
     tolerance = *number;
     return std::nullopt;
   };
 }
 
 std::vector<Option> own_options(Options& options) {
-  return {{.group = "Comparison",
-           .name = "tolerance",
-           .metavar = "T",
-           .help = "Values that differ by no more than T are equal: metres and radians, and "
-                   "numbers without a unit, such as axes and colours, as they are; masses, "
-                   "inertias, efforts and other values with a unit relative to the larger one. "
-                   "The default is 1e-9.",
-           .set = set_tolerance(options.tolerance)},
-          {.group = "Output",
-           .name = "format",
-           .metavar = "FORMAT",
-           .help = "text (the default) or json.",
-           .values = {"text", "json"},
-           .set = choose<DiffFormat>(options.format,
-                                     {{"text", DiffFormat::text}, {"json", DiffFormat::json}})},
-          {.group = "Comparison",
-           .name = "git",
-           .help = "Be the diff driver of git: the operands are those that git gives, and the exit "
-                   "code is 0 when the files differ.",
-           .set = set_flag(options.for_git)}};
+  return {
+      {.group = "Comparison",
+       .name = "tolerance",
+       .metavar = "T",
+       .help =
+           "Treat values that differ by at most T as equal. T is absolute for metres, radians and "
+           "numbers without a unit (axes, colours), and relative to the larger value for masses, "
+           "inertias, efforts and all others. The default is 1e-9.",
+       .set = set_tolerance(options.tolerance)},
+      {.group = "Output",
+       .name = "format",
+       .metavar = "FORMAT",
+       .help = "text (the default) or json.",
+       .values = {"text", "json"},
+       .set = choose<DiffFormat>(options.format,
+                                 {{"text", DiffFormat::text}, {"json", DiffFormat::json}})},
+      {.group = "Comparison",
+       .name = "git",
+       .help =
+           "Run as the diff driver of git: take the operands that git passes, and exit with 0 when "
+           "the files differ.",
+       .set = set_flag(options.for_git)}};
 }
 
 }  // namespace
@@ -47,14 +49,14 @@ std::vector<Option> own_options(Options& options) {
 Command make_command(Options& options) {
   Command command;
   command.name = "smurf-diff";
-  command.summary = "Tells what differs for the robot between two versions of a model or scene.";
+  command.summary = "Shows what changed for the robot between two versions of a model or scene.";
   command.operands = "OLD NEW";
   command.details =
       "OLD and NEW are two models (.smurf, .urdf), two annotation files (.yml) or two scenes "
       "(.smurfs, .smurfa, .svg), or archives of them; '-' is standard input. Things are compared "
       "by their names: links, joints, visuals, collisions, inertias, materials, motors, sensors "
-      "and all other entries of annotations, entities of scenes. What was renamed is found by what "
-      "it is. Formatting, order, comments and values that readers take anyway are no differences; "
+      "and all other entries of annotations, entities of scenes. Renamed things are recognised by "
+      "their contents. Formatting, order, comments and values that equal the default are ignored; "
       "inertias are compared in the frame of the link, rotations by their angle, meshes by the "
       "content of their files. A model and a URDF are compared as robots, without annotations. The "
       "exit code is 0 when nothing differs, 1 when something does, 2 when a file cannot be read.";
@@ -72,9 +74,9 @@ Command make_command(Options& options) {
   command.examples = {
       {"smurf-diff old/robot.urdf new/robot.urdf", "Compare two versions of a robot:"},
       {"git config diff.smurf.command \"smurf-diff --git\"",
-       "Let git show robots, with the line \"*.urdf diff=smurf\" in .gitattributes:"},
+       "Show robots in git diff, with the line \"*.urdf diff=smurf\" in .gitattributes:"},
       {"smurf-diff --format json -o changes.json old/cell.smurfs new/cell.smurfs",
-       "Compare scenes, for a program:"},
+       "Compare scenes, and write JSON for a program:"},
       {"smurf-diff --tolerance 1e-4 robot.urdf exported.urdf", "Ignore rounding errors:"}};
   return command;
 }

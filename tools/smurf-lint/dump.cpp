@@ -25,7 +25,7 @@ std::optional<std::string> main_file(const std::string& path, const FileReader& 
   if (!main || *main != path) return main;
   const InputKind kind = input_kind(path);
   if (kind != InputKind::resource && kind != InputKind::other) return main;
-  complain(kTool, "'" + path + "' is no model, scene, URDF or annotation file");
+  complain(kTool, "'" + path + "' is not a model, scene, URDF or annotation file");
   return std::nullopt;
 }
 

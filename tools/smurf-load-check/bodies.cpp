@@ -38,7 +38,7 @@ constexpr std::string_view kNoMass =
 constexpr std::string_view kNoInertia = "ODE refuses a body whose inertia is not positive definite";
 constexpr std::string_view kTooLarge =
     "ODE does not test it: the body gains energy when it turns fast";
-constexpr std::string_view kNoAxis = "ODE and MARS stop at a joint without direction";
+constexpr std::string_view kNoAxis = "ODE and MARS stop at a joint whose axis has no direction";
 
 class BodyCheck {
  public:
@@ -131,7 +131,7 @@ class BodyCheck {
                                           whose + " is zero, its mass is not", kNoInertia)
                              : *fault == InertiaFault::refused
                                  ? report(rules::sml1512_not_positive_definite, place,
-                                          whose + " is not that of any body", kNoInertia)
+                                          whose + " is not physically possible", kNoInertia)
                                  : report(rules::sml1513_triangle_violated, place,
                                           whose + " is not physically possible", kTooLarge);
     diagnostic.caret = moments_text(principal_moments(inertia));
@@ -142,7 +142,7 @@ class BodyCheck {
     }
   }
 
-  /// Whatever the linter makes of it in general: here it is in the way of a simulation.
+  /// An error, whatever its severity in the linter, because it prevents a simulation.
   Diagnostic& report(const Rule& rule, Span place, std::string message, std::string_view ode) {
     Diagnostic& diagnostic = sink_.report(rule, place, std::move(message));
     diagnostic.severity = Severity::error;
@@ -203,11 +203,11 @@ class BodyCheck {
       figure.place = joint.place;
     }
     if (ratio <= figure.limit) return;
-    Diagnostic& diagnostic =
-        report(rules::sml1525_mass_ratio, joint.place,
-               joint.name + " connects masses that are too far apart for ODE",
-               "its equations lose as many digits as the masses differ: the light body trembles "
-               "or is torn off");
+    Diagnostic& diagnostic = report(
+        rules::sml1525_mass_ratio, joint.place,
+        joint.name + " connects masses that are too far apart for ODE",
+        "its equations lose as many digits as the masses differ: the light body trembles or is "
+        "torn off");
     diagnostic.severity = Severity::warning;
     diagnostic.caret = format_rounded(parent) + " kg above, " + format_rounded(child) + " kg below";
   }

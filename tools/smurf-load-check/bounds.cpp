@@ -40,7 +40,7 @@ std::optional<std::string> Bounds::set(std::string_view assignment) {
   if (equals == assignment.size()) return "'" + std::string(name) + "' has no value: NAME=VALUE";
   const auto value = parse_number(assignment.substr(equals + 1));
   if (!value || !(*value >= 0)) {
-    return "'" + std::string(assignment.substr(equals + 1)) + "' is no number of at least 0";
+    return "'" + std::string(assignment.substr(equals + 1)) + "' is not a number of at least 0";
   }
   limits_[index] = *value;
   return std::nullopt;

@@ -19,13 +19,13 @@ struct BoundInfo {
 inline constexpr std::array<BoundInfo, 9> kBounds = {{
     {"axis", "", 1e-3, "difference of the length of a joint's axis from 1"},
     {"mass-ratio", "", 1e5, "masses of two jointed bodies, the larger by the smaller"},
-    {"overlap", "m", 1e-4, "depth of two shapes in each other at the start"},
-    {"motion", "m", 1e-9, "way of a link without gravity; a radian counts as a metre"},
-    {"gap", "m", 1e-3, "distance of the two halves of a joint, hanging"},
-    {"twist", "rad", 1e-2, "angle between the two halves of a joint, hanging"},
+    {"overlap", "m", 1e-4, "depth of the overlap of two shapes at the start"},
+    {"motion", "m", 1e-9, "movement of a link without gravity; a radian counts as a metre"},
+    {"gap", "m", 1e-3, "gap between the two sides of a joint while hanging"},
+    {"twist", "rad", 1e-2, "angle between the two sides of a joint while hanging"},
     {"hang-energy", "m", 1e-3, "energy gained while hanging, by the weight"},
     {"drop-energy", "m", 0.1, "energy gained while dropping, by the weight"},
-    {"anchor", "m", 1e-6, "way of an anchored root link; a radian counts as a metre"},
+    {"anchor", "m", 1e-6, "movement of an anchored root link; a radian counts as a metre"},
 }};
 
 class Bounds {

@@ -134,18 +134,18 @@ class ModelCheck {
       }
     });
     result.figures.push_back(figure);
-    // What jumps to its stops is explained by the findings about the limits.
+    // The findings about the limits explain joints that jump to their stops.
     const bool is_explained = std::any_of(fixed_.joints.begin(), fixed_.joints.end(), is_outside);
     if (!is_finite || figure.is_within() || is_explained) return;
     run_.sink()
         .report(rules::sml6302_moves_at_rest, figure.place,
-                figure.worst + " moves although nothing pulls at it")
+                figure.worst + " moves although no force acts on it")
         .caret = "by " + format_rounded(figure.value, 3) + " m";
   }
 
   static bool is_outside(const JointPlan& joint) { return outside_limits(joint) > 0; }
 
-  /// Joints that cannot be at zero, or that start outside their limits in spite of all.
+  /// Joints that cannot be at zero, or that start outside their limits nevertheless.
   void report_limits() {
     for (const JointPlan& joint : fixed_.joints) {
       if (!joint.limits) continue;
@@ -215,7 +215,7 @@ class ModelCheck {
     add_causes(diagnostic);
   }
 
-  /// What is known to throw a robot about, whichever of its parts is the fastest.
+  /// The known causes that fling a robot away, whichever of its parts is the fastest.
   void add_causes(Diagnostic& diagnostic) const {
     for (const JointPlan& joint : fixed_.joints) {
       if (!is_outside(joint)) continue;

@@ -187,7 +187,7 @@ class SceneCheck {
     if (is_finite && !figure.is_within()) {
       run_.sink()
           .report(rules::sml6601_anchor_moves, figure.place,
-                  figure.worst + " moves against its anchor")
+                  figure.worst + " moves relative to its anchor")
           .caret = "by " + format_rounded(figure.value, 3) + " m";
     }
     result.note = count_of(watched.size(), "anchor", "anchors");

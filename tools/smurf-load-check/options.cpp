@@ -31,7 +31,7 @@ Setter set_seconds(std::optional<double>& seconds, double most) {
   return [&seconds, most](std::string_view text) -> std::optional<std::string> {
     const auto value = parse_number(text);
     if (!value || !(*value > 0) || !(*value <= most)) {
-      return "'" + std::string(text) + "' is no number of seconds above 0, at most " +
+      return "'" + std::string(text) + "' is not a number of seconds above 0, at most " +
              format_number(most);
     }
     seconds = *value;
@@ -86,7 +86,7 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "stages",
        .metavar = "LIST",
-       .help = "Only these stages: pose0, still, hang, drop, anchor. BUILD is always run.",
+       .help = "Run only these stages: pose0, still, hang, drop, anchor. BUILD is always run.",
        .set = set_stages(options.check.stages)},
       {.group = "Check",
        .name = "pose",
@@ -105,9 +105,8 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "step",
        .metavar = "S",
-       .help =
-           "Seconds of one step; the default is 0.001, for which the bounds are chosen; for ANCHOR "
-           "it is the step of the scene, else 0.01.",
+       .help = "Seconds of one simulation step. The default is 0.001, for which the bounds are "
+               "calibrated; for ANCHOR, the step of the scene, or 0.01.",
        .set = set_seconds(options.check.step, kLongestStep)},
       {.group = "Check",
        .name = "bounds",
@@ -123,7 +122,9 @@ std::vector<Option> check_options(Options& options) {
       {.group = "Check",
        .name = "memory-limit",
        .metavar = "MB",
-       .help = "Megabytes that one check may take beside the files; the default is 160.",
+       .help =
+           "Megabytes of memory that one check may use in addition to its files; the default is "
+           "160.",
        .set = set_memory_limit(options.limits.memory_bytes)},
   };
 }
@@ -142,8 +143,8 @@ std::vector<Option> output_options(Options& options) {
        .name = "trace",
        .metavar = "FILE",
        .help =
-           "Write the pose of every link after every step, as CSV; at most 64 MB. The checks are run "
-           "one after the other.",
+           "Write the pose of every link after every step, as CSV; at most 64 MB. The checks are "
+           "run one after the other.",
        .set = tools::set_text(options.trace)},
       {.group = "Output",
        .name = "plot",
@@ -163,15 +164,16 @@ tools::Command command_of(Options& options) {
       "stand, hang and drop without breaking.";
   command.operands = "[PATH]...";
   command.details =
-      "PATH is a .smurf, .urdf, .smurfs, .smurfa or .svg file, an archive (.zsmurf, .zsmurfs, .zsmurfa), or a folder that is searched for "
-      "models and scenes; '.' unless given. Every model is checked on its own: BUILD makes bodies, joints and shapes; "
-      "POSE0 reports overlapping shapes; STILL reports motion without gravity; "
-      "HANG fixes the root link and lets the rest hang; DROP drops the model from a millimetre. In a scene, "
-      "ANCHOR reports anchors that give way. Parts that ODE refuses to build are replaced, so that the rest is "
-      "checked; after any other failed stage the check ends. When ODE's solver gives up, the stage has no "
-      "verdict and does not pass. Meshes that stand still "
-      "are triangles; those that move are boxes around them, which touch the ground and the "
-      "surroundings only, as ODE may crash where two meshes of triangles cross.";
+      "PATH is a .smurf, .urdf, .smurfs, .smurfa or .svg file, an archive (.zsmurf, .zsmurfs, "
+      ".zsmurfa), or a folder to search; without one, the current folder is searched. Every model "
+      "is checked on its own: BUILD makes bodies, joints and shapes; POSE0 reports overlapping "
+      "shapes; STILL reports motion without gravity; HANG fixes the root link and lets the other "
+      "links hang; DROP drops the model from a millimetre. In a scene, ANCHOR reports anchors that "
+      "give way. Parts that ODE refuses to build are replaced, so that the rest is checked; after "
+      "any other failed stage the check ends. When ODE's solver gives up, the stage has no verdict "
+      "and does not pass. Meshes that do not move keep their triangles. Moving meshes become their "
+      "bounding boxes, which touch only the ground and the surroundings, because ODE may crash "
+      "where two triangle meshes cross.";
   for (auto& group : {check_options(options), output_options(options)}) {
     command.options.insert(command.options.end(), group.begin(), group.end());
   }
@@ -183,7 +185,7 @@ tools::Command command_of(Options& options) {
   command.options.push_back(tools::jobs_option(options.jobs));
   command.options.push_back(tools::color_option(options.color));
   command.options.push_back(
-      tools::quiet_option(options.quiet, "No tables of what passes, and no summary."));
+      tools::quiet_option(options.quiet, "Print no tables of models that pass, and no summary."));
   command.set_operand = tools::append_to(options.input.paths);
   command.examples = {{"smurf-load-check robot.smurf", "Check one robot:"},
                       {"smurf-load-check -j 4 --format json -o report.json models/",

@@ -35,7 +35,7 @@ std::string package_folder(const LinkedModel& model, const Options& options) {
 /// Why the options cannot be applied to this model; "" when they can.
 std::string problem_of(const LinkedModel& model, const UrdfExport& options) {
   if (options.base != BaseJoint::as_is) {
-    if (model.tree.roots.size() != 1) return "has no single root that --base could hold";
+    if (model.tree.roots.size() != 1) return "has no single root for --base";
     if (model.link_names.contains("world")) return "has a link `world` already; leave --base out";
   }
   if (options.mesh_uri == MeshUri::package) {

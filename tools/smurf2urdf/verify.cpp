@@ -55,7 +55,7 @@ Verification verify(const LinkedModel& model, const SourceMap& sources, const st
     verification.proof = compare_models(model, result, proof_scope(options));
   }
   if (!verification.proof.holds()) {
-    verification.problem = "the result is another robot: " + verification.proof.difference;
+    verification.problem = "the exported robot differs: " + verification.proof.difference;
   }
   // urdfdom before 5.1 refuses every version but 1.0.
   const bool is_known = options.version.empty() || options.version == "1.0";

@@ -50,7 +50,7 @@ std::vector<std::string_view> format_names() {
 }
 
 std::string format_help() {
-  std::string help = "What to write; json unless given.";
+  std::string help = "The output format; the default is json.";
   for (const SceneFormat* format : scene_formats()) {
     help += " " + std::string(format->name) + ": " + std::string(format->help) + ".";
   }
@@ -64,7 +64,7 @@ std::vector<std::string_view> dialect_names() {
 }
 
 std::string dialect_help() {
-  std::string help = "How the scene is read.";
+  std::string help = "Read the scene as one of these does.";
   for (const Dialect* dialect : dialects()) {
     help += " " + std::string(dialect->name) + ": " + std::string(dialect->help) +
             (dialect == dialects().front() ? " (default)." : ".");
@@ -86,8 +86,9 @@ void add_options(Command& command, Options& options) {
        .set = set_text(options.format)});
   add({.name = "form",
        .metavar = "FORM",
-       .help = "reference names the files of models, expand writes the models out. Formats that "
-               "can do both expand unless told, which loses less.",
+       .help =
+           "reference: name the files of the models; expand: write the models out. Formats that "
+           "support both expand by default, which loses less.",
        .values = {"reference", "expand"},
        .set = set_text(options.form)});
   add({.name = "links",
@@ -99,13 +100,15 @@ void add_options(Command& command, Options& options) {
        .values = dialect_names(),
        .set = set_text(options.dialect)});
   add({.name = "compare-dialects",
-       .help = "Print a table of the entities whose pose differs between dialects; with --format "
-               "json, as JSON.",
+       .help =
+           "Print a table of the entities whose pose differs between dialects; with --format json, "
+           "as JSON.",
        .set = set_flag(options.compare_dialects)});
   add({.name = "copy-assets",
        .metavar = "DIR",
-       .help = "Copy the meshes, textures and heightmaps that the result names into DIR, and name "
-               "the copies.",
+       .help =
+           "Copy the meshes, textures and heightmaps that the result names into DIR, and name the "
+           "copies.",
        .set = set_text(options.assets)});
   add({.name = "overwrite",
        .help = "With --copy-assets: replace files that exist.",
@@ -123,7 +126,7 @@ void add_options(Command& command, Options& options) {
        .set = set_flag(options.force)});
   add({.name = "loss-report",
        .metavar = "FILE",
-       .help = "Write what the format cannot say to FILE, as JSON.",
+       .help = "List everything that the format cannot express in FILE, as JSON.",
        .set = set_text(options.loss_report)});
   add({.name = "strict",
        .help = "Refuse to write when the format cannot express something.",
@@ -134,17 +137,17 @@ Command make_command(Options& options) {
   Command command;
   command.name = kTool;
   command.summary =
-      "Expands a SMURF scene: every entity, those of nested scenes included, with its "
-      "pose in the world.";
+      "Expands a SMURF scene: every entity, those of nested scenes included, with its pose in the "
+      "world.";
   command.operands = "SCENE";
   command.details =
-      "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive of one, a drawing (.svg) whose groups "
-      "are entities, or a folder with one scene; a .smurf or .urdf counts as a scene of one model. "
-      "Poses are those of the URDF root links, in metres and unit quaternions; a parent link is "
-      "taken in the joint pose that its entity names. A scene is refused when it is not known where "
-      "everything stands; other errors of its models are counted, and smurf-lint shows them.";
-  command.options = converter_options(options.common, "Write the result to FILE; without it, or "
-                                                      "with '-', to standard output.");
+      "SCENE is a .smurfs or .smurfa file, a .zsmurfs archive of one, a drawing (.svg) whose "
+      "groups are entities, or a folder with one scene; a .smurf or .urdf counts as a scene of one "
+      "model. Poses are those of the URDF root links, in metres and unit quaternions; the pose of "
+      "a parent link depends on the joint pose of its entity. A scene is refused when some pose is "
+      "unknown; other errors of its models are counted, and smurf-lint shows them.";
+  command.options = converter_options(
+      options.common, "Write the result to FILE; without it, or with '-', to standard output.");
   add_options(command, options);
   command.set_operand = take_one_operand(options.scene);
   command.examples = {
@@ -187,7 +190,7 @@ int explain_instance(LinkedScene& scene, const SourceMap& sources, const Options
   std::optional<std::string> text = describe_chain(scene, sources, *instance, dialect);
   if (!text) {
     complain(kTool, "more than " + std::to_string(kMostSteps) + " transforms lead to '" +
-                        options.explained + "', too many to be told");
+                        options.explained + "', too many to show");
     return kFailed;
   }
   if (!reading.note.empty()) *text += options.dialect + " " + render::escape(reading.note) + "\n";
@@ -206,7 +209,7 @@ bool check_options(const Options& options) {
   return false;
 }
 
-/// What was not understood when the scene was read and leaves no pose to write.
+/// Findings of reading the scene that leave no pose to write.
 std::optional<std::string> first_loss(const LoadedScene& loaded) {
   for (const Diagnostic& finding : loaded.found.diagnostics()) {
     if (auto loss = loss_in_scene(finding, *loaded.sources)) return loss;
@@ -352,7 +355,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
   if (!conversion.keeps_inputs({options.common.output, options.loss_report})) return kFailed;
   if (!keeps_inputs(kTool, conversion.inputs(), copies)) return kFailed;
-  // A comment lets a finding pass, but does not tell the pose.
+  // A comment suppresses a finding, but does not make the pose known.
   const std::optional<std::string> loss = first_loss(*loaded);
   const ExitCode verdict = conversion.report(
       *loaded, [&](const Diagnostic& finding) { return loss_in_scene(finding, sources); });

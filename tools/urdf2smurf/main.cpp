@@ -39,8 +39,8 @@ struct Options {
 std::vector<Option> own_options(Options& options) {
   std::vector<Option> own = {
       {.name = "in-place",
-       .help = "Leave the URDF where it is and write the SMURF files beside it, or to the folder "
-               "of -o.",
+       .help =
+           "Leave the URDF where it is and write the SMURF files beside it, or to the folder of -o.",
        .set = set_flag(options.in_place)},
       {.name = "flat",
        .help = "Write all files into one folder, not into smurf/ and urdf/.",
@@ -95,21 +95,23 @@ Command make_command(Options& options) {
       "Gazebo's, materials from colours.";
   command.operands = "URDF";
   command.details =
-      "Writes DIR/smurf/NAME.smurf, DIR/smurf/NAME_*.yml and DIR/urdf/NAME.urdf; all of them or, "
-      "when something goes wrong, none. The URDF stays whole; what has no section in SMURF is "
-      "repeated as text, so that nothing is lost. URDF is a file or a folder with one. It is refused "
-      "when its links form no robot or a value cannot be read; its other errors are counted, and "
-      "smurf-lint shows them.";
+      "Writes DIR/smurf/NAME.smurf, DIR/smurf/NAME_*.yml and DIR/urdf/NAME.urdf; either all of "
+      "them or none. The URDF is kept complete; whatever has no section in SMURF is repeated as "
+      "text, so that nothing is lost. URDF is a file or a folder with one. It is refused when its "
+      "links form no robot or a value cannot be read; its other errors are counted, and smurf-lint "
+      "shows them.";
   command.options = converter_options(options.common, "Write into the folder DIR.");
   for (Option& option : command.options) {
     if (option.name == "output") option.metavar = "DIR";
   }
   for (Option& option : own_options(options)) command.options.push_back(std::move(option));
   command.set_operand = take_one_operand(options.urdf);
-  command.examples = {{"urdf2smurf robot.urdf -o robot", "make a folder as Phobos does"},
-                      {"urdf2smurf robot.urdf --copy-meshes -o robot", "with the meshes in it"},
-                      {"urdf2smurf robot.urdf --in-place", "put the SMURF files beside the URDF"},
-                      {"xacro robot.xacro | urdf2smurf - --name robot -o robot", "from a pipe"}};
+  command.examples = {
+      {"urdf2smurf robot.urdf -o robot", "Make a folder as Phobos does:"},
+      {"urdf2smurf robot.urdf --copy-meshes -o robot", "Copy the meshes into the folder:"},
+      {"urdf2smurf robot.urdf --in-place", "Put the SMURF files beside the URDF:"},
+      {"xacro robot.xacro | urdf2smurf - --name robot -o robot",
+       "Read the URDF from another program:"}};
   return command;
 }
 
@@ -123,7 +125,8 @@ std::string problem_of(const Options& options) {
   if (!options.in_place && options.common.output.empty()) {
     return "say where to write with -o DIR, or use --in-place";
   }
-  if (options.common.output == "-") return "a model is several files: -o names a folder";
+  if (options.common.output == "-")
+    return "a model consists of several files, so -o must name a folder";
   if (options.name.find('/') != std::string::npos || options.name == "." || options.name == "..") {
     return "--name is the name of a file, without folder";
   }
@@ -158,11 +161,11 @@ bool has_rule(std::span<const Diagnostic> findings, const Rule& rule) {
                      [&](const Diagnostic& one) { return one.rule == &rule; });
 }
 
-/// The last look at the model before it is written: read again, it must be the same robot, and no
-/// error may be new.
+/// The last check of the model before it is written: read again, it must be the same robot, and
+/// have no new error.
 Verification verify(const LinkedModel& source, std::span<const Diagnostic> known, const Plan& plan,
                     const Options& options, bool source_is_sound) {
-  // The result may be larger than what it was made of, and it is the user's own.
+  // Without limits: the result may be larger than its source, which the user chose.
   Limits limits = options.common.limits;
   for (const LimitInfo& info : kLimits) {
     limits.*info.value = std::max(limits.*info.value, Limits{}.*info.value);
@@ -180,12 +183,13 @@ Verification verify(const LinkedModel& source, std::span<const Diagnostic> known
   const LinkedModel& result = written.model;
   if (!result.robot) return {"the result cannot be read again; this is a defect of this tool"};
   const Proof proof = compare_models(source, result);
-  if (!proof.holds()) return {"the result is another robot: " + proof.difference};
+  if (!proof.holds()) return {"the resulting robot differs: " + proof.difference};
   Verification verification;
   if (!source_is_sound) return verification;
   for (const Diagnostic& diagnostic : session.check(written).diagnostics) {
     if (diagnostic.severity != Severity::error) continue;
-    // What MARS makes of the URDF is for the author to know, and no fault of what is added to it.
+    // Trouble that MARS has with the URDF is for the author to know, not a fault of the added
+    // files.
     if (written.sources->path(diagnostic.span.source).ends_with(".urdf")) {
       verification.for_mars += !has_rule(known, *diagnostic.rule);
       continue;
@@ -238,8 +242,8 @@ std::string describe(const NewModel& made, const AssetCopies& copies) {
 /// effort.
 std::string remark_on_motors(const NewModel& made, MotorChoice choice, std::size_t dead_motors) {
   if (dead_motors > 0) {
-    return counted(dead_motors, "motor value") + " missing, which MARS takes for 0 (SML4103): "
-                                                 "the joints have no `velocity` or `effort`";
+    return counted(dead_motors, "motor value") +
+           " missing, which MARS takes for 0 (SML4103): the joints have no `velocity` or `effort`";
   }
   const bool has_motors = std::any_of(made.files.begin(), made.files.end(),
                                       [](const NewFile& file) { return file.suffix == "motors"; });
@@ -313,7 +317,7 @@ bool write_plan(const Plan& plan, const Options& options, const Conversion& conv
                     [&] { return write_files(kTool, written, options.overwrite); });
 }
 
-/// What is no error, and keeps a robot from being what its author expects.
+/// Remarks for the user: no errors, but reasons why the robot may not behave as expected.
 std::string remarks_on(const LinkedModel& model, const Plan& plan, const Options& options,
                        const Verification& verification) {
   std::string text = remark_on_motors(plan.made, options.motors, verification.dead_motors);
@@ -324,7 +328,7 @@ std::string remarks_on(const LinkedModel& model, const Plan& plan, const Options
         (options.in_place ? "--in-place changes no URDF" : "no file was found"));
   }
   if (verification.for_mars > 0) {
-    add("MARS makes something else of the URDF (" + counted(verification.for_mars, "error") +
+    add("MARS reads the URDF differently (" + counted(verification.for_mars, "error") +
         "): see smurf-lint " + path::join(plan.folder, plan.texts.back().path));
   }
   return text;

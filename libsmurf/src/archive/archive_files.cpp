@@ -144,14 +144,15 @@ ArchivedMain main_file_of_archive(const std::string& archive, const FileReader& 
       });
   if (namesake != candidates.end()) return {*namesake, {}};
   if (candidates.size() == 1) return {candidates.front(), {}};
-  if (!candidates.empty()) return {{}, "holds several " + wanted + " and none of its own name"};
+  if (!candidates.empty())
+    return {{}, "contains several " + wanted + ", none of which has the name of the archive"};
   const FileContent inside =
       files.read(archive + "/" + std::string(path::stem(archive)) + wanted, 0);
   constexpr std::string_view kArchive = "the archive ";
   if (inside.status == ReadStatus::denied && inside.reason.starts_with(kArchive)) {
     return {{}, inside.reason.substr(kArchive.size())};
   }
-  return {{}, "holds no " + wanted};
+  return {{}, "contains no " + wanted};
 }
 
 }  // namespace smurf

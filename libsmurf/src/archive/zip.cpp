@@ -77,7 +77,7 @@ class Reader {
     functions.zerror_file = error_of_memory;
     functions.opaque = &file_;
     const Zip zip(unzOpen2_64(nullptr, &functions));
-    if (!zip) return fail("is no zip archive");
+    if (!zip) return fail("is not a zip archive");
     int status = unzGoToFirstFile(zip.get());
     for (; status == UNZ_OK; status = unzGoToNextFile(zip.get())) {
       if (!add_file(zip.get())) return std::move(archive_);
@@ -106,17 +106,17 @@ class Reader {
         UNZ_OK) {
       return refuse("is a broken zip archive");
     }
-    if (info.size_filename >= name.size()) return refuse("holds a file with too long a name");
+    if (info.size_filename >= name.size()) return refuse("contains a file with too long a name");
     name.resize(info.size_filename);
     if (name.ends_with('/')) return true;  // a folder
-    if (!is_inside(name)) return refuse("holds the file '" + name + "', which is not inside it");
+    if (!is_inside(name)) return refuse("contains the file '" + name + "', which is not inside it");
     const std::uint64_t most_files = budget_.limits().archive_files;
     if (archive_.files.size() >= most_files) {
-      return refuse("holds more than " + std::to_string(most_files) + " files; " +
+      return refuse("contains more than " + std::to_string(most_files) + " files; " +
                     raise_limit("archive-files"));
     }
     // Otherwise a small archive could have the same bytes unpacked thousands of times.
-    if (info.compressed_size > packed_left_) return refuse("holds files that share their bytes");
+    if (info.compressed_size > packed_left_) return refuse("contains files that share their bytes");
     packed_left_ -= info.compressed_size;
     if ((info.flag & 1U) != 0) return refuse("is encrypted");
     std::string text;

@@ -51,7 +51,7 @@ struct Motion {
   }
 };
 
-/// What MARS takes of a group: the first elements of these names anywhere in it.
+/// What MARS reads of a group: the first elements of these names anywhere in it.
 struct Group {
   xml::View element;
   std::optional<std::size_t> outer;  ///< the group around it
@@ -123,7 +123,7 @@ class DrawingReader {
     const std::optional<double> value = parse_number(trimmed(width->value()));
     if (value) return value;
     Diagnostic& diagnostic = sink_.report(rules::sml5042_drawing_width, width->value_span(),
-                                          "the `width` is no plain number, so MARS reads 0");
+                                          "the `width` is not a plain number, so MARS reads 0");
     const std::size_t end = width->value().find_first_not_of("0123456789.");
     if (end != std::string_view::npos && parse_number(width->value().substr(0, end))) {
       diagnostic.help = "write it without a unit: " + std::string(width->value().substr(0, end));
@@ -150,7 +150,7 @@ class DrawingReader {
     const std::size_t open = text.find('(');
     const std::size_t close = text.find(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
-      refuse_transform(*transform, "this is no transform");
+      refuse_transform(*transform, "this is not a transform");
       return std::nullopt;
     }
     const std::string name(trimmed(text.substr(0, open)));
@@ -170,10 +170,11 @@ class DrawingReader {
     if (!values || values->size() != count) {
       const auto by_blanks = numbers(words(inside));
       const bool has_blanks = by_blanks && by_blanks->size() == count;
-      refuse_transform(*transform, has_blanks ? "MARS wants commas between the numbers, and finds "
-                                                "no transform here"
-                                              : "`" + name + "` takes " + std::to_string(count) +
-                                                    " numbers with commas between them");
+      refuse_transform(*transform,
+                       has_blanks
+                           ? "MARS expects commas between the numbers, and finds no transform here"
+                           : "`" + name + "` takes " + std::to_string(count) +
+                                 " numbers with commas between them");
       return std::nullopt;
     }
     if (!is_matrix) return Motion{1, 0, (*values)[0], (*values)[1]};
@@ -185,7 +186,7 @@ class DrawingReader {
                                       const std::vector<double>& m) {
     const double length = hypotenuse(m[0], m[1]);
     if (!(length > 1e-9)) {
-      refuse_transform(transform, "the matrix makes everything flat, so that no angle follows");
+      refuse_transform(transform, "the matrix makes everything flat, so it has no angle");
       return std::nullopt;
     }
     const double cosine = m[0] / length;
@@ -195,17 +196,17 @@ class DrawingReader {
     const bool is_rigid = is_near(m[0], cosine) && is_near(m[1], sine) && is_near(m[2], -sine) &&
                           is_near(m[3], cosine);
     if (!is_rigid) {
-      Diagnostic& diagnostic = sink_.report(
-          rules::sml5041_drawing_transform, transform.value_span(),
-          "the matrix stretches or mirrors, of which MARS takes the angle and the place only");
+      Diagnostic& diagnostic =
+          sink_.report(rules::sml5041_drawing_transform, transform.value_span(),
+                       "the matrix stretches or mirrors, but MARS uses only its angle and place");
       diagnostic.severity = Severity::warning;
     }
     return Motion{cosine, sine, m[4], m[5]};
   }
 
   void report_nesting(const Group& group) {
-    const std::string what = group.title ? "this entity holds other groups"
-                                         : "this group holds other groups and is no entity";
+    const std::string what = group.title ? "this entity contains other groups"
+                                         : "this group contains other groups and is not an entity";
     const bool moves = group.element.attribute("transform") != nullptr;
     Diagnostic& diagnostic = sink_.report(
         rules::sml5043_nested_drawing_group, group.element.name_span(),
@@ -258,18 +259,19 @@ class DrawingReader {
     const std::string_view text =
         group.description ? trimmed(group.description.text()) : std::string_view();
     if (text.empty()) {
-      refuse_group(group.description ? group.description.name_span() : entity.group,
-                   "this group has no `<desc>origin_z: NUMBER</desc>`, without which MARS stops "
-                   "with an uncaught exception");
+      refuse_group(
+          group.description ? group.description.name_span() : entity.group,
+          "this group has no `<desc>origin_z: NUMBER</desc>`, without which MARS stops with an "
+          "uncaught exception");
       return false;
     }
     const Span place = inner(group.description.text_span(), group.description, text);
     const std::vector<std::string_view> parts = words(text);
     if (parts.front() != "origin_z:") {
-      Diagnostic& diagnostic =
-          sink_.report(rules::sml5040_incomplete_drawn_entity, place,
-                       "the description does not begin with `origin_z:`, so that the entity "
-                       "stands as high as the one before it");
+      Diagnostic& diagnostic = sink_.report(
+          rules::sml5040_incomplete_drawn_entity, place,
+          "the description does not begin with `origin_z:`, so the entity is as high as the one "
+          "before it");
       diagnostic.severity = Severity::warning;
       entity.z = z;
       return true;
@@ -297,9 +299,10 @@ class DrawingReader {
     const bool begins = parts.size() > 1 && (parts[0] == "m" || parts[0] == "M");
     auto point = begins ? numbers(split(parts[1], ",")) : std::nullopt;
     if (point && point->size() == 2) return point;
-    refuse_group(data != nullptr ? data->value_span() : group.path.name_span(),
-                 "the path does not begin with `m X,Y`, which is where MARS looks for the origin "
-                 "of the entity");
+    refuse_group(
+        data != nullptr ? data->value_span() : group.path.name_span(),
+        "the path does not begin with `m X,Y`, which is where MARS looks for the origin of the "
+        "entity");
     return std::nullopt;
   }
 

@@ -80,7 +80,7 @@ FormatPart part_of(const SectionSpec& section) {
 
 FormatPart main_part() {
   FormatPart part{.name = "main file",
-                  .doc = "The .smurf file. It may hold sections of annotations itself; Phobos 2 "
+                  .doc = "The .smurf file. It may contain sections of annotations itself; Phobos 2 "
                          "ignores those.",
                   .form = "a mapping",
                   .read_by = "MARS 1, MARS 2, MARS with envire, Phobos 2"};

@@ -71,7 +71,7 @@ bool is_mapping(const yaml::Document& document, std::string_view what, Diagnosti
   sink.report(rules::sml2011_root_not_mapping, place,
               "the " + std::string(what) +
                   (is_empty ? std::string(" is empty")
-                            : " holds " + describe(root) + " instead of keys and values"));
+                            : " contains " + describe(root) + " instead of keys and values"));
   return false;
 }
 

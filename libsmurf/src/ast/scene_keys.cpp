@@ -19,19 +19,20 @@ constexpr KeySpec kEntity[] = {
      .is_path = true},
     {.name = "type",
      .type = text,
-     .doc = "smurf, urdf, smurfs, smurfa, scn, scene, yml, primitive or a type of a plug-in; "
-            "absent, it is the extension of `file`.",
+     .doc = "smurf, urdf, smurfs, smurfa, scn, scene, yml, primitive or a type of a plug-in; the "
+            "default is the extension of `file`.",
      .read_by = "MARS 1"},
     {.name = "position",
      .type = position,
-     .doc = "Where the root link's frame is, seen from the parent's frame.",
+     .doc = "Position of the root link's frame in the parent's frame.",
      .unit = "m",
      .fallback = "[0, 0, 0]"},
     {.name = "rotation",
      .type = rotation,
-     .doc = "How the root link's frame is turned, seen from the parent's frame: one number turns "
-            "about z, three turn about the fixed axes x, then y, then z (all in degrees), four "
-            "are a unit quaternion w, x, y, z.",
+     .doc =
+         "Rotation of the root link's frame in the parent's frame: one number is an angle about z, "
+         "three are angles about the fixed axes x, then y, then z (all in degrees), four are a "
+         "unit quaternion w, x, y, z.",
      .unit = "deg",
      .fallback = "[1, 0, 0, 0]"},
     {.name = "parent",
@@ -42,8 +43,9 @@ constexpr KeySpec kEntity[] = {
      .names = {NameKind::entity | NameKind::link}},
     {.name = "anchor",
      .type = frame,
-     .doc = "What the root link is fixed to: `none`, `world`, `parent` (the link named by "
-            "`parent`), or `ENTITY::LINK`. Fixing moves nothing.",
+     .doc =
+         "What the root link is fixed to: `none`, `world`, `parent` (the link named by `parent`), "
+         "or `ENTITY::LINK`. Anchoring does not move the entity.",
      .fallback = "\"none\"",
      .names = {NameKind::entity | NameKind::link}},
     {.name = "pose",
@@ -57,13 +59,15 @@ constexpr KeySpec kEntity[] = {
      .read_by = "MARS 1"},
     {.name = "URI",
      .type = text,
-     .doc = "File of an entity in scenes of Phobos 0.6; MARS replaces the key by the contents of "
-            "that file before it looks for one.",
+     .doc =
+         "File of an entity in scenes of Phobos 0.6; MARS replaces the key by the contents of that "
+         "file before it looks for one.",
      .read_by = "MARS 1"},
     {.name = "root",
      .type = boolean,
-     .doc = "Marks the root of an assembly: in a list `smurfa` only such entities take parent "
-            "and anchor of the including entity.",
+     .doc =
+         "Marks the root of an assembly: in a list `smurfa`, only such entities get the parent and "
+         "anchor of the including entity.",
      .fallback = "false",
      .read_by = "MARS 1"},
     {.name = "main_entity",
@@ -82,7 +86,7 @@ constexpr KeySpec kEntity[] = {
      .minimum = 0},
     {.name = "child",
      .type = text,
-     .doc = "Link that Phobos attaches when it assembles models; absent, the root link.",
+     .doc = "Link that Phobos attaches when it assembles models; the default is the root link.",
      .read_by = "Phobos 2",
      .names = {NameKind::link}},
     {.name = "geometry",
@@ -92,8 +96,8 @@ constexpr KeySpec kEntity[] = {
      .read_by = "MARS 1"},
     {.name = "teleportation_targets",
      .type = list,
-     .doc = "Poses that the Rock task RobotTeleportation moves the entity to, each a partial "
-            "entity.",
+     .doc =
+         "Poses that the Rock task RobotTeleportation moves the entity to, each a partial entity.",
      .read_by = "Rock"},
 };
 
@@ -165,7 +169,10 @@ constexpr KeySpec kEnvironment[] = {
      .doc = "Terrain that is shown, without physics.",
      .members = kTerrain},
     {.name = "background", .type = color, .doc = "Background colour."},
-    {.name = "fog", .type = mapping, .doc = "Fog; absent, it is switched off.", .members = kFog},
+    {.name = "fog",
+     .type = mapping,
+     .doc = "Fog; without this key, fog is switched off.",
+     .members = kFog},
 };
 
 constexpr KeySpec kScene[] = {
@@ -181,8 +188,9 @@ constexpr KeySpec kScene[] = {
     {.name = "entities", .type = list, .doc = "The entities of the scene.", .members = kEntity},
     {.name = "smurfa",
      .type = list,
-     .doc = "Entities of an assembly: only those with `root: true` are fixed to what the assembly "
-            "is fixed to.",
+     .doc =
+         "Entities of an assembly: only those with `root: true` are fixed to what the assembly is "
+         "fixed to.",
      .read_by = "MARS 1, Phobos 2",
      .members = kEntity},
     {.name = "physics",

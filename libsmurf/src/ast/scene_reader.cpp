@@ -56,8 +56,9 @@ class RotationReader {
       Diagnostic& diagnostic =
           sink_.report(rules::sml5002_rotation_length, list.span(),
                        "`rotation` has " + std::to_string(size) + " numbers, which means nothing");
-      diagnostic.help = "write one number (degrees about z), three (degrees about x, y, z) or four "
-                        "(quaternion w, x, y, z)";
+      diagnostic.help =
+          "write one number (degrees about z), three (degrees about x, y, z) or four (quaternion "
+          "w, x, y, z)";
       return;
     }
     bool is_sound = true;
@@ -94,7 +95,7 @@ class RotationReader {
     rotation_.form = RotationForm::invalid;
     sink_.report(rules::sml5003_zero_quaternion, rotation_.span,
                  "the quaternion has the length " + format_rounded(length) +
-                     ", so that it is no rotation");
+                     ", so it is not a rotation");
   }
 
   DiagnosticSink& sink_;
@@ -150,7 +151,7 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
   if (!value.is_sequence()) {
     Diagnostic& diagnostic =
         sink.report(rules::sml5001_entities_not_a_list, value.key_span(),
-                    "`" + key + "` holds " + describe(value) + " instead of a list of entities");
+                    "`" + key + "` contains " + describe(value) + " instead of a list of entities");
     diagnostic.help = "begin every entity with `- name:`";
     return;
   }
@@ -211,7 +212,7 @@ std::optional<Scene> read_scene(const yaml::Document& document, DiagnosticSink& 
   if (!root || !root.is_mapping()) {
     const Span place = root ? root.span() : Span{document.source, 0, 0};
     sink.report(rules::sml2011_root_not_mapping, place,
-                "the scene holds " + (root ? describe(root) : "nothing") +
+                "the scene contains " + (root ? describe(root) : "nothing") +
                     " instead of keys and values");
     return std::nullopt;
   }

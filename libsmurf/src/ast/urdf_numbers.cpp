@@ -44,8 +44,8 @@ std::vector<Token> split(std::string_view text) {
   return tokens;
 }
 
-/// Numbers as every reader takes them, which nearly all are; false for whatever needs a closer
-/// look.
+/// Reads numbers that all readers read alike, as nearly all are; false for a text that needs a
+/// closer look.
 bool read_plain(std::string_view text, std::span<double> out) {
   std::size_t at = 0;
   for (double& value : out) {
@@ -144,7 +144,7 @@ class NumberReader {
                            [](char c) { return static_cast<unsigned char>(c) >= 0x80; })) {
       sink_
           .report(rules::sml1811_unicode_digit_or_space, place(token),
-                  shown + " holds the character " + code_point(text) +
+                  shown + " contains the character " + code_point(text) +
                       ", which only looks like part of a number")
           .help = "type the number again";
     } else if (is_out_of_range(bare)) {
@@ -256,8 +256,8 @@ class NumberReader {
     if (count == 1) {
       if (tokens.back().end == text_.size()) return;  // readers skip blanks in front
       Diagnostic& diagnostic = sink_.report(rules::sml1802_trailing_space, place(whole()),
-                                            "a blank follows the number `" + fixed + "`");
-      diagnostic.help = "delete the blank";
+                                            "white space follows the number `" + fixed + "`");
+      diagnostic.help = "delete the white space";
       diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span(), fixed}}});
     } else if (std::any_of(text_.begin(), text_.end(), is_line_or_tab)) {
       Diagnostic& diagnostic = sink_.report(rules::sml1808_vector_tab_newline, place(whole()),
@@ -286,7 +286,7 @@ bool is_xacro(std::string_view value) {
 }
 
 void report_percent(Span place, std::string_view value, DiagnosticSink& sink) {
-  sink.report(rules::sml1012_percent_in_value, place, quoted(value) + " holds a `%`")
+  sink.report(rules::sml1012_percent_in_value, place, quoted(value) + " contains `%`")
       .notes.push_back("urdfdom up to 5.0 passes this text to printf, which may crash");
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr AttributeSpec kRobotAttributes[] = {
     {"name", false, "Name of the robot."},
-    {"version", false, "Version of URDF; urdfdom takes 1.0, and newer ones 1.1 and 1.2.", "",
-     "1.0"}};
+    {"version", false, "Version of URDF; urdfdom accepts 1.0, its newer versions also 1.1 and 1.2.",
+     "", "1.0"}};
 constexpr ChildSpec kRobotChildren[] = {{"link"}, {"joint"}, {"material"}};
 constexpr std::string_view kRobotExtensions[] = {"transmission",
                                                  "gazebo",
@@ -43,7 +43,7 @@ constexpr std::string_view kRobotExtensions[] = {"transmission",
 
 constexpr AttributeSpec kLinkAttributes[] = {
     {"name", true, "Name of the link; joints, motors and sensors refer to it, so it is unique."},
-    {"type", false, "Of old files; no reader looks at it."}};
+    {"type", false, "From old files; readers ignore it."}};
 constexpr ChildSpec kLinkChildren[] = {{"inertial", true}, {"visual"}, {"collision"}};
 constexpr std::string_view kLinkExtensions[] = {
     "contact",     "collision_checking", "audio_source", "self_collision_checking",
@@ -63,7 +63,7 @@ constexpr AttributeSpec kInertiaAttributes[] = {
     {"izz", false, "Moment about the z axis through the centre of mass.", "kg m^2"}};
 constexpr std::string_view kInertiaExtensions[] = {"iyx", "izx", "izy"};
 constexpr AttributeSpec kOriginAttributes[] = {
-    {"xyz", false, "Position in the frame that the element stands in.", "m", "0 0 0"},
+    {"xyz", false, "Position in the frame of the enclosing element.", "m", "0 0 0"},
     {"rpy", false, "Rotation about the fixed axes x, then y, then z.", "rad", "0 0 0"},
     {"quat_xyzw", false, "Rotation as a quaternion; read since version 1.1 of URDF."}};
 
@@ -83,7 +83,7 @@ constexpr AttributeSpec kBoxAttributes[] = {
 constexpr AttributeSpec kSphereAttributes[] = {{"radius", true, "Radius.", "m"}};
 constexpr AttributeSpec kCylinderAttributes[] = {
     {"radius", true, "Radius.", "m"},
-    {"length", true, "Length along z; of a capsule, that of its cylinder alone.", "m"}};
+    {"length", true, "Length along z; for a capsule, without its half spheres.", "m"}};
 constexpr AttributeSpec kMeshAttributes[] = {
     {"filename", true, "The mesh: a path, or package://NAME/PATH."},
     {"scale", false, "Factors along x, y and z.", "", "1 1 1"}};
@@ -103,7 +103,7 @@ constexpr std::string_view kJointTypes[] = {"revolute", "continuous", "prismatic
                                             "fixed",    "floating",   "planar"};
 constexpr AttributeSpec kJointAttributes[] = {
     {"name", true, "Name of the joint; motors and sensors refer to it, so it is unique."},
-    {"type", false, "How the child moves against the parent.", "", "", kJointTypes}};
+    {"type", false, "How the child moves relative to the parent.", "", "", kJointTypes}};
 constexpr ChildSpec kJointChildren[] = {
     {"origin", true},     {"parent", true},   {"child", true}, {"axis", true},
     {"limit", true},      {"dynamics", true}, {"mimic", true}, {"safety_controller", true},
@@ -130,9 +130,12 @@ constexpr AttributeSpec kDynamicsAttributes[] = {
     {"friction", false, "Static friction.", "N m or N", "0"}};
 constexpr std::string_view kDynamicsExtensions[] = {"spring_stiffness", "spring_reference"};
 constexpr AttributeSpec kMimicAttributes[] = {
-    {.name = "joint", .required = true, .doc = "Joint that is followed.", .names = NameKind::joint},
+    {.name = "joint",
+     .required = true,
+     .doc = "Joint that this one follows.",
+     .names = NameKind::joint},
     {"multiplier", false, "Factor on the position of that joint.", "", "1"},
-    {"offset", false, "Added to it.", "rad or m", "0"}};
+    {"offset", false, "Offset that is added to the result.", "rad or m", "0"}};
 constexpr AttributeSpec kSafetyAttributes[] = {
     {"soft_lower_limit", false, "Where the controller begins to limit the position.", "rad or m",
      "0"},
@@ -160,11 +163,11 @@ constexpr ElementSpec kElements[] = {
      kOriginAttributes,
      {},
      {},
-     "Pose in the frame of the element that it stands in; of a joint, in the frame of the parent link."},
+     "Pose in the frame of the enclosing element; for a joint, in the frame of the parent link."},
     {"visual", kVisualAttributes, kVisualChildren, kCollisionExtensions,
-     "What is seen of the link."},
+     "What the link looks like."},
     {"collision", kCollisionAttributes, kCollisionChildren, kCollisionExtensions,
-     "What collides of the link."},
+     "The shape of the link for collision detection."},
     {"geometry", {}, kGeometryChildren, kGeometryExtensions, "One shape."},
     {"box", kBoxAttributes, {}, {}, "A box around the origin."},
     {"sphere", kSphereAttributes, {}, {}, "A sphere around the origin."},
@@ -174,13 +177,13 @@ constexpr ElementSpec kElements[] = {
      {},
      {},
      "A cylinder with half spheres at its ends, its axis along z; read since version 1.1 of URDF."},
-    {"mesh", kMeshAttributes, {}, {}, "Triangles of a file."},
+    {"mesh", kMeshAttributes, {}, {}, "The triangles of a mesh file."},
     {"material", kMaterialAttributes, kMaterialChildren, kMaterialExtensions,
      "A colour or a texture, under a name that visuals share."},
     {"color", kColorAttributes, {}, {}, "A colour."},
     {"texture", kTextureAttributes, {}, {}, "An image."},
     {"joint", kJointAttributes, kJointChildren, kJointExtensions,
-     "How a child link moves against its parent link."},
+     "How a child link moves relative to its parent link."},
     {"parent", kLinkReference, {}, {}, "The link that carries the joint."},
     {"child", kLinkReference, {}, {}, "The link that the joint moves."},
     {"axis",
@@ -203,7 +206,7 @@ constexpr ElementSpec kElements[] = {
      kSafetyAttributes,
      {},
      {},
-     "Limits of the controller inside of those of the joint."},
+     "Limits of the controller within those of the joint."},
     {"calibration", kCalibrationAttributes, {}, {}, "Where the joint is calibrated."},
 };
 

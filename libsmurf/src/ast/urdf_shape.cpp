@@ -157,15 +157,15 @@ class ShapeChecker {
                                 Fix::NewName{element.tag_span(), std::string(meant)}});
   }
 
-  /// Without a name a link is none, which is worse than what else may be missing in a link; the
-  /// material of a visual needs none where its colour stands with it.
+  /// A link without a name is no link, which matters more than what else is missing in it. The
+  /// material of a visual needs no name when its colour is in it.
   static std::string owner_of_name(View element) {
     if (element.name() == "link") return "link";
     const bool is_look = element.name() == "material" && element.parent().name() == "visual";
     return is_look && !element.child("color") ? "colourless" : "";
   }
 
-  /// True when an attribute is missing; what stands there instead is shown with it.
+  /// True when an attribute is missing; what is there instead is shown with it.
   bool required_attributes(View element, const ElementSpec& spec,
                            const std::vector<std::string_view>& absent,
                            const std::vector<const xml::Attribute*>& instead) {
@@ -186,7 +186,7 @@ class ShapeChecker {
       diagnostic.labels.push_back({attribute->name_span(), "no attribute of URDF"});
     }
     if (!element.text_span().empty()) {
-      diagnostic.labels.push_back({element.text_span(), "readers do not look at text"});
+      diagnostic.labels.push_back({element.text_span(), "readers ignore text"});
     }
     return true;
   }
@@ -199,7 +199,7 @@ class ShapeChecker {
     if (place.empty() || (is_empty && needs_attributes(element.name()))) return;
     Diagnostic& diagnostic =
         sink_.report(rules::sml1119_stray_text, place,
-                     quoted(element.name()) + " holds text, which no reader looks at");
+                     quoted(element.name()) + " contains text, which readers ignore");
     if (is_empty && element.name() == "origin") diagnostic.help = "write `<origin xyz=\"...\"/>`";
   }
 

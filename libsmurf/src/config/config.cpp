@@ -72,7 +72,8 @@ class ConfigReader {
       return;
     }
     chain_.push_back(path);
-    // What is taken over comes first, wherever it is named, so that own settings win.
+    // Extended configurations come first, wherever they are named, so that own settings override
+    // them.
     if (const yaml::View bases = root.find("extends"); bases && !bases.is_null()) read_bases(bases);
     folder_ = path::parent(path);
     read_mapping(root, kSettings, "setting");
@@ -370,7 +371,7 @@ class ConfigReader {
     });
   }
 
-  /// Last, so that only what counts in the end is read.
+  /// Last, so that only files of the final settings are read.
   void register_schemas() {
     for (const auto& [name, file] : config_.section_schemas) {
       if (const auto schema = open_schema(file)) {
@@ -417,18 +418,20 @@ class ConfigReader {
 using Reader = ConfigReader;
 
 const ConfigReader::Setting ConfigReader::kSettings[] = {
-    {{"baseline", SettingType::file, "Findings that may pass, as written by --generate-baseline."},
+    {{"baseline", SettingType::file,
+      "The file of suppressed findings that --generate-baseline writes."},
      &Reader::read_baseline},
-    {{"exclude", SettingType::patterns, "What is left out of folders; patterns as in .gitignore."},
+    {{"exclude", SettingType::patterns,
+      "Files that a search of folders skips; patterns as in .gitignore."},
      &Reader::read_exclude},
     {{"extends", SettingType::files,
-      "Configurations to start from. What is written here wins; ignore, exclude and paths are added "
-      "to theirs."},
+      "Configurations that this one extends. Settings here override theirs; ignore, exclude and "
+      "paths are added."},
      &Reader::skip_bases},
-    {{"fail-on", SettingType::threshold, "The least severity of a finding for exit code 1."},
+    {{"fail-on", SettingType::threshold, "The lowest severity that makes the exit code 1."},
      &Reader::read_fail_on},
     {{"force-exclude", SettingType::boolean,
-      "Whether excluded files are left out even when they are named on the command line."},
+      "Whether excluded files are skipped even when they are named on the command line."},
      &Reader::read_force_exclude},
     {{"format", SettingType::formats,
       "Reports: FORMAT or, in a configuration named with --config, FORMAT=FILE."},
@@ -436,27 +439,26 @@ const ConfigReader::Setting ConfigReader::kSettings[] = {
     {{"ignore", SettingType::rules, "All but these rules."}, &Reader::read_ignore},
     {{"max-warnings", SettingType::count, "With more warnings than this, the exit code is 1."},
      &Reader::read_max_warnings},
-    {{"packages", SettingType::folders, "The folders that package:// addresses stand for."},
+    {{"packages", SettingType::folders, "The folders of the packages in package:// addresses."},
      &Reader::read_packages},
     {{"paths", SettingType::paths,
-      "Settings for some files only, by patterns as in .gitignore; the last that fits wins."},
+      "Settings for some files only, by patterns as in .gitignore; the last matching pattern wins."},
      &Reader::read_paths},
     {{"schemas", SettingType::schemas,
       "JSON Schemas (draft-07, as JSON or YAML) of your own annotation sections and entity types."},
      &Reader::read_schemas},
     {{"select", SettingType::rules, "Only these rules: ids, names, or prefixes such as SML3."},
      &Reader::read_select},
-    {{"severity", SettingType::levels, "Rules that are to be errors, warnings or infos."},
+    {{"severity", SettingType::levels, "The severities of rules: error, warning or info."},
      &Reader::read_severity},
     {{"targets", SettingType::targets, "The readers that the files are meant for."},
      &Reader::read_targets},
-    {{"tolerances", SettingType::tolerances,
-      "The numbers by which rules decide; --explain shows what they mean."},
+    {{"tolerances", SettingType::tolerances, "The thresholds of rules; --explain describes them."},
      &Reader::read_tolerances},
 };
 
 const ConfigReader::Setting ConfigReader::kPathSettings[] = {
-    {{"ignore", SettingType::rules, "Rules whose findings in these files do not count."},
+    {{"ignore", SettingType::rules, "Rules that are ignored in these files."},
      &Reader::read_path_ignore},
     {{"severity", SettingType::levels, "Severities of rules in these files."},
      &Reader::read_path_severity},

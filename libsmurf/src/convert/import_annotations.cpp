@@ -175,8 +175,7 @@ Part urdf_extensions(Context& context) {
     elements.emplace_back(context.robot().document, id);
   }
   if (elements.empty()) return std::nullopt;
-  return NewFile{"urdf_extensions",
-                 "what the URDF says beyond links, joints and materials, as it stands there",
+  return NewFile{"urdf_extensions", "other contents of the URDF, as text",
                  texts_by_subject(context, "urdf_extensions", elements)};
 }
 
@@ -185,7 +184,7 @@ Part srdf_extensions(Context& context) {
   std::vector<xml::View> elements;
   for (const xml::View element : context.options.srdf->view()) elements.push_back(element);
   if (elements.empty()) return std::nullopt;
-  return NewFile{"srdf_extensions", "what the SRDF says, as it stands there",
+  return NewFile{"srdf_extensions", "the contents of the SRDF, as text",
                  texts_by_subject(context, "srdf_extensions", elements)};
 }
 

@@ -267,7 +267,7 @@ class SensorMaker {
     const Pose pose = sensor_pose(element);
     if (pose.position != Vector3{0, 0, 0}) {
       context_.keep_as_text(element.name_span(), "the position of the sensor on `" + link + "`",
-                            "a RotatingRaySensor stands in the origin of its link");
+                            "a RotatingRaySensor is at the origin of its link");
     }
     std::vector<NewValue> members = {
         text_value("type", "RotatingRaySensor"),
@@ -307,7 +307,7 @@ class SensorMaker {
     }
     if (collisions.empty()) {
       problem = context_.options.layout == SmurfLayout::in_place
-                    ? "its collisions have no names, and the URDF stays as it is"
+                    ? "its collisions have no names, and the URDF is not changed"
                     : "the link has no collisions";
       return {};
     }

@@ -178,7 +178,7 @@ class ModelLoader {
       }
       if (entry.value.starts_with('/')) {
         context_.sink.report(rules::sml2004_absolute_path, entry.span,
-                             "MARS takes this path as relative to the .smurf's folder");
+                             "MARS reads this path as relative to the .smurf's folder");
         // One diagnostic per cause.
         if (!context_.files.is_file(path) && !context_.files.is_denied(path)) {
           model_.is_complete = false;
@@ -191,7 +191,7 @@ class ModelLoader {
       } else if (is_annotation(extension)) {
         annotation_file(path, entry.span, rules::sml2001_missing_file);
       } else if (extension.size() <= 1 || extension.starts_with(".smurf")) {
-        model_.is_complete = false;  // what it was to bring may be missed elsewhere
+        model_.is_complete = false;  // names that it should define may be missed elsewhere
       }
     }
     // Entries that are no texts are not in the list, and reported.

@@ -46,7 +46,7 @@ class OldSceneLoader {
         return context_.sources.add(path + "/" + name, std::move(file.text));
       }
     }
-    return report(path, reference, "holds no `" + name + "`");
+    return report(path, reference, "contains no `" + name + "`");
   }
 
   std::nullopt_t report(const std::string& path, Span reference, const std::string& reason) {

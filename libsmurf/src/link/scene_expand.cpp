@@ -114,7 +114,7 @@ class SceneExpander {
     for (std::size_t i = 0; i < count && !is_full_; ++i) {
       if (scene_.instances.size() + scene_.uses.size() > context_.limits.instances) {
         stop(entity(use, i),
-             "this is one entity too many: a scene holds at most " +
+             "this is one entity too many: a scene has at most " +
                  std::to_string(context_.limits.instances) + ", nested ones included",
              "instances");
       } else if (bytes_ > context_.limits.scene_bytes) {
@@ -325,7 +325,7 @@ class SceneExpander {
                                path.empty() ? "this entity has no `file`"
                                             : "this entity has no `type`, and `" + path +
                                                   "` has no extension that tells it");
-      diagnostic.help = "name the .smurf, .urdf or .smurfs that the entity stands for";
+      diagnostic.help = "name the .smurf, .urdf or .smurfs of the entity";
       if (path.empty()) suggest_file(use, entity, diagnostic);
       return false;
     }
@@ -353,7 +353,10 @@ class SceneExpander {
                              "an entity of type `" + type + "` needs a " + std::string(expected) +
                                  ", which `" + std::string(path::file_name(path)) + "` is not");
     const std::string extension = path::to_lower(path::extension(path));
-    if (extension == ".urdf" || extension == ".smurf") diagnostic.construct = "of-another-kind";
+    if (extension == ".urdf" || extension == ".smurf") {
+      diagnostic.construct = "of-another-kind";
+      diagnostic.help = "write `type: " + extension.substr(1) + "`";
+    }
     return false;
   }
 
@@ -363,7 +366,7 @@ class SceneExpander {
     for (const CustomSection& key : entity.extra) {
       if (!nearest(key.name.value, kFile)) continue;
       diagnostic.span = key.name.span;
-      diagnostic.help = "did you mean `file` by `" + key.name.value + "`?";
+      diagnostic.help = "did you mean `file` instead of `" + key.name.value + "`?";
       const yaml::Document& document = *scene_.file(scene_.uses[to_size(use)]).document;
       KeyRenames(yaml::View(document, entity.node))
           .offer(diagnostic.fixes, {document, key.node}, "file");

@@ -130,7 +130,7 @@ class WorldPoses {
       if (!instance.X_WE || is_usable(*instance.X_WE)) continue;
       instance.X_WE.reset();
       sink_.report(rules::sml4003_out_of_range, place_of(scene_.entity(instance)),
-                   quoted(instance.path) + " stands so far away that its pose cannot be computed");
+                   quoted(instance.path) + " is so far away that its pose cannot be computed");
     }
   }
 
@@ -202,10 +202,10 @@ class WorldPoses {
     const Instance& reported = scene_.instances[first];
     Diagnostic& diagnostic =
         sink_.report(rules::sml5104_cyclic_parent, parent_place(scene_, reported),
-                     members.size() == 1 ? "`" + reported.path + "` is placed relative to itself"
-                                         : "`" + reported.path +
-                                               "` is placed relative to something that is "
-                                               "placed relative to it");
+                     members.size() == 1
+                         ? "`" + reported.path + "` is placed relative to itself"
+                         : "`" + reported.path +
+                               "` is placed relative to something that is placed relative to it");
     constexpr std::size_t kMostLabels = 8;
     for (const std::size_t member : members) {
       Instance& instance = scene_.instances[member];

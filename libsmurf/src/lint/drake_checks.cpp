@@ -54,7 +54,7 @@ void check_type(xml::View joint, std::string_view type, Findings& findings) {
         "write `joint` in the place of `drake:joint`";
     return;
   }
-  Diagnostic& diagnostic = findings.report(place, quoted(type) + " is no type of a `drake:joint`");
+  Diagnostic& diagnostic = findings.report(place, quoted(type) + " is not a type of `drake:joint`");
   constexpr std::array<std::string_view, 5> kTypes = {"ball", "curvilinear", "planar", "screw",
                                                       "universal"};
   if (const auto near = nearest(type, kTypes)) {
@@ -108,9 +108,10 @@ void check_directions(xml::View joint, Findings& findings) {
     const xml::View zero = tangent && length_of(along) == 0 ? tangent : normal;
     findings.report(place_of(zero, "xyz"), "this direction has no length");
   } else if (std::abs(along[0] * up[0] + along[1] * up[1] + along[2] * up[2]) > kTolerance) {
-    findings.report(place_of(place, "xyz"),
-                    "the tangent at the start of the curves must be at right angles to the normal "
-                    "of their plane");
+    findings.report(
+        place_of(place, "xyz"),
+        "the tangent at the start of the curves must be at right angles to the normal of their "
+        "plane");
   }
 }
 
@@ -119,10 +120,10 @@ void check_curves(xml::View curves, Findings& findings) {
   for (const xml::View curve : curves) {
     ++count;
     if (curve.name() == "drake:line_segment" || curve.name() == "drake:circular_arc") continue;
-    findings.report(curve.name_span(), quoted(curve.name()) + " is no curve to Drake").help =
+    findings.report(curve.name_span(), quoted(curve.name()) + " is not a curve for Drake").help =
         "write `drake:line_segment` or `drake:circular_arc`";
   }
-  if (count == 0) findings.report(curves.name_span(), "`drake:curves` holds no curve");
+  if (count == 0) findings.report(curves.name_span(), "`drake:curves` contains no curve");
 }
 
 void check_joint(xml::View joint, const Names& names, Findings& findings) {
@@ -159,7 +160,7 @@ void check_group(xml::View group, const Names& names, Findings& findings) {
   if (name.empty()) return;
   const Span place = place_of(group, "name");
   if (name.find("::") != std::string_view::npos) {
-    findings.report(place, "the name of a collision filter group must not hold `::`");
+    findings.report(place, "the name of a collision filter group must not contain `::`");
     return;
   }
   if (const xml::View first = names.group(name); first && first.id() != group.id()) {
@@ -218,8 +219,9 @@ void check_proximity(xml::View proximity, const Names&, Findings& findings) {
   const xml::View compliant = proximity.child("drake:compliant_hydroelastic");
   if (rigid && compliant) {
     findings
-        .report(compliant.name_span(), "a collision cannot be `drake:rigid_hydroelastic` and "
-                                       "`drake:compliant_hydroelastic`")
+        .report(
+            compliant.name_span(),
+            "a collision cannot be `drake:rigid_hydroelastic` and `drake:compliant_hydroelastic`")
         .labels.push_back({rigid.name_span(), "the other one"});
   }
   const xml::View modulus = proximity.child("drake:hydroelastic_modulus");
@@ -255,10 +257,10 @@ void check_compliance(xml::View compliance, const Names&, Findings& findings) {
   }
   const xml::View properties = compliance.parent().child("drake:proximity_properties");
   if (properties && (properties.child("drake:mu_dynamic") || properties.child("drake:mu_static"))) {
-    return report_unread(compliance,
-                         "Drake reads no `drake_compliance` beside the friction in "
-                         "`drake:proximity_properties`",
-                         findings);
+    return report_unread(
+        compliance,
+        "Drake reads no `drake_compliance` beside the friction in `drake:proximity_properties`",
+        findings);
   }
   const bool has_static = static_cast<bool>(compliance.child("static_friction"));
   const bool has_dynamic = static_cast<bool>(compliance.child("dynamic_friction"));

@@ -117,7 +117,7 @@ void Names::report_unknown(std::string_view kind, std::string_view name, Span pl
   const std::string noun(kind);
   Diagnostic& diagnostic = findings.report(
       place, subject + " names the " + noun + " " + quoted(name) + ", which " +
-                 (name == "world" ? "is the world itself to Drake" : "the model does not have"));
+                 (name == "world" ? "is the world itself in Drake" : "the model does not have"));
   if (name == "world") return;
   diagnostic.caret = "no such " + noun;
   const Table& table = kind == "joint" ? joints_ : kind == "frame" ? frames_ : groups_;

@@ -91,7 +91,7 @@ class BobjReader {
   bool check(const std::string& what, std::int32_t index, std::size_t count) {
     if (index >= 1 && static_cast<std::size_t>(index) <= count) return true;
     return fail("a triangle names the " + what + " " + std::to_string(index) + ", but " +
-                std::to_string(count) + " stand before it");
+                std::to_string(count) + " come before it");
   }
 
   /// Always false.

@@ -173,7 +173,7 @@ class ColladaReader {
       } else if (name == "instance_node" || name == "instance_controller") {
         is_placed_ = false;  // parts that are placed from elsewhere
       } else if (!transform(child, X_SN)) {
-        fail(child, "the transform of a node is no list of numbers");
+        fail(child, "the transform of a node is not a list of numbers");
         is_placed_ = false;
       }
     }

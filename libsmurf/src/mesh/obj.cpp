@@ -87,7 +87,8 @@ class ObjReader {
       const std::string_view corner = words.next();
       const auto index = parse_integer(corner.substr(0, corner.find('/')));
       if (!index || *index == 0) {
-        return fail("the corner `" + std::string(corner.substr(0, 20)) + "` of a face is no index");
+        return fail("the corner `" + std::string(corner.substr(0, 20)) +
+                    "` of a face is not an index");
       }
       ++corners;
       const auto point = find(*index);
@@ -107,7 +108,7 @@ class ObjReader {
     const auto count = static_cast<std::int64_t>(points_.size());
     if (index < -count) {
       fail("a face names the vertex " + std::to_string(index) + ", but " + std::to_string(count) +
-           " stand before it");
+           " come before it");
       return std::nullopt;
     }
     if (index > count) {

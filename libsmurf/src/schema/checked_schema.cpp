@@ -239,8 +239,8 @@ class SchemaChecker {
     for (const Keyword& keyword : kKeywords) names.push_back(keyword.name);
     const auto near = nearest(value.key(), names);
     if (!near) return;
-    fault(value.key_span(), quoted(value.key()) + " is no keyword of JSON Schema draft-07").help =
-        "did you mean " + quoted(*near) + "?";
+    fault(value.key_span(), quoted(value.key()) + " is not a keyword of JSON Schema draft-07")
+        .help = "did you mean " + quoted(*near) + "?";
   }
 
   void check_plain(const Keyword& keyword, yaml::View value) {
@@ -279,7 +279,7 @@ class SchemaChecker {
     }
     Diagnostic& diagnostic =
         fault(value.place(), (value.is_scalar() ? quoted(value.text()) : describe(value)) +
-                                 " is no type of JSON Schema");
+                                 " is not a type of JSON Schema");
     const auto near = nearest(value.text(), kTypes);
     diagnostic.help = near ? "did you mean " + quoted(*near) + "?"
                            : "types are array, boolean, integer, null, number, object, string";
@@ -298,7 +298,7 @@ class SchemaChecker {
     }
     auto compiled = Pattern::compile(text);
     if (const auto* reason = std::get_if<Pattern::Fault>(&compiled)) {
-      fault(place, quoted(text) + " is no regular expression: " + *reason);
+      fault(place, quoted(text) + " is not a regular expression: " + *reason);
       return std::nullopt;
     }
     Pattern& pattern = std::get<Pattern>(compiled);
@@ -340,14 +340,15 @@ class SchemaChecker {
     if (++name_patterns_ > kMostNamePatterns || !is_simple_pattern(node.key()) ||
         pattern->steps_for("") > kMostNamePatternSteps) {
       fault(node.key_span(), "this pattern of names is too costly").help =
-          "repeat no groups, at most two characters, and none hundreds of times; a schema has at most " +
+          "repeat no groups, at most two characters, and none hundreds of times; a schema has at "
+          "most " +
           std::to_string(kMostNamePatterns) + " such patterns";
       return;
     }
     try {
       const std::regex compiled{std::string(node.key())};
     } catch (const std::regex_error&) {
-      fault(node.key_span(), quoted(node.key()) + " is no regular expression");
+      fault(node.key_span(), quoted(node.key()) + " is not a regular expression");
     }
   }
 

@@ -26,7 +26,7 @@ void check_position(std::string_view text, SourceId id, std::size_t begin, Diagn
   Diagnostic& diagnostic = sink.report(rules::sml1005_xml_junk_before_prolog, junk,
                                        "the XML declaration is not the first thing in the file");
   if (trimmed(text.substr(begin, declaration - begin)).empty()) diagnostic.construct = "blanks";
-  diagnostic.help = "delete what stands before it";
+  diagnostic.help = "delete everything before it";
   diagnostic.fixes.push_back({Applicability::safe, {{junk, ""}}});
 }
 
@@ -62,7 +62,7 @@ void check_encoding(std::string_view text, SourceId id, std::size_t begin, Diagn
       {is_wide ? Applicability::safe : Applicability::unsafe, {{place, "UTF-8"}}});
   if (is_wide) return;
   diagnostic.severity = Severity::warning;
-  diagnostic.notes.push_back("urdfdom and browsers decode names by it, tinyxml2 does not look");
+  diagnostic.notes.push_back("urdfdom and browsers decode names accordingly, tinyxml2 ignores it");
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ class Scanner {
   bool has_room(Span name) {
     if (tree_.elements().size() + tree_.attributes().size() < limits_.xml_elements) return true;
     too_much(rules::sml0002_file_too_large, name,
-             "the file holds more than " + std::to_string(limits_.xml_elements) +
+             "the file contains more than " + std::to_string(limits_.xml_elements) +
                  " elements and attributes",
              "xml-elements");
     return false;
@@ -125,7 +125,7 @@ class Scanner {
     const auto place = static_cast<std::uint32_t>(begin + 4 + dashes);
     sink_
         .report(rules::sml1004_xml_comment_dashes, span(place, place + 2),
-                "a comment holds `--`, which XML forbids")
+                "a comment contains `--`, which XML forbids")
         .help = "write `- -` or another dash";
   }
 
@@ -133,7 +133,7 @@ class Scanner {
     const std::uint32_t begin = at_;
     const Span place = span(begin, begin + 9);
     if (!tree_.elements().empty()) {
-      malformed(place, "a document type stands before the root element or not at all");
+      malformed(place, "a document type must come before the root element");
       return;
     }
     is_prolog_ = false;
@@ -155,9 +155,10 @@ class Scanner {
   void declarations(Span doctype, std::string_view subset) {
     Diagnostic& diagnostic =
         sink_.report(rules::sml1013_dtd_or_xinclude, doctype,
-                     "urdfdom finds no robot behind the declarations of this document type");
+                     "urdfdom finds no robot after the declarations of this document type");
     diagnostic.severity = Severity::error;
-    diagnostic.notes.push_back("nor does sdformat, which asks urdfdom; MuJoCo reads on");
+    diagnostic.notes.push_back(
+        "sdformat, which uses urdfdom, finds none either; MuJoCo reads the robot");
     diagnostic.help = "delete the document type, and write out what it declares";
     for (std::size_t at = subset.find('<'); at != std::string_view::npos;) {
       const std::size_t next = subset.find('<', at + 1);
@@ -186,21 +187,24 @@ class Scanner {
     if (!well_formed_) return;
     const auto close = static_cast<std::uint32_t>(text_.find('>', begin));
     if (close + 1 < at_) {
-      malformed(span(close, close + 1),
-                "urdfdom (TinyXML) takes the processing instruction for closed by this `>`, and "
-                "finds no robot behind it")
+      malformed(
+          span(close, close + 1),
+          "urdfdom (TinyXML) reads this `>` as the end of the processing instruction, and finds no "
+          "robot after it")
           .help = "delete the instruction, or this character";
       return;
     }
     if (const auto place = find_unsound(text_.substr(begin, at_ - begin))) {
       const auto at = static_cast<std::uint32_t>(begin + *place);
-      malformed(span(at, at + 1), "this is no attribute of the XML declaration").help =
+      malformed(span(at, at + 1), "this is not an attribute of the XML declaration").help =
           "write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`";
       return;
     }
     if (is_prolog_) return;
-    malformed(span(begin, at_), "a processing instruction that does not stand at the start of the "
-                                "file; sdformat, MuJoCo and Bullet (tinyxml2) refuse it");
+    malformed(
+        span(begin, at_),
+        "this processing instruction is not at the start of the file; sdformat, MuJoCo and Bullet "
+        "(tinyxml2) refuse it");
   }
 
   void end_tag() {
@@ -262,7 +266,7 @@ class Scanner {
     element.name_begin = text_.data() + name.begin;
     element.name_size = name.end - name.begin;
     if (name.empty()) {
-      malformed(span(begin, begin + 1), "`<` begins no element here").help =
+      malformed(span(begin, begin + 1), "`<` does not begin an element here").help =
           "write `&lt;` for the character itself";
       return;
     }
@@ -324,7 +328,7 @@ class Scanner {
   void report_missing_blank(Span name) {
     sink_
         .report(rules::sml1014_xml_missing_blank, name,
-                "a blank is missing before the attribute " + quoted(name))
+                "a space is missing before the attribute " + quoted(name))
         .fixes.push_back({Applicability::safe, {{span(name.begin, name.begin), " "}}});
   }
 
@@ -332,7 +336,7 @@ class Scanner {
     const Span name = scan_name();
     if (name.empty()) {
       malformed(span(at_, at_ + 1),
-                "this character cannot stand in the start tag of " + quoted(element.name_span()));
+                "this character is not allowed in the start tag of " + quoted(element.name_span()));
       return false;
     }
     skip_space();
@@ -426,7 +430,7 @@ class Scanner {
     if (reference.kind == XmlReference::Kind::none) {
       sink_
           .report(rules::sml1003_xml_bare_ampersand, span(begin, begin + 1),
-                  "`&` begins no character reference")
+                  "`&` does not begin a character reference")
           .fixes.push_back({Applicability::safe, {{span(begin, begin + 1), "&amp;"}}});
     } else if (reference.kind == XmlReference::Kind::unknown_entity) {
       sink_
@@ -463,7 +467,7 @@ class Scanner {
       diagnostic.labels.push_back({element.name_span(), "opened here and never closed"});
       suspect_end(diagnostic);
     } else if (tree_.elements().empty()) {
-      malformed(span(0, 0), "the file holds no XML element");
+      malformed(span(0, 0), "the file contains no XML element");
     }
   }
 

@@ -73,7 +73,7 @@ void YamlBuilder::add_alias(Span span, Anchor anchor) {
   if (target == anchors_.end()) {
     sink_.report(rules::sml0016_cyclic_alias, span,
                  "the alias `" + std::string(text_.substr(span.begin, span.end - span.begin)) +
-                     "` stands inside the value it repeats");
+                     "` is inside the value that it repeats");
     return add_null(span);
   }
   const Kind kind = at(target->second.node).kind();
@@ -88,7 +88,7 @@ void YamlBuilder::add_alias(Span span, Anchor anchor) {
   add(kind, span, target->second.size).set_target(target->second.node);
 }
 
-/// Whatever reads the tree comes by what an alias stands for as often as it is written.
+/// Whoever reads the tree visits the value of an alias each time that the alias is written.
 void YamlBuilder::repeat(Span alias, std::uint64_t size) {
   repeated_ += size;
   if (repeated_ <= limits_.yaml_expanded_nodes) return;
@@ -142,7 +142,8 @@ void YamlBuilder::stop(const Rule& rule, Span place, std::string message, std::s
 
 void YamlBuilder::stop_at_nodes(std::uint32_t at) {
   stop(rules::sml0002_file_too_large, span(at, at),
-       "the file holds more than " + std::to_string(limits_.yaml_nodes) + " values", "yaml-nodes");
+       "the file contains more than " + std::to_string(limits_.yaml_nodes) + " values",
+       "yaml-nodes");
 }
 
 void YamlBuilder::stop_at_depth(Span place) {

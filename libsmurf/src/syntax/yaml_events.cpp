@@ -96,7 +96,7 @@ void YamlEvents::check_colon() {
       key.begin == 0 ? std::string_view::npos : text_.find_last_not_of(" \t", key.begin - 1);
   if (before != std::string_view::npos && text_[before] == '?') return;  // `? key` needs none
   sink_.report(rules::sml0010_yaml_syntax, {key.source, key.begin, key.begin + 1},
-               "this line does not fit what stands above it: no `:` makes it a key");
+               "this line does not fit the lines above it: no `:` makes it a key");
 }
 
 void YamlEvents::open(yaml::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor,

@@ -85,7 +85,7 @@ void check_second_document(YAML::Parser& parser, std::string_view text, std::uin
       text.substr(at).starts_with("---") || between.find("\n...") != std::string_view::npos;
   if (!has_mark) {
     sink.report(rules::sml0010_yaml_syntax, {id, at, at + 1},
-                "this line does not fit what stands above it");
+                "this line does not fit the lines above it");
     return;
   }
   sink.report(rules::sml0013_several_documents, {id, at, at}, "a second YAML document begins here")
@@ -149,7 +149,7 @@ bool check_rest(std::string_view text, std::uint32_t first_end, SourceId id, Dia
     if (text.substr(at).starts_with(mark)) return true;
   }
   sink.report(rules::sml0010_yaml_syntax, {id, at, at + 1},
-              "this line does not fit what stands above it");
+              "this line does not fit the lines above it");
   return false;
 }
 
@@ -252,8 +252,8 @@ std::optional<yaml::Document> parse_yaml_by(YamlEngine engine, const SourceMap& 
   if (!check_text(sources, id, TextFormat::yaml, sink)) return std::nullopt;
   const std::string_view text = sources.text(id);
   if (const auto mark = find_merge_mark(text, id)) {
-    sink.report(rules::sml0010_yaml_syntax, *mark, "a merge left its marks here").help =
-        "keep one of the two versions, and none of the marks";
+    sink.report(rules::sml0010_yaml_syntax, *mark, "a merge conflict left its markers here").help =
+        "keep one of the two versions, and delete the markers";
     return std::nullopt;
   }
   const bool is_large = text.size() > limits.yaml_cpp_bytes;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every model is named once and attached as often as it stands in the scene. An attached tree takes
-// no bodies of others (MuJoCo 3.14 drops them without a word), so that what hangs on a link of
-// another model is free and held by a weld.
+// no bodies of others (MuJoCo 3.14 drops them silently), so whatever is anchored to a link of
+// another model is a free body that a weld holds.
 #include "write/mjcf_attach.hpp"
 
 #include <unordered_set>
@@ -119,7 +119,7 @@ class AttachWriter : MjcfParts {
     for (const std::size_t i : welded_) {
       const auto X_LE = pose_on_anchor(scene_.scene, i, frames_);
       if (!X_LE) {
-        losses_.anchor(i, "there is no link to hang it on");
+        losses_.anchor(i, "there is no link to attach it to");
         continue;
       }
       const Attachment& anchor = linked(i).placement.anchor;

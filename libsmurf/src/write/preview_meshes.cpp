@@ -16,7 +16,7 @@ const std::string& PreviewMeshes::first_name(const std::string& file) {
 }
 
 MeshTriangles PreviewMeshes::read(const std::string& file, Span place) {
-  if (!scene_.meshes.triangles) return {{}, {}, "is not at hand"};
+  if (!scene_.meshes.triangles) return {{}, {}, "is not available"};
   const std::uint64_t most = scene_.meshes.most_bytes;
   if (bytes_ <= most) {
     MeshTriangles mesh = scene_.meshes.triangles(file);
@@ -28,7 +28,7 @@ MeshTriangles PreviewMeshes::read(const std::string& file, Span place) {
                     std::to_string(most) + " bytes")
         .help = raise_limit("scene-bytes");
   }
-  return {{}, {}, "is too much to write"};
+  return {{}, {}, "is too large to write"};
 }
 
 }  // namespace smurf

@@ -60,8 +60,8 @@ class DirectivesWriter {
   const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
   std::string root_name(std::size_t i) const { return root_link_name(*robot_of(i)); }
 
-  /// To Drake a link called `world` is the world (detail_urdf_parser.cc:203, 518), which stands
-  /// where it stands.
+  /// In Drake, a link called `world` is the world itself (detail_urdf_parser.cc:203, 518), which
+  /// cannot be placed.
   bool is_world(std::size_t i) const { return root_name(i) == "world"; }
 
   bool is_written(std::size_t i) {
@@ -72,9 +72,9 @@ class DirectivesWriter {
     } else if (model->link_names.contains("world") &&
                (!is_world(i) || *flat(i).X_WE != Pose{} ||
                 flat(i).anchor.kind != Attachment::Kind::world)) {
-      losses_.entity(i,
-                     "Drake takes its link `world` for the world, which can be neither moved nor "
-                     "free; give the link another name");
+      losses_.entity(
+          i, "Drake treats its link `world` as the world, which cannot be moved or free; give the "
+             "link another name");
     } else {
       is_written_[i] = true;
     }
@@ -110,7 +110,7 @@ class DirectivesWriter {
       const std::size_t other = to_size(scene_.scene.instances[i].placement.anchor.instance);
       const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames_);
       if (!X_LE || !is_written_[other]) {
-        return losses_.anchor(i, "`" + flat(other).path + "` is no model with links");
+        return losses_.anchor(i, "`" + flat(other).path + "` is not a model with links");
       }
       if (anchor.link != "world") parent = names_[other] + "::" + anchor.link;
       X_PC = *X_LE;
@@ -134,9 +134,9 @@ extern constinit const SceneFormat scene_dmd{
     .name = "dmd",
     .help = "Drake model directives",
     .write = [](const SceneExport& scene) { return DirectivesWriter(scene).run(); },
-    .companion = {"package.xml",
-                  "<?xml version=\"1.0\"?>\n<package format=\"2\">\n  <name>scene</name>\n"
-                  "</package>\n"},
+    .companion =
+        {"package.xml",
+         "<?xml version=\"1.0\"?>\n<package format=\"2\">\n  <name>scene</name>\n</package>\n"},
     .has_reference_form = true,
     .has_expanded_form = false};
 

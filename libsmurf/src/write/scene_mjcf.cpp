@@ -48,7 +48,7 @@ class MjcfWriter : MjcfActuators {
       const std::size_t other = to_size(anchor.instance);
       const std::optional<std::size_t> link = anchor_link(scene_.scene, i);
       if (!link || !flat(other).X_WE || ends[i] == i) {
-        losses_.anchor(i, "there is no link to hang it on");
+        losses_.anchor(i, "there is no link to attach it to");
         continue;
       }
       is_top_level_[i] = false;

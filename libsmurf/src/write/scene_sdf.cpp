@@ -120,7 +120,7 @@ class SdfWriter {
     const std::size_t other = to_size(linked(i).placement.anchor.instance);
     const LinkedModel* parent = robot_of(other);
     if (parent == nullptr || !is_written(other)) {
-      losses_.anchor(i, "`" + flat(other).path + "` is no model with links");
+      losses_.anchor(i, "`" + flat(other).path + "` is not a model with links");
       return;
     }
     const auto link = parent->link_names.find(flat(i).anchor.link);

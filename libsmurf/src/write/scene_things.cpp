@@ -20,9 +20,8 @@ constexpr std::string_view kGazeboOnly = "lost: it is meant for Gazebo";
 constexpr std::string_view kAsGazebo =
     "partly: as Gazebo converts them, where their link or joint is there";
 constexpr std::string_view kPlugin = "lost: Gazebo leaves them to a plug-in that reads the URDF";
-constexpr std::string_view kNearest = "changed: the nearest that the simulator takes";
-constexpr std::string_view kTenGrams =
-    "added: 10 g in a ball of 1 cm, as MARS takes them for what moves";
+constexpr std::string_view kNearest = "changed: the nearest that the simulator accepts";
+constexpr std::string_view kTenGrams = "added: 10 g in a ball of 1 cm, the default of MARS";
 constexpr std::string_view kColours = "lost: shapes have colours";
 
 constexpr SceneThing kThings[] = {
@@ -97,7 +96,8 @@ constexpr SceneThing kThings[] = {
     {.title = "motor setting",
      .of = ThingOf::annotation,
      .in_model = things::motor_keys,
-     .cells = {kKept, kKept, "lost: MuJoCo takes gain p and limits", kKept, kKept, kKept, kKept}},
+     .cells = {kKept, kKept, "lost: MuJoCo has gain p and limits only", kKept, kKept, kKept,
+               kKept}},
     {.title = "sensor",
      .of = ThingOf::annotation,
      .in_model = things::sensors,
@@ -173,22 +173,22 @@ constexpr SceneThing kThings[] = {
      .of = ThingOf::scene,
      .setting = WorldSetting::gravity,
      .cells = {kKept, kKept, kKept, kLost, kLost, kLost, kKept}},
-    {.title = "gravity that nobody wrote",
+    {.title = "gravity when none is set",
      .of = ThingOf::scene,
      .in_scene = things::no_gravity,
-     .cells = {"added: 9.81 m/s^2 downward, as MARS takes",
-               "added: 9.81 m/s^2 downward, as MARS takes",
-               "added: 9.81 m/s^2 downward, as MARS takes", kKept, kKept, kKept, kKept}},
+     .cells = {"added: 9.81 m/s^2 downward, the default of MARS",
+               "added: 9.81 m/s^2 downward, the default of MARS",
+               "added: 9.81 m/s^2 downward, the default of MARS", kKept, kKept, kKept, kKept}},
     {.title = "step size",
      .of = ThingOf::scene,
      .setting = WorldSetting::step_size,
      .cells = {kKept, kKept, kKept, kLost, kLost, kLost, kLost}},
-    {.title = "step size that nobody wrote",
+    {.title = "step size when none is set",
      .of = ThingOf::scene,
      .in_scene = things::no_step,
-     .cells = {"added: 1 ms, where MARS takes 10 ms", "added: 1 ms, where MARS takes 10 ms",
-               "added: 1 ms, where MARS takes 10 ms, with which many robots are unstable here",
-               kKept, kKept, kKept, kKept}},
+     .cells = {"added: 1 ms, where MARS uses 10 ms", "added: 1 ms, where MARS uses 10 ms",
+               "added: 1 ms; MARS uses 10 ms, with which many robots are unstable here", kKept,
+               kKept, kKept, kKept}},
     {.title = "solver settings",
      .of = ThingOf::scene,
      .setting = WorldSetting::solver,
@@ -204,8 +204,8 @@ constexpr SceneThing kThings[] = {
     {.title = "ambient colours of lights",
      .of = ThingOf::scene,
      .in_scene = things::ambient_lights,
-     .cells = {"lost: SDF has one ambient colour a world",
-               "lost: SDF has one ambient colour a world", kKept, kKept, kKept, kKept, kKept}},
+     .cells = {"lost: SDF has one ambient colour per world",
+               "lost: SDF has one ambient colour per world", kKept, kKept, kKept, kKept, kKept}},
     {.title = "entities of other types",
      .of = ThingOf::scene,
      .cells = {kLost, kLost, kLost, kLost, kLost, "kept: as nodes", "kept: as Xforms"}},
@@ -215,8 +215,8 @@ constexpr SceneThing kThings[] = {
     {.title = "start positions",
      .of = ThingOf::scene,
      .in_scene = things::start_positions,
-     .cells = {"changed: they are the zero of the joints, and limits are shifted along",
-               "changed: they are the zero of the joints, and limits are shifted along",
+     .cells = {"changed: they become the zero of the joints, and limits are shifted accordingly",
+               "changed: they become the zero of the joints, and limits are shifted accordingly",
                "kept: in the keyframe", kLost, kKept, "kept: as poses", "kept: as poses"}},
     {.title = "keys of primitives",
      .of = ThingOf::scene,

@@ -49,7 +49,7 @@ enum class WorldSetting : std::uint8_t { none, gravity, step_size, solver, envir
 /// Titles of what the writers note themselves.
 inline constexpr std::string_view kInventedMasses = "masses of moving links that have none";
 inline constexpr std::string_view kEmptyShapes = "shapes with a size of 0";
-inline constexpr std::string_view kRefusedInertias = "inertias that no simulator takes";
+inline constexpr std::string_view kRefusedInertias = "inertias that simulators refuse";
 
 struct SceneThing {
   std::string_view title;  ///< plural: "effort limits"; of an annotation singular: "motor"

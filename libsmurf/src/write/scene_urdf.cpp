@@ -200,7 +200,7 @@ class UrdfMerger {
     const std::size_t other = to_size(anchor.instance);
     const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames_);
     if (!X_LE || closes_circle(i)) {
-      losses_.anchor(i, "there is no link to hang it on");
+      losses_.anchor(i, "there is no link to attach it to");
       return false;
     }
     parent = prefix(other) + anchor.link;

@@ -26,8 +26,9 @@ constexpr Key<CollisionAnnotation> kKeys[] = {
      &CollisionAnnotation::link},
     {{.name = "bitmask",
       .type = integer,
-      .doc = "Two objects collide when their masks share a bit; ray sensors see bit 15 (32768). "
-             "Absent, rock-cpp/smurf takes 0: no collisions.",
+      .doc =
+          "Two objects collide when their masks share a bit; ray sensors see bit 15 (32768). The "
+          "default of rock-cpp/smurf is 0: no collisions.",
       .fallback = "65535"},
      &CollisionAnnotation::bitmask},
 };
@@ -63,7 +64,8 @@ constinit const SectionSpec collision{
     .entry = "collision",
     .doc = "Contact parameters of URDF collisions.",
     .read_by =
-        "MARS 1 (matches by name), MARS 2 and MARS with envire (match by name and link), Phobos 2; `collisions` is read by Phobos 2 only, which writes it",
+        "MARS 1 (matches by name), MARS 2 and MARS with envire (match by name and link), Phobos 2; "
+        "`collisions` is read by Phobos 2 only, which writes it",
     .filtered_keys = keys,
     .read = read,
     .entries = entries_of<&Annotations::collisions>};

@@ -48,9 +48,9 @@ constexpr Key<JointAnnotation> kKeys[] = {
      &JointAnnotation::axis},
     {{.name = "lowStopAxis1",
       .type = number,
-      .doc = "Lower stop of axis 1, with the sign of the physics engine: the URDF position stays "
-             "above -highStopAxis1. Both stops work only when this one is not 0 or there is a "
-             "spring.",
+      .doc =
+          "Lower stop of axis 1, with the sign of the physics engine: the URDF position stays "
+          "above -highStopAxis1. Both stops work only when this one is not 0 or there is a spring.",
       .unit = "rad or m",
       .fallback = "0",
       .read_by = "MARS 1"},
@@ -65,9 +65,15 @@ constexpr Key<JointAnnotation> kKeys[] = {
 };
 
 constexpr KeySpec kDependencyKeys[] = {
-    {.name = "joint", .type = text, .doc = "Joint that is followed.", .names = {NameKind::joint}},
-    {.name = "multiplier", .type = number, .doc = "Factor on its position."},
-    {.name = "offset", .type = number, .doc = "Added to it.", .unit = "rad or m"},
+    {.name = "joint",
+     .type = text,
+     .doc = "Joint that this one follows.",
+     .names = {NameKind::joint}},
+    {.name = "multiplier", .type = number, .doc = "Factor on the position of that joint."},
+    {.name = "offset",
+     .type = number,
+     .doc = "Offset that is added to the result.",
+     .unit = "rad or m"},
 };
 
 constexpr KeySpec kAxisKeys[] = {
@@ -186,23 +192,23 @@ constexpr KeySpec kMoreKeys[] = {
      .minimum = 0},
     {.name = "minPosition",
      .type = number,
-     .doc = "Read by MARS 2; the URDF's limit wins.",
+     .doc = "Read by MARS 2; the URDF's limit overrides it.",
      .unit = "rad or m",
      .read_by = "MARS 2"},
     {.name = "maxPosition",
      .type = number,
-     .doc = "Read by MARS 2; the URDF's limit wins.",
+     .doc = "Read by MARS 2; the URDF's limit overrides it.",
      .unit = "rad or m",
      .read_by = "MARS 2"},
     {.name = "maxEffort",
      .type = number,
-     .doc = "Read by MARS 2; the URDF's limit wins.",
+     .doc = "Read by MARS 2; the URDF's limit overrides it.",
      .unit = "N m or N",
      .read_by = "MARS 2",
      .minimum = 0},
     {.name = "maxVelocity",
      .type = number,
-     .doc = "Read by MARS 2; the URDF's limit wins.",
+     .doc = "Read by MARS 2; the URDF's limit overrides it.",
      .unit = "rad/s or m/s",
      .read_by = "MARS 2",
      .minimum = 0},
@@ -273,7 +279,8 @@ constinit const SectionSpec joint{
     .entry = "joint",
     .doc = "Changes to URDF joints.",
     .read_by =
-        "MARS 1, MARS 2, MARS with envire, Phobos 2; `joints` is read by Phobos 2 only, which writes it",
+        "MARS 1, MARS 2, MARS with envire, Phobos 2; `joints` is read by Phobos 2 only, which "
+        "writes it",
     .filtered_keys = keys,
     .read = read,
     .entries = entries_of<&Annotations::joints>};

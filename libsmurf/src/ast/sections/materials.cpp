@@ -92,7 +92,7 @@ constexpr KeySpec kMoreKeys[] = {
     {.name = "instancesHeight", .type = number, .doc = "Renderer of MARS: extent of the copies."},
     {.name = "maxNumLights",
      .type = integer,
-     .doc = "Renderer of MARS: most lights that shine on it.",
+     .doc = "Renderer of MARS: largest number of lights on it.",
      .minimum = 0},
     {.name = "renderBin", .type = any, .doc = "Renderer of MARS: order of drawing."},
     {.name = "shader", .type = any, .doc = "Renderer of MARS: shader program."},
@@ -119,8 +119,8 @@ constinit const SectionSpec materials{
     .aliases = kAliases,
     .entry = "material",
     .doc = "Colours and textures of URDF materials.",
-    .read_by =
-        "MARS 1, MARS 2, Phobos 2; MARS with envire reads ambientColor, specularColor and shininess only",
+    .read_by = "MARS 1, MARS 2, Phobos 2; MARS with envire reads ambientColor, specularColor and "
+               "shininess only",
     .filtered_keys = keys,
     .read = read,
     .entries = entries_of<&Annotations::materials>};

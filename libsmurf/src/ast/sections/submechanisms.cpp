@@ -69,12 +69,12 @@ constexpr KeySpec kLoopKeys[] = {
 constexpr KeySpec kLeaderKeys[] = {
     {.name = "joint",
      .type = text,
-     .doc = "Joint that is followed.",
+     .doc = "Joint that this one follows.",
      .names = may_name(NameKind::joint)},
     {.name = "multiplier", .type = number, .doc = "Factor of its position.", .fallback = "1"},
     {.name = "offset",
      .type = number,
-     .doc = "Added to its position times the factor.",
+     .doc = "Offset that is added to the scaled position.",
      .unit = "rad or m",
      .fallback = "0"},
 };

@@ -11,7 +11,7 @@ constexpr FamilyFact kFamilies[] = {
     {"SML18", {&mujoco, refuses, "refuses the number", kRun}},
 };
 
-constexpr std::string_view kVisuals = "discards visuals, but for their materials";
+constexpr std::string_view kVisuals = "discards visuals, except for their materials";
 constexpr std::string_view kIgnores = "does not look at it";
 
 constexpr Fact kUnread[] = {

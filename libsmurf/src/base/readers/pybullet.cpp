@@ -9,7 +9,7 @@ using enum Effect;
 
 constexpr FamilyFact kFamilies[] = {
     {"SML18",
-     {&pybullet, changes, "reads the digits in front, or 0", "Bullet UrdfParser.cpp (atof), run"}},
+     {&pybullet, changes, "reads the leading digits, or 0", "Bullet UrdfParser.cpp (atof), run"}},
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MARS, accidents included: an include overwrites what stands inside it (SMURFLoader.cpp:350-380,
-// 667-755), entities are created in an order of their own (580-637), names are global, and what is
-// not found is the world (SimEntity.cpp:344-501).
+// MARS, with all its quirks: an include overwrites the keys of its entities
+// (SMURFLoader.cpp:350-380, 667-755), entities are created in an order of their own (580-637),
+// names are global, and what is not found is the world (SimEntity.cpp:344-501).
 #include <queue>
 #include <unordered_map>
 
@@ -78,9 +78,9 @@ std::string entity_part(const std::string& reference) {
 }
 
 /// The order of creation. In every round MARS creates, in file order, what refers to nothing or
-/// only to names that exist; what is then left over is created in file order. Rounds are not played
-/// but computed: an entity's turn comes in the round of the last name it waits for, or in the next
-/// one when it stands before it.
+/// only to names that exist; what is then left over is created in file order. The rounds are
+/// computed, not simulated: an entity is created in the round of the last name that it waits for,
+/// or in the next one when it comes before that name in the file.
 class CreationOrder {
  public:
   CreationOrder(const LinkedScene& scene, const std::vector<Keys>& keys)
@@ -288,7 +288,7 @@ class EntityReader {
         X_WP = frame->X_WF;
       } else {
         add_note(reading.note, "does not find the parent " + quoted(keys.parent) +
-                                   " when it creates the entity, and takes the world");
+                                   " when it creates the entity, and uses the world");
       }
     }
     reading.X_WE = X_WP * Pose{keys.position, normalized(keys.rotation)};
@@ -347,7 +347,7 @@ SceneReading read(const LinkedScene& scene) { return EntityReader(scene).run(); 
 
 extern constinit const Dialect mars{
     .name = "mars",
-    .help = "as MARS reads it, accidents included",
+    .help = "as MARS reads it, with all its quirks",
     .read = read,
     .pose_of = documented_pose,
     .is_moved_by_include = [](const Entity& entity) { return !keys_of(entity).is_relative(); }};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Phobos 2 takes angles for radians and quaternions for x, y, z, w (representation.py:141-160,
+// Phobos 2 reads angles as radians and quaternions as x, y, z, w (representation.py:141-160,
 // utils/transform.py:9-48); it composes scenes as documented, from one of the three lists
 // (multiple.py:20-30, 83-88, 126, 188).
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace smurf::readings {
 namespace {
 
-/// What the numbers of a rotation are to scipy; none when it raises.
+/// The rotation that scipy makes of the numbers; none when it raises.
 std::optional<Quaternion> quaternion_of(const Rotation& rotation, bool is_list) {
   const auto& [a, b, c, d] = rotation.values;
   switch (rotation.form) {
@@ -97,8 +97,8 @@ class EntityReader {
     const Pose own{entity.position.value_or({0, 0, 0}), *turned};
     if (angle_between(*turned, to_quaternion(entity.rotation)) > 1e-9) {
       add_note(placed.note, entity.rotation.form == RotationForm::quaternion
-                                ? "takes the quaternion for x, y, z, w"
-                                : "takes the angles for radians");
+                                ? "reads the quaternion as x, y, z, w"
+                                : "reads the angles as radians");
     }
     const bool inherits = frame != nullptr && has_no_parent_link(entity);
     placed.X_PE = inherits ? frame->X_PE * own : own;

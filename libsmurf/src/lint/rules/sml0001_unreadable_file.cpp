@@ -16,7 +16,7 @@ extern constinit const Rule sml0001_unreadable_file{
     .name = "unreadable-file",
     .severity = Severity::error,
     .summary = "A file that was to be checked cannot be read.",
-    .why = "An unread file cannot be checked.",
+    .why = "Nothing in the file was checked.",
     .remedy = "Check the path and its permissions.",
     .sources = "The operating system.",
     .facts = kFacts};

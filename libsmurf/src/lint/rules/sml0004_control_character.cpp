@@ -18,7 +18,7 @@ extern constinit const Rule sml0004_control_character{
     .id = "SML0004",
     .name = "control-character",
     .severity = Severity::error,
-    .summary = "A file holds a control character that its format, YAML or XML, does not allow.",
+    .summary = "A file contains a control character that its format, YAML or XML, does not allow.",
     .why = "Editors do not show the byte, so names that look alike differ.",
     .remedy = "Delete the character.",
     .sources = "YAML 1.2 section 5.1; XML 1.0 section 2.2.",

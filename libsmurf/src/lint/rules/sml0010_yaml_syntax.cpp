@@ -11,7 +11,7 @@ constexpr Fact kFacts[] = {
     {&readers::envire, Effect::crashes, "ends with an uncaught exception", "configmaps, run"},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#main"},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#scene"},
-    {&readers::phobos, Effect::loses, "logs the error and goes on without the annotations",
+    {&readers::phobos, Effect::loses, "logs the error and continues without the annotations",
      "Phobos smurfrobot.py"},
 };
 
@@ -23,8 +23,9 @@ extern constinit const Rule sml0010_yaml_syntax{
     .severity = Severity::error,
     .summary = "A file is not well-formed YAML.",
     .why = "No reader can use the file.",
-    .remedy = "Correct the line; indentation (spaces only), an unclosed bracket or quote and an "
-              "unquoted `: ` inside a value are the usual causes.",
+    .remedy =
+        "Correct the line; indentation (spaces only), an unclosed bracket or quote and an unquoted "
+        "`: ` inside a value are the usual causes.",
     .sources = "yaml-cpp 0.7 and PyYAML 6.0, executed.",
     .facts = kFacts};
 

@@ -18,7 +18,7 @@ extern constinit const Rule sml0011_duplicate_key{
     .id = "SML0011",
     .name = "duplicate-key",
     .severity = Severity::error,
-    .summary = "A mapping holds the same key twice.",
+    .summary = "A mapping contains the same key twice.",
     .why = "Readers make two different robots of the same file.",
     .remedy = "Delete one of the two, or rename it.",
     .facts = kFacts};

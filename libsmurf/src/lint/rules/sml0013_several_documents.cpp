@@ -11,7 +11,7 @@ constexpr Fact kFacts[] = {
     {&readers::envire, Effect::loses, "reads the first document only", "configmaps, run"},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#main"},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "#scene"},
-    {&readers::phobos, Effect::loses, "refuses the file and goes on without the annotations",
+    {&readers::phobos, Effect::loses, "refuses the file and continues without the annotations",
      "PyYAML safe_load"},
 };
 
@@ -21,8 +21,8 @@ extern constinit const Rule sml0013_several_documents{
     .id = "SML0013",
     .name = "several-documents",
     .severity = Severity::warning,
-    .summary = "A file holds more than one YAML document.",
-    .remedy = "Keep one document a file.",
+    .summary = "A file contains more than one YAML document.",
+    .remedy = "Keep one document per file.",
     .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -23,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
       if (is_known[i] || !is_item || node.kind() != yaml::Kind::null) continue;
       if (node.is_alias() || file.document->nodes[parent].key() == "files") continue;
       const Span place = node.span.empty() ? file.document->nodes[parent].key_span() : node.span;
-      findings.report(place, "a list must not hold an empty item: MARS ends with an exception");
+      findings.report(place, "a list must not contain an empty item: MARS ends with an exception");
     }
   }
 }

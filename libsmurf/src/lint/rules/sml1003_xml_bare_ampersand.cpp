@@ -16,7 +16,7 @@ extern constinit const Rule sml1003_xml_bare_ampersand{
     .id = "SML1003",
     .name = "xml-bare-ampersand",
     .severity = Severity::error,
-    .summary = "An `&` begins no character reference.",
+    .summary = "An `&` does not begin a character reference.",
     .why = "Browsers (urdf-loader) refuse the file.",
     .remedy = "Write `&amp;`.",
     .sources = "urdf-loader 0.13, executed.",

@@ -16,7 +16,7 @@ extern constinit const Rule sml1004_xml_comment_dashes{
     .id = "SML1004",
     .name = "xml-comment-dashes",
     .severity = Severity::error,
-    .summary = "A comment holds `--`.",
+    .summary = "A comment contains `--`.",
     .why = "XML forbids it: browsers (urdf-loader) refuse the file.",
     .remedy = "Write `- -` or another dash.",
     .sources = "urdf-loader 0.13, executed; XML 1.0 section 2.5.",

@@ -18,8 +18,8 @@ extern constinit const Rule sml1005_xml_junk_before_prolog{
     .name = "xml-junk-before-prolog",
     .severity = Severity::error,
     .summary = "There is text before the XML declaration.",
-    .why = "The declaration must be the first bytes of the file: browsers (urdf-loader), expat and "
-           "yourdfpy refuse it otherwise.",
+    .why = "The declaration must be the first thing in the file; otherwise browsers (urdf-loader), "
+           "expat and yourdfpy refuse the file.",
     .remedy = "Delete everything before `<?xml`.",
     .sources = "urdf-loader 0.13, executed; XML 1.0 section 2.8.",
     .facts = kFacts,

@@ -17,8 +17,8 @@ extern constinit const Rule sml1006_xml_several_roots{.id = "SML1006",
                                                       .name = "xml-several-roots",
                                                       .severity = Severity::error,
                                                       .summary =
-                                                          "A file holds a second root element.",
-                                                      .remedy = "Keep one robot a file.",
+                                                          "A file contains a second root element.",
+                                                      .remedy = "Keep one robot per file.",
                                                       .facts = kFacts,
                                                       .blocks_building = true};
 

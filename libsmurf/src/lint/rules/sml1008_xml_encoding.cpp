@@ -16,11 +16,11 @@ extern constinit const Rule sml1008_xml_encoding{
     .id = "SML1008",
     .name = "xml-encoding",
     .severity = Severity::error,
-    .summary = "The XML declaration names another encoding than that of the file.",
+    .summary = "The XML declaration names an encoding that the file does not have.",
     .why =
-        "expat, lxml and browsers (urdf-loader) refuse UTF-8 that calls itself UTF-16. Text that "
-        "calls itself ISO-8859-1 is decoded so by urdfdom and left alone by tinyxml2 (sdformat, "
-        "MuJoCo, Bullet): names beyond ASCII differ from reader to reader.",
+        "expat, lxml and browsers (urdf-loader) refuse UTF-8 that is declared as UTF-16. Text that "
+        "is declared as ISO-8859-1 is converted by urdfdom, but not by tinyxml2 (sdformat, MuJoCo, "
+        "Bullet): names with non-ASCII characters differ from reader to reader.",
     .remedy = "Declare UTF-8, or leave the encoding out.",
     .sources = "urdfdom, MuJoCo and urdf-loader 0.13, executed; XML 1.0 section 4.3.3.",
     .facts = kFacts,

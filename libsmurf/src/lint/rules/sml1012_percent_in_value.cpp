@@ -42,7 +42,7 @@ extern constinit const Rule sml1012_percent_in_value{
     .id = "SML1012",
     .name = "percent-in-value",
     .severity = Severity::error,
-    .summary = "A number, colour or material name holds `%`.",
+    .summary = "A number, colour or material name contains `%`.",
     .remedy = "Remove the `%`.",
     .sources = "fixed in 5.1.0 (urdfdom pull requests 243, 244).",
     .facts = kFacts,

@@ -16,9 +16,9 @@ extern constinit const Rule sml1014_xml_missing_blank{
     .id = "SML1014",
     .name = "xml-missing-blank",
     .severity = Severity::error,
-    .summary = "Nothing separates two attributes.",
+    .summary = "There is no space between two attributes.",
     .why = "Browsers (urdf-loader) and Python's readers refuse the file.",
-    .remedy = "Write a blank before the second attribute.",
+    .remedy = "Insert a space before the second attribute.",
     .sources = "XML 1.0 section 3.1; expat, executed.",
     .facts = kFacts,
     .blocks_building = true};

@@ -22,7 +22,7 @@ extern constinit const Rule sml1101_root_not_robot{
     .severity = Severity::error,
     .summary = "The root element of a URDF is not `robot`.",
     .why = "Names of elements are case-sensitive.",
-    .remedy = "Name the root element `robot`, or name the right file.",
+    .remedy = "Name the root element `robot`, or check whether this is the right file.",
     .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -28,13 +28,13 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "accepts an empty name", kRun, "#empty"},
-    {&readers::urdfdom, Effect::refuses, "refuses a robot without name",
+    {&readers::urdfdom, Effect::refuses, "refuses a robot without a name",
      "urdfdom model.cpp:115, run"},
-    {&readers::pybullet, Effect::refuses, "refuses a robot without name",
+    {&readers::pybullet, Effect::refuses, "refuses a robot without a name",
      "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::refuses, "refuses an empty name", kRun, "#empty"},
     {&readers::mujoco, Effect::takes, "needs no name", kRun},
-    {&readers::drake, Effect::refuses, "refuses a robot without name, unless the caller names it",
+    {&readers::drake, Effect::refuses, "refuses a robot without a name, unless the caller names it",
      "Drake detail_urdf_parser.cc:1452"},
 };
 

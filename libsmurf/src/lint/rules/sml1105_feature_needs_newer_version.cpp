@@ -30,9 +30,10 @@ extern constinit const Rule sml1105_feature_needs_newer_version{
     .id = "SML1105",
     .name = "feature-needs-newer-version",
     .severity = Severity::error,
-    .summary = "An attribute belongs to a later URDF version than readers know.",
+    .summary = "An attribute belongs to a newer version of URDF than most readers support.",
     .remedy =
-        "Write the rotation as rpy; leave the limits out, or set them where your controller reads them.",
+        "Write the rotation as rpy; leave the limits out, or set them where your controller reads "
+        "them.",
     .sources = "urdfdom pull requests 212 and 235.",
     .check_model = check,
     .facts = kFacts};

@@ -16,8 +16,7 @@ extern constinit const Rule sml1106_unknown_element{
     .id = "SML1106",
     .name = "unknown-element",
     .severity = Severity::warning,
-    .summary =
-        "A place where readers look for URDF elements has an element that URDF does not define.",
+    .summary = "An unknown element is in a place where readers expect elements of URDF.",
     .why = "Readers ignore the element: a misspelt `collision` leaves the link without collision.",
     .remedy = "Correct the name; foreign data belongs under `robot` or needs a prefix.",
     .facts = kFacts};

@@ -22,7 +22,7 @@ extern constinit const Rule sml1109_duplicate_singleton{
     .id = "SML1109",
     .name = "duplicate-singleton",
     .severity = Severity::error,
-    .summary = "An element that may occur once occurs twice.",
+    .summary = "An element that may occur only once is repeated.",
     .why = "urdf-loader uses the last origin.",
     .remedy = "Keep one of them.",
     .sources = "urdf-loader 0.13, executed.",

@@ -43,7 +43,7 @@ extern constinit const Rule sml1111_geometry_several_shapes{
     .id = "SML1111",
     .name = "geometry-several-shapes",
     .severity = Severity::error,
-    .summary = "A geometry holds more than one shape.",
+    .summary = "A geometry contains more than one shape.",
     .remedy = "Write one visual or collision for each shape.",
     .check_model = check,
     .facts = kFacts};

@@ -14,7 +14,7 @@ void check_geometry(const LinkedModel& model, const urdf::Link& link,
     // Shapes beyond URDF 1.0 are another defect of the same geometry.
     if (!is_shape(child.name())) continue;
     Diagnostic& diagnostic = findings.report(
-        first.name_span(), quoted(first.name()) + " stands before the shape of this geometry");
+        first.name_span(), quoted(first.name()) + " comes before the shape of this geometry");
     diagnostic.labels.push_back({child.name_span(), "the shape"});
     diagnostic.notes.push_back("urdfdom loses " + title(link) + " from here on");
     diagnostic.help = "put the shape first";

@@ -18,14 +18,15 @@ constexpr Fact kFacts[] = {
 
 }  // namespace
 
-extern constinit const Rule sml1115_no_links{.id = "SML1115",
-                                             .name = "no-links",
-                                             .severity = Severity::error,
-                                             .summary = "A robot has no link.",
-                                             .remedy = "Add a link, or name the right file.",
-                                             .sources = "4 of 322 files of the Tola/Corke dataset.",
-                                             .check_model = check,
-                                             .facts = kFacts,
-                                             .blocks_building = true};
+extern constinit const Rule sml1115_no_links{
+    .id = "SML1115",
+    .name = "no-links",
+    .severity = Severity::error,
+    .summary = "A robot has no link.",
+    .remedy = "Add a link, or check whether this is the right file.",
+    .sources = "4 of 322 files of the Tola/Corke dataset.",
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true};
 
 }  // namespace smurf::rules

@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::ignores, "ignores it", "urdfdom, MuJoCo and Bullet, run"},
-    {&readers::gazebo, Effect::changes, "places the model by it",
+    {&readers::gazebo, Effect::changes, "uses it as the pose of the model",
      "sdformat parser_urdf.cc:1227-1270"},
 };
 

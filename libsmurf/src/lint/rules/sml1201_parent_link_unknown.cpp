@@ -15,18 +15,19 @@ void check(const LinkedModel& model, Findings& findings) {
         check_link_of_joint(model, one, subject_of(parent.parent()), unnamed, findings);
     if (diagnostic != nullptr && one.name == "world") {
       diagnostic->construct = "drake-world";
-      diagnostic->notes.push_back("only Drake knows a link `world` that is not declared; what is "
-                                  "meant for Drake is checked with `--target drake`");
+      diagnostic->notes.push_back(
+          "only Drake has a link `world` without a declaration; check files for Drake with "
+          "`--target drake`");
       diagnostic->help = "declare it: `<link name=\"world\"/>`";
     }
   }
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::phobos, Effect::breaks, "keeps a joint that hangs on nothing", kRun},
+    {&readers::phobos, Effect::breaks, "keeps a joint without a parent", kRun},
     {&readers::urdf, Effect::refuses, "refuses the file",
      "urdfdom model.h:128; MuJoCo, Bullet, run"},
-    {&readers::drake, Effect::takes, "knows an implicit link `world`",
+    {&readers::drake, Effect::takes, "has an implicit link `world`",
      "Drake detail_urdf_parser.cc:518", "#drake-world"},
 };
 

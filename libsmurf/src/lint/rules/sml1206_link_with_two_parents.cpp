@@ -37,11 +37,11 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::changes,
-     "does not notice, and keeps the joint that is last in the alphabet", kRun},
+     "does not notice, and keeps the joint whose name is last in alphabetical order", kRun},
     {&readers::pybullet, Effect::changes, "keeps the last parent", "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::refuses, "reports a duplicate link", kRun},
-    {&readers::dart, Effect::crashes, "does not come to an end", kRun, "#ring"},
-    {&readers::dart, Effect::changes, "builds the link twice or does not come to an end", kRun},
+    {&readers::dart, Effect::crashes, "never terminates", kRun, "#ring"},
+    {&readers::dart, Effect::changes, "builds the link twice, or never terminates", kRun},
     {&readers::mujoco, Effect::refuses, "refuses several parents", kRun},
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised",
      "Drake issue 19034"},
@@ -54,8 +54,8 @@ extern constinit const Rule sml1206_link_with_two_parents{
     .name = "link-with-two-parents",
     .severity = Severity::error,
     .summary = "A link is the child of more than one joint.",
-    .remedy =
-        "URDF cannot describe closed chains: keep one joint, and write the other as a loop constraint where the target supports it.",
+    .remedy = "URDF cannot describe closed chains: keep one joint, and write the other as a loop "
+              "constraint where the target supports it.",
     .check_model = check,
     .facts = kFacts,
     .blocks_building = true};

@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// To readers the link is no root, for a joint leads to it.
+/// Readers do not treat the link as a root, because a joint leads to it.
 bool has_other_roots(const LinkedModel& model, std::string_view link) {
   std::size_t count = 0;
   for (const LinkIndex root : model.tree.roots) {
@@ -31,12 +31,11 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::changes,
-     "accepts it; programs that walk the tree do not come to an end",
+    {&readers::urdfdom, Effect::changes, "accepts it; programs that walk the tree never terminate",
      "urdfdom issue 154; check_urdf 3.0.1, run"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::gazebo, Effect::crashes, "crashes", kRun},
-    {&readers::dart, Effect::crashes, "does not come to an end", kRun},
+    {&readers::dart, Effect::crashes, "never terminates", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
 };
 

@@ -34,7 +34,7 @@ void check(const LinkedModel& model, Findings& findings) {
   std::vector<bool> is_done(model.robot->links.size(), false);
   for (const LinkIndex link : model.tree.order) is_done[to_size(link)] = true;
   for (std::size_t i = 0; i < is_done.size(); ++i) {
-    // Upwards until a link comes again: what was met before it hangs below the ring.
+    // Goes up until a link repeats: the links before it hang below the ring.
     std::vector<std::size_t> path;
     std::size_t at = i;
     for (; !is_done[at]; at = parent_of(model, at)) {
@@ -47,7 +47,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::loses, "accepts it; the ring is reached from no root", kRun},
+    {&readers::urdfdom, Effect::loses, "accepts it; no root reaches the ring", kRun},
     {&readers::pybullet, Effect::changes, "accepts the ring", "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::loses, "leaves the ring out", kRun},
     {&readers::dart, Effect::loses, "leaves the ring out", kRun},

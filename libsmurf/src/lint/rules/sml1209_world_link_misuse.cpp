@@ -14,7 +14,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(joint.child.span, title(joint) + " leads to the link `world`");
     diagnostic.labels.push_back(
-        {link.name.span, "Gazebo, Drake and MuJoCo take this for the world"});
+        {link.name.span, "Gazebo, Drake and MuJoCo treat this as the world"});
     if (joint.is_movable()) diagnostic.construct = "moving";
     return;
   }
@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
   findings
       .report(tag_name(model, has_mass ? link.inertial->element : link.collisions[0].element),
               std::string("the link `world` has ") + (has_mass ? "an inertial" : "a collision"))
-      .labels.push_back({link.name.span, "Gazebo, Drake and MuJoCo take this for the world"});
+      .labels.push_back({link.name.span, "Gazebo, Drake and MuJoCo treat this as the world"});
 }
 
 constexpr std::string_view kDrops =
@@ -41,7 +41,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "refuses a joint that moves the world", kRun, "#moving"},
     {&readers::mujoco, Effect::loses, kDrops, kRun},
     {&readers::drake, Effect::loses,
-     "treats it as the world itself: drops its inertial and collisions, or refuses a joint that leads to it",
+     "treats it as the world itself: drops its inertial and collisions, or refuses a joint that "
+     "leads to it",
      "Drake detail_urdf_parser.cc:203-216"},
 };
 
@@ -53,7 +54,7 @@ extern constinit const Rule sml1209_world_link_misuse{
     .severity = Severity::warning,
     .summary = "A link named `world` has a mass or collisions, or is the child of a joint.",
     .why = "Other readers see an ordinary link.",
-    .remedy = "Leave `world` an empty root, or give the link another name.",
+    .remedy = "Keep `world` as an empty root, or give the link another name.",
     .check_model = check,
     .facts = kFacts,
     .blocks_building = true};

@@ -32,10 +32,11 @@ extern constinit const Rule sml1211_closed_chain{
     .id = "SML1211",
     .name = "closed-chain",
     .severity = Severity::info,
-    .summary = "A robot has a closed chain that only some readers know.",
+    .summary = "A robot has a closed chain that only some readers support.",
     .why = "URDF describes trees. Isaac reads `loop_joint`.",
-    .remedy = "Write the loop for each target, e.g. in the annotations of the model, and check "
-              "that it is closed there.",
+    .remedy =
+        "Write the loop for each target, e.g. in the annotations of the model, and check that it "
+        "is closed there.",
     .sources = "Isaac UrdfParser.cpp.",
     .check_model = check,
     .facts = kFacts,

@@ -19,17 +19,18 @@ void check(const LinkedModel& model, Findings& findings) {
     places.push_back(use.name.span);
     if (!first) return;
     Diagnostic& diagnostic =
-        findings.report(use.name.span, "a second " + std::string(to_string(use.role)) +
-                                           " of the name " + quoted(*use.name));
+        findings.report(use.name.span, "a second " + std::string(to_string(use.role)) + " named " +
+                                           quoted(*use.name));
     diagnostic.labels.push_back({places[*first], "the first"});
   });
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "finds them by name only, so annotations reach the last one",
+    {&readers::mars, Effect::changes,
+     "finds them by name only, so annotations apply to the last one",
      "MARS smurf.cpp:405-449, 706, 779"},
     {&readers::dart, Effect::ignores, "renames the second one", kRun},
-    {&readers::mujoco, Effect::changes, "leaves the second geometry without name",
+    {&readers::mujoco, Effect::changes, "leaves the second geometry without a name",
      "MuJoCo xml_urdf.cc:326-359, run"},
     {&readers::drake, Effect::ignores, "renames the second one", "Drake, read"},
 };

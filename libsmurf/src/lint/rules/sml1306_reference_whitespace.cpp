@@ -11,7 +11,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_name(model, [&](std::string_view kind, const Field<std::string>& name) {
     if (name_fault(*name) != NameFault::blank) return;
     Diagnostic& diagnostic =
-        findings.report(name.span, "a blank belongs to the name " + quoted(*name));
+        findings.report(name.span, "a space is part of the name " + quoted(*name));
     const std::string_view meant = trimmed(*name);
     if (meant.empty()) {
       diagnostic.construct = "nothing-else";
@@ -27,16 +27,16 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::refuses, "does not find a link of that name, blank included",
-     "urdfdom, run"},
+    {&readers::urdf, Effect::refuses,
+     "finds no link with that name, because the space is part of it", "urdfdom, run"},
     {&readers::urdfdom, Effect::changes, "does not look for the joint; it is left free", kRun,
      "/mimic/"},
-    {&readers::urdfdom, Effect::takes, "keeps the blank in the name", kRun, "/joint/@name/"},
+    {&readers::urdfdom, Effect::takes, "keeps the space in the name", kRun, "/joint/@name/"},
     {&readers::gazebo, Effect::takes, "makes one link of two, and no joint", kRun,
      "/joint/@name/#nothing-else#in-fixed/"},
     {&readers::gazebo, Effect::refuses, "refuses a joint without a name", kRun,
      "/joint/@name/#nothing-else"},
-    {&readers::mujoco, Effect::takes, "keeps the blank in the name", kRun, "/joint/@name/"},
+    {&readers::mujoco, Effect::takes, "keeps the space in the name", kRun, "/joint/@name/"},
 };
 
 }  // namespace
@@ -45,9 +45,9 @@ extern constinit const Rule sml1306_reference_whitespace{
     .id = "SML1306",
     .name = "reference-whitespace",
     .severity = Severity::error,
-    .summary = "A name or a reference to one begins or ends with a blank.",
+    .summary = "A name or a reference to one begins or ends with a space.",
     .why = "Names are compared byte by byte.",
-    .remedy = "Delete the blank.",
+    .remedy = "Delete the space.",
     .check_model = check,
     .facts = kFacts};
 

@@ -9,7 +9,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_name(model, [&](std::string_view kind, const Field<std::string>& name) {
     if (name_fault(*name) != NameFault::double_colon) return;
     findings.report(name.span, "the name " + quoted(*name) + " of a " + std::string(kind) +
-                                   " holds `::`, which Gazebo reads as a path");
+                                   " contains `::`, which Gazebo reads as a path");
   });
 }
 
@@ -24,7 +24,7 @@ constexpr Fact kFacts[] = {
 extern constinit const Rule sml1308_double_colon{.id = "SML1308",
                                                  .name = "double-colon",
                                                  .severity = Severity::warning,
-                                                 .summary = "A name holds `::`.",
+                                                 .summary = "A name contains `::`.",
                                                  .remedy = "Use `_` instead.",
                                                  .check_model = check,
                                                  .facts = kFacts};

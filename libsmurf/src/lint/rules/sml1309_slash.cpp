@@ -6,16 +6,16 @@
 namespace smurf::rules {
 namespace {
 
-/// Authors name all parts by one scheme: one finding a file.
+/// One finding per file, because authors name all parts by one scheme.
 void check(const LinkedModel& model, Findings& findings) {
   Habit habit;
   for_each_name(model, [&](std::string_view, const Field<std::string>& name) {
     if (name_fault(*name) != NameFault::slash) return;
-    habit.add(name.span, "the name " + quoted(*name) + " holds a slash");
+    habit.add(name.span, "the name " + quoted(*name) + " contains a slash");
   });
   Diagnostic* diagnostic = habit.report("such names", findings);
   if (diagnostic == nullptr) return;
-  diagnostic->notes.push_back("MuJoCo, tf2 and USD take it for the separator of a path");
+  diagnostic->notes.push_back("MuJoCo, tf2 and USD treat it as the separator of a path");
 }
 
 constexpr Fact kFacts[] = {
@@ -30,7 +30,7 @@ constexpr Fact kFacts[] = {
 extern constinit const Rule sml1309_slash{.id = "SML1309",
                                           .name = "slash",
                                           .severity = Severity::warning,
-                                          .summary = "A name holds a slash.",
+                                          .summary = "A name contains a slash.",
                                           .why = "USD treats `/` as the separator of paths.",
                                           .remedy = "Use `_` instead.",
                                           .sources = "32 of 322 files of the Tola/Corke dataset.",

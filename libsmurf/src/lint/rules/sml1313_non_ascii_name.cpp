@@ -18,7 +18,7 @@ extern constinit const Rule sml1313_non_ascii_name{
     .id = "SML1313",
     .name = "non-ascii-name",
     .severity = Severity::warning,
-    .summary = "A name holds a character beyond ASCII.",
+    .summary = "A name contains a non-ASCII character.",
     .why = "ROS allows letters, digits and underscores in graph and frame names, USD and Isaac "
            "replace the character; tools that guess the encoding see another name.",
     .remedy = "Spell the name with ASCII letters.",

@@ -31,7 +31,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "calls all of them `collision_` or `visual_`: annotations cannot reach them, and of several only the last is found",
+     "calls all of them `collision_` or `visual_`: annotations cannot reach them, and of several "
+     "only the last is found",
      "MARS smurf.cpp:405-449, 706, 779"},
 };
 
@@ -42,7 +43,7 @@ extern constinit const Rule sml1314_unnamed_collision_or_visual{
     .name = "unnamed-collision-or-visual",
     .severity = Severity::warning,
     .summary = "A collision or visual has no name, although annotations refer to others by name.",
-    .remedy = "Name it; names like LINK_collision_1 are usual.",
+    .remedy = "Name it; names such as LINK_collision_1 are common.",
     .check_model = check,
     .facts = kFacts};
 

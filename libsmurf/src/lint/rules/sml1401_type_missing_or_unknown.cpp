@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kTypes[] = {"revolute", "continuous", "prismatic",
                                        "fixed",    "floating",   "planar"};
 
-/// With a range that does not begin at 0, as that of a ball joint must.
+/// True for a range that does not begin at 0, where that of a ball joint must.
 bool is_limited(const urdf::Joint& joint) {
   if (!joint.limit || !joint.limit->lower || !joint.limit->upper) return false;
   return *joint.limit->lower != 0 && *joint.limit->lower < *joint.limit->upper;
@@ -43,10 +43,11 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::refuses, "refuses the joint type, and the file",
      "urdfdom, MuJoCo, run"},
-    {&readers::mars, Effect::crashes, "dereferences a null pointer, as urdfdom refuses the file",
+    {&readers::mars, Effect::crashes,
+     "dereferences a null pointer, because urdfdom refuses the file",
      "MARS smurf.cpp:988-998, run"},
-    {&readers::phobos, Effect::takes, "loads it and keeps the word", "Phobos a613e31, run"},
-    {&readers::pybullet, Effect::takes, "knows a spherical joint", "Bullet UrdfParser.cpp, run",
+    {&readers::phobos, Effect::takes, "loads it and keeps the type as text", "Phobos a613e31, run"},
+    {&readers::pybullet, Effect::takes, "supports spherical joints", "Bullet UrdfParser.cpp, run",
      "#spherical"},
     {&readers::mujoco, Effect::refuses, "refuses a ball joint whose range does not begin at 0",
      kRun, "#spherical#limited"},

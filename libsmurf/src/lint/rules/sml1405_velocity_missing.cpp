@@ -18,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::refuses, "refuses the file", kRun},
     {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp, run"},
-    {&readers::mujoco, Effect::takes, "knows no limits of velocity", kRun},
+    {&readers::mujoco, Effect::takes, "has no velocity limits", kRun},
     {&readers::drake, Effect::changes, "reads infinity", "Drake detail_urdf_parser.cc"},
 };
 

@@ -29,7 +29,7 @@ extern constinit const Rule sml1414_effort_zero{
     .name = "effort-zero",
     .severity = Severity::warning,
     .summary = "The effort limit of a movable joint is 0.",
-    .remedy = "Write what the drive can give.",
+    .remedy = "Write the effort that the drive can provide.",
     .sources = "88 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
     .facts = kFacts};

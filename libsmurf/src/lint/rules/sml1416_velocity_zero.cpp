@@ -12,7 +12,8 @@ void check(const LinkedModel& model, Findings& findings) {
     // Effort and velocity both zero is one placeholder, reported as the effort.
     if (joint.limit->effort.value_or(1) == 0) return;
     findings.report(joint.limit->velocity.span, "the velocity limit of " + title(joint) + " is 0")
-        .notes.push_back("MoveIt and Isaac read no limit, Drake and Bullet a joint that stands");
+        .notes.push_back(
+            "MoveIt and Isaac read no limit, Drake and Bullet a joint that cannot move");
   });
 }
 

@@ -18,7 +18,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::ros, Effect::changes, "MoveIt uses the absolute value",
      "MoveIt robot_model.cpp:874"},
-    {&readers::mujoco, Effect::takes, "knows no limits of velocity", kRun},
+    {&readers::mujoco, Effect::takes, "has no velocity limits", kRun},
     {&readers::drake, Effect::refuses, "throws an exception", "Drake joint.h:435"},
 };
 

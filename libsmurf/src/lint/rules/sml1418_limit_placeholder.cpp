@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Exporters write the same limits into all joints: one finding a file.
+/// One finding per file, because exporters write the same limits into all joints.
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kEffort = 1e4;    // N m or N
   constexpr double kVelocity = 1e3;  // rad/s or m/s
@@ -28,12 +28,13 @@ extern constinit const Rule sml1418_limit_placeholder{
     .id = "SML1418",
     .name = "limit-placeholder",
     .severity = Severity::info,
-    .summary = "An effort or velocity limit is a placeholder rather than what the drive can do.",
-    .why =
-        "Planners, controllers and simulators use the number: trajectories are too fast for the robot, simulated joints pull with hundreds of kilonewtons.",
-    .remedy = "Write what the drive can give.",
-    .sources = "Distribution of the limits of 322 files of the Tola/Corke dataset: 27 have such "
-               "efforts, 31 such velocities.",
+    .summary = "An effort or velocity limit is a placeholder, not a property of the drive.",
+    .why = "Planners, controllers and simulators use the number: trajectories are too fast for the "
+           "robot, simulated joints pull with hundreds of kilonewtons.",
+    .remedy = "Write the limits of the drive.",
+    .sources =
+        "Distribution of the limits of 322 files of the Tola/Corke dataset: 27 have such efforts, "
+        "31 such velocities.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -40,11 +40,13 @@ extern constinit const Rule sml1423_axis_almost_aligned{
     .name = "axis-almost-aligned",
     .severity = Severity::info,
     .summary = "The axis of a joint is a coordinate axis up to rounding errors.",
-    .why =
-        "CAD exporters leave such rounding errors. Every reader tilts the joint by them, and Pinocchio uses a slower joint model.",
+    .why = "CAD exporters leave such rounding errors. Every reader tilts the joint by them, and "
+           "Pinocchio uses a slower joint model.",
     .remedy = "Write the coordinate axis, e.g. `0 0 1`.",
     .sources = "Pinocchio model.hxx:564-573.",
     .check_model = check,
-    .tolerance = {.value = 1e-3, .meaning = "what components of an axis below it count as noise"}};
+    .tolerance = {.value = 1e-3,
+                  .meaning =
+                      "the largest component of an axis that is treated as a rounding error"}};
 
 }  // namespace smurf::rules

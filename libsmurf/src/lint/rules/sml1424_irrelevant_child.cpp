@@ -24,7 +24,7 @@ struct Useless {
   }
 };
 
-/// An exporter that writes an element into one fixed joint writes it into all: one finding a file.
+/// One finding per file: an exporter writes such elements into all fixed joints.
 /// People fix a joint for an afternoon. Its limits and damping are lost when they are deleted,
 /// while an axis of a fixed joint is what exporters write.
 void check(const LinkedModel& model, Findings& findings) {
@@ -50,9 +50,10 @@ extern constinit const Rule sml1424_irrelevant_child{
     .name = "irrelevant-child",
     .severity = Severity::info,
     .summary = "A joint has elements that its type does not use.",
-    .why = "Readers ignore the axis, limit and dynamics of a fixed joint and the axis of a "
-           "floating one; urdfdom writes an axis `0 0 0` into every fixed joint it exports, which "
-           "strict readers of other formats refuse.",
+    .why =
+        "Readers ignore the axis, limit and dynamics of a fixed joint and the axis of a floating "
+        "one; urdfdom writes an axis `0 0 0` into every fixed joint it exports, which strict "
+        "readers of other formats refuse.",
     .remedy = "Delete them. Keep limits and dynamics when the joint is to move again.",
     .sources = "urdfdom joint.cpp:611-613; 24 of 322 files of the Tola/Corke dataset.",
     .check_model = check};

@@ -30,14 +30,14 @@ constexpr Fact kFacts[] = {
 
 }  // namespace
 
-extern constinit const Rule sml1426_dynamics_negative{.id = "SML1426",
-                                                      .name = "dynamics-negative",
-                                                      .severity = Severity::error,
-                                                      .summary =
-                                                          "A damping or friction is negative.",
-                                                      .why = "Elsewhere the joint gains energy.",
-                                                      .remedy = "Write a positive number.",
-                                                      .check_model = check,
-                                                      .facts = kFacts};
+extern constinit const Rule sml1426_dynamics_negative{
+    .id = "SML1426",
+    .name = "dynamics-negative",
+    .severity = Severity::error,
+    .summary = "A damping or friction is negative.",
+    .why = "In other readers, the joint gains energy.",
+    .remedy = "Write a positive number.",
+    .check_model = check,
+    .facts = kFacts};
 
 }  // namespace smurf::rules

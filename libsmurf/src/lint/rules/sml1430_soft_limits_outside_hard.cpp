@@ -7,7 +7,7 @@
 namespace smurf::rules {
 namespace {
 
-/// The message about wrong soft limits; empty when they are right.
+/// The message about wrong soft limits; empty when they are correct.
 std::string fault_of(const urdf::Joint& joint, double soft_lower, double soft_upper) {
   const double lower = *joint.limit->lower;
   const double upper = *joint.limit->upper;
@@ -57,7 +57,8 @@ extern constinit const Rule sml1430_soft_limits_outside_hard{
     .severity = Severity::warning,
     .summary = "Soft limits lie beyond the hard limits of their joint, or are swapped.",
     .why =
-        "A safety controller brakes before the hard limit is reached. With soft limits beyond the hard ones, it never brakes.",
+        "A safety controller brakes before the hard limit is reached. With soft limits beyond the "
+        "hard ones, it never brakes.",
     .remedy = "Put the soft limits within the hard ones.",
     .sources = "PR2 safety limits on the ROS wiki; MoveIt robot_model.cpp:849-860.",
     .check_model = check};

@@ -51,13 +51,14 @@ extern constinit const Rule sml1435_mimic_exceeds_limits{
     .name = "mimic-exceeds-limits",
     .severity = Severity::warning,
     .summary = "A mimic joint would have to exceed its limits.",
-    .why = "The constraint fights the limit: simulators jitter or stop the joint that leads, "
-           "planners find no way there.",
+    .why =
+        "The constraint fights the limit: simulators jitter or stop the joint that leads, planners "
+        "find no way there.",
     .remedy = "Widen the limits of the mimic joint, or narrow those of the joint it follows.",
     .sources = "MuJoCo, executed; 9 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .tolerance = {.value = 0.01,
-                  .meaning =
-                      "how far beyond its limits, in parts of its range, the joint may be led"}};
+    .tolerance = {
+        .value = 0.01,
+        .meaning = "how far beyond its limits the joint may be led, as a fraction of its range"}};
 
 }  // namespace smurf::rules

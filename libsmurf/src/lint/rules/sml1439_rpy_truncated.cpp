@@ -6,7 +6,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Authors round all angles alike: one finding a file, with one fix for all.
+/// One finding per file, with one fix for all angles, because authors round all of them alike.
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   std::vector<Edit> edits;
@@ -20,7 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (edits.empty()) return;
   Diagnostic& diagnostic = findings.report(
-      edits.front().span, "a right angle with few digits; " + edits.front().text + " is exact");
+      edits.front().span, "a rounded right angle; " + edits.front().text + " is exact");
   if (edits.size() > 1) {
     diagnostic.notes.push_back(std::to_string(edits.size() - 1) + " more such angles in this file");
   }
@@ -34,11 +34,11 @@ extern constinit const Rule sml1439_rpy_truncated{
     .id = "SML1439",
     .name = "rpy-truncated",
     .severity = Severity::info,
-    .summary = "Right angles are written with few digits.",
+    .summary = "Right angles are rounded to few digits.",
     .why = "`1.57` is 0.0008 rad short of a right angle: 0.8 mm at the end of a metre, and frames "
            "that should be parallel are not.",
-    .remedy = "Write the angle with all digits: 1.5707963267948966 for pi/2, 3.141592653589793 for "
-              "pi.",
+    .remedy =
+        "Write the angle with all digits: 1.5707963267948966 for pi/2, 3.141592653589793 for pi.",
     .sources = "97 of 322 files of the Tola/Corke dataset.",
     .check_model = check};
 

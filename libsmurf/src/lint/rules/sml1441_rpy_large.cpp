@@ -33,8 +33,9 @@ extern constinit const Rule sml1441_rpy_large{
     .name = "rpy-large",
     .severity = Severity::warning,
     .summary = "A roll, pitch or yaw is more than a full turn.",
-    .why = "URDF angles are radians: 90 is 14 turns and a bit. Values beyond a turn are degrees "
-           "most of the time.",
+    .why =
+        "URDF angles are radians: 90 is more than 14 turns. Values of more than a turn are usually "
+        "meant in degrees.",
     .remedy = "Multiply by pi/180.",
     .sources = "URDF specification; urdfdom pose.h.",
     .check_model = check};

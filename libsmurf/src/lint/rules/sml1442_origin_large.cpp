@@ -21,7 +21,7 @@ double farthest_in(std::string_view text) {
   return farthest;
 }
 
-/// The unit is one decision, so one finding a file.
+/// One finding per file, because the unit is one decision.
 void check(const LinkedModel& model, Findings& findings) {
   const double far = findings.tolerance();
   if (!model.robot) return;
@@ -50,8 +50,9 @@ extern constinit const Rule sml1442_origin_large{
     .name = "origin-large",
     .severity = Severity::warning,
     .summary = "An origin lies more than 10 m away.",
-    .why = "URDF lengths are metres: values in millimetres put a part hundreds of metres off, out "
-           "of sight in every viewer.",
+    .why =
+        "URDF lengths are metres: values in millimetres put a part hundreds of metres off, out of "
+        "sight in every viewer.",
     .remedy = "Divide by 1000, if it is in millimetres.",
     .sources = "URDF specification; urdfdom pose.h.",
     .check_model = check,

@@ -36,7 +36,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!gazebo || gazebo.name() != "gazebo" || one.is_known()) continue;
     Diagnostic& diagnostic =
         findings.report(one.span, "no link and no joint is called " + quoted(one.name));
-    diagnostic.notes.push_back("Gazebo ignores this element and all it holds");
+    diagnostic.notes.push_back("Gazebo ignores this element and everything in it");
     auto near = findings.suggest(one.name, model.link_names.names());
     if (!near) near = findings.suggest(one.name, model.joint_names.names());
     if (!near) continue;

@@ -23,9 +23,9 @@ extern constinit const Rule sml1446_dont_collapse_false{
     .id = "SML1446",
     .name = "dont-collapse-false",
     .severity = Severity::warning,
-    .summary = "A joint says `dont_collapse=\"false\"`, which Isaac reads as true.",
-    .why = "Isaac looks only whether the attribute is there: its value, whatever it is, keeps the "
-           "fixed joint from being merged.",
+    .summary = "A joint has `dont_collapse=\"false\"`, which Isaac reads as true.",
+    .why = "Isaac only checks whether the attribute is there: any value keeps the fixed joint from "
+           "being merged.",
     .remedy = "Delete the attribute.",
     .sources = "Isaac importer UrdfParser.cpp:1270-1274.",
     .check_model = check};

@@ -13,7 +13,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr std::string_view kWhole = "maxContacts";
-/// What sdformat hands to std::stod or, that one, to std::stoi, which throw.
+/// Elements that sdformat reads with std::stod (kWhole: std::stoi), which throws.
 constexpr std::string_view kNumbers[] = {"mu1",
                                          "mu2",
                                          "kp",
@@ -36,7 +36,7 @@ std::from_chars_result read_number(std::string_view text, double& number) {
   return read_floating(text, number);
 }
 
-/// As std::stod and std::stoi read: blanks in front, and a number is enough.
+/// Reads like std::stod and std::stoi: skips leading white space, ignores what follows the number.
 template <class Number>
 std::optional<Number> leading_number(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
@@ -91,7 +91,7 @@ extern constinit const Rule sml1447_gazebo_value{
     .id = "SML1447",
     .name = "gazebo-value",
     .severity = Severity::warning,
-    .summary = "An element for Gazebo holds a value that Gazebo cannot read.",
+    .summary = "An element for Gazebo contains a value that Gazebo cannot read.",
     .why = "An empty `mu1`, or a word in `dampingFactor`, ends the simulator.",
     .remedy = "Write a number; `gravity` is `true` or `false`.",
     .check_model = check,

@@ -28,7 +28,7 @@ bool is_number(std::string_view text) {
   return parse_number(text) || parse_hexadecimal(text) || bare == "nan" || bare == "inf";
 }
 
-/// None or one; no number leaves the default.
+/// True for an empty text, too, with which MuJoCo keeps the default.
 bool is_at_most_one_number(std::string_view text) {
   std::size_t at = 0;
   const std::string_view first = next_word(text, at);
@@ -48,7 +48,7 @@ bool is_readable(std::string_view name, std::string_view text) {
   return name != "eulerseq" || text.size() == 3;
 }
 
-/// A second one of what there may be once.
+/// Reports a repeated element that may occur only once.
 void check_repeated(const xml::View parent, std::string_view name, Findings& findings) {
   bool is_first = true;
   for (const xml::View child : parent) {
@@ -88,7 +88,7 @@ extern constinit const Rule sml1449_mujoco_value{
     .severity = Severity::warning,
     .summary = "A setting for MuJoCo is repeated, or has a value that MuJoCo cannot read.",
     .why = "Its element `compiler` takes `true` and `false` for flags, written exactly so.",
-    .remedy = "Write one element with a value that it knows.",
+    .remedy = "Write one element, with a value that MuJoCo accepts.",
     .check_model = check,
     .facts = kFacts};
 

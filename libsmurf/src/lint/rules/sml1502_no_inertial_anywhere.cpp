@@ -20,7 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(name.span.empty() ? tag_name(model, model.robot->document.root) : name.span,
                       "no link of this robot has an inertial");
-  diagnostic.labels.push_back({name_place(model, *movable), "what moves needs a mass"});
+  diagnostic.labels.push_back({name_place(model, *movable), "moving links need a mass"});
   const std::vector<bool> massless = massless_bodies(model);
   if (std::find(massless.begin(), massless.end(), true) != massless.end()) {
     diagnostic.construct = "massless-body";

@@ -25,7 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
           findings.report(below->name_span(),
                           "readers ignore " + quoted(lower) + " in the inertia of " + title(link));
       if (parse_number(below->value()) == parse_number(above->value())) {
-        diagnostic.help = "delete it; " + quoted(upper) + " says the same";
+        diagnostic.help = "delete it; " + quoted(upper) + " has the same value";
         diagnostic.fixes.push_back({Applicability::safe, {{below->span(), ""}}});
       } else {
         diagnostic.labels.push_back({above->value_span(), "and read another value here"});
@@ -40,7 +40,7 @@ extern constinit const Rule sml1507_inertia_lower_triangle{
     .id = "SML1507",
     .name = "inertia-lower-triangle",
     .severity = Severity::warning,
-    .summary = "An inertia holds an entry below the diagonal.",
+    .summary = "An inertia contains an entry below the diagonal.",
     .why = "A tensor is symmetric and URDF has six entries: `iyx`, `izx` and `izy` are ignored by "
            "every reader.",
     .remedy = "Delete it; the value belongs to `ixy`, `ixz` or `iyz`.",

@@ -41,12 +41,12 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_positive_definite(*moments)) return;
     Diagnostic& diagnostic =
         findings.report(inertia_place(model, *link.inertial),
-                        "the inertia of " + title(link) + " is not that of any body");
+                        "the inertia of " + title(link) + " is not physically possible");
     if (sound.empty()) sound = sound_together(model);
     if (sound[at]) diagnostic.construct = "sound-together";
     diagnostic.caret = "principal moments " + format_rounded(low, 4) + ", " +
                        format_rounded(middle, 4) + ", " + format_rounded(high, 4);
-    diagnostic.notes.push_back("the principal moments of a body are positive");
+    diagnostic.notes.push_back("the principal moments of a body must be positive");
   });
 }
 

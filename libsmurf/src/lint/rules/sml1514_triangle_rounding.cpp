@@ -99,8 +99,9 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::refuses,
      "adds it to what it is fixed to, and reports error E18, an invalid inertia", kRun, "#lost"},
     {&readers::mujoco, Effect::takes, "keeps the moments", kRun, "#lost"},
-    {&readers::mujoco, Effect::changes, "balances the moments, as it is told", kRun, kBalanced},
-    {&readers::mujoco, Effect::refuses, "refuses the inertia: it tolerates nothing",
+    {&readers::mujoco, Effect::changes, "balances the moments, because the file tells it to", kRun,
+     kBalanced},
+    {&readers::mujoco, Effect::refuses, "refuses the inertia: it has no tolerance",
      "MuJoCo user_objects.cc:2762-2770, run"},
     {&readers::drake, Effect::changes, "replaces the body by a sphere of water with that mass",
      "Drake rotational_inertia.cc:184-216", "#drake"},
@@ -114,7 +115,8 @@ extern constinit const Rule sml1514_triangle_rounding{
     .severity = Severity::warning,
     .summary = "An inertia breaks the triangle inequality by rounding.",
     .why =
-        "Flat parts reach equality: with few digits the largest moment ends above the sum of the others.",
+        "Flat parts reach equality: with few digits the largest moment ends above the sum of the "
+        "others.",
     .remedy = "Print more digits, or lower the largest moment by the difference.",
     .check_model = check,
     .facts = kFacts};

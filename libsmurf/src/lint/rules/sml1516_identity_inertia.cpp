@@ -8,7 +8,7 @@
 namespace smurf::rules {
 namespace {
 
-/// Exporters write it into all links: one finding a file.
+/// One finding per file, because exporters write it into all links.
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kPlausible = 100;  // kg; a block of a metre and so heavy comes near it
   std::size_t count = 0;
@@ -21,9 +21,9 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (first == nullptr) return;
   const double mass = *first->inertial->mass;
-  Diagnostic& diagnostic = findings.report(inertia_place(model, *first->inertial),
-                                           "the inertia of " + title(*first) +
-                                               " is the unit tensor, which looks left over");
+  Diagnostic& diagnostic = findings.report(
+      inertia_place(model, *first->inertial),
+      "the inertia of " + title(*first) + " is the unit tensor, which looks like a placeholder");
   diagnostic.caret = "of a ball of " + format_rounded(2 * std::sqrt(2.5 / mass), 2) + " m and " +
                      format_rounded(mass, 3) + " kg";
   if (count > 1) {
@@ -38,8 +38,8 @@ extern constinit const Rule sml1516_identity_inertia{
     .name = "identity-inertia",
     .severity = Severity::warning,
     .summary = "An inertia is the unit tensor.",
-    .why =
-        "CAD tools and templates write it as a placeholder. A body of 1 kg with this inertia is some two metres large, so joints respond far too slowly.",
+    .why = "CAD tools and templates write it as a placeholder. A body of 1 kg with this inertia is "
+           "about two metres wide, so joints respond far too slowly.",
     .remedy = "Compute the inertia from the geometry and the mass.",
     .sources = "14 of 322 files of the Tola/Corke dataset.",
     .check_model = check};

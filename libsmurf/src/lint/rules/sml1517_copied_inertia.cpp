@@ -38,8 +38,8 @@ extern constinit const Rule sml1517_copied_inertia{
     .name = "copied-inertia",
     .severity = Severity::info,
     .summary = "Most links have the same mass and inertia.",
-    .why =
-        "Parts of a robot differ. Equal numbers are placeholders, and the simulated robot moves unlike the real one.",
+    .why = "Parts of a robot differ. Equal numbers are placeholders, and the simulated robot moves "
+           "differently from the real one.",
     .remedy = "Compute mass and inertia from the geometry of each link.",
     .sources = "23 of 322 files of the Tola/Corke dataset.",
     .check_model = check};

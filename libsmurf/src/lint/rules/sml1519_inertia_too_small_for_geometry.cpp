@@ -31,14 +31,16 @@ extern constinit const Rule sml1519_inertia_too_small_for_geometry{
     .name = "inertia-too-small-for-geometry",
     .severity = Severity::info,
     .summary = "An inertia is far smaller than the shapes of the link suggest.",
-    .why = "The link then turns as if its mass sat in one point: simulation jitters or needs tiny "
-           "steps, and what works there fails on the robot. Inertias written for g and mm are 1e-9 "
-           "of the value in kg m2.",
+    .why =
+        "The link then turns as if its mass sat in one point: simulation jitters or needs tiny "
+        "steps, and what works there fails on the robot. Inertias written for g and mm are 1e-9 of "
+        "the value in kg m2.",
     .remedy = "Compute the inertia from the geometry and the mass, in kg m2.",
-    .sources = "Distribution over 5512 inertials of the Tola/Corke dataset: half lie between 0.9 "
-               "and 1.7 of the box around the link.",
+    .sources =
+        "Distribution over 5512 inertials of the Tola/Corke dataset: half lie between 0.9 and 1.7 "
+        "of the box around the link.",
     .check_model = check,
     .tolerance = {.value = 0.01,
-                  .meaning = "the smallest inertia, in parts of that of a homogeneous block"}};
+                  .meaning = "the smallest inertia, as a fraction of that of a homogeneous block"}};
 
 }  // namespace smurf::rules

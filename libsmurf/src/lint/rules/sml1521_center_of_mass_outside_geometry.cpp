@@ -44,12 +44,15 @@ extern constinit const Rule sml1521_center_of_mass_outside_geometry{
     .severity = Severity::warning,
     .summary = "The centre of mass of a link lies outside its shapes.",
     .why =
-        "No part has its centre of mass outside the box around it: the origin of the inertial is in another unit or frame, or was forgotten. The simulated robot then falls over or swings unlike the real one.",
+        "No part has its centre of mass outside the box around it: the origin of the inertial is "
+        "in another unit or frame, or was forgotten. The simulated robot then falls over, or "
+        "swings differently from the real one.",
     .remedy = "Write the origin of the inertial in metres, in the frame of the link.",
     .sources = "24 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
-    .tolerance = {.value = 0.1,
-                  .meaning =
-                      "how far outside, in parts of the longest edge, the centre of mass may lie"}};
+    .tolerance = {
+        .value = 0.1,
+        .meaning =
+            "how far outside the centre of mass may lie, as a fraction of the longest edge"}};
 
 }  // namespace smurf::rules

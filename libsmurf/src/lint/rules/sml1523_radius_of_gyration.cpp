@@ -33,10 +33,11 @@ extern constinit const Rule sml1523_radius_of_gyration{
     .id = "SML1523",
     .name = "radius-of-gyration",
     .severity = Severity::warning,
-    .summary = "An inertia is that of a body of unlikely size.",
-    .why = "The root of inertia over mass is the distance at which the mass would have to turn: "
-           "less than a millimetre or more than two metres is a wrong unit (kg mm2, g mm2) most of "
-           "the time, and joints then jitter or hardly move.",
+    .summary = "An inertia belongs to a body of unlikely size.",
+    .why =
+        "The root of inertia over mass is the distance at which the mass would have to turn: less "
+        "than a millimetre or more than two metres usually means a wrong unit (kg mm2, g mm2). "
+        "Joints then jitter or hardly move.",
     .remedy = "Write the inertia in kg m2.",
     .sources = "38 of 322 files of the Tola/Corke dataset.",
     .check_model = check};

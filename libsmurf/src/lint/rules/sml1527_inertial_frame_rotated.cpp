@@ -5,7 +5,7 @@
 namespace smurf::rules {
 namespace {
 
-/// An exporter does so for every link: one finding a file.
+/// One finding per file, because an exporter does so for every link.
 void check(const LinkedModel& model, Findings& findings) {
   constexpr double kSmall = 1e-3;  // rad
   std::size_t count = 0;
@@ -39,10 +39,12 @@ extern constinit const Rule sml1527_inertial_frame_rotated{
     .summary = "The frame of an inertial is rotated.",
     .why = "Isaac reads the position of the origin only, so the tensor is about other axes there; "
            "Phobos cannot merge such links.",
-    .remedy = "Rotate the tensor into the axes of the link and write rpy=\"0 0 0\", if these "
-              "readers matter.",
-    .sources = "Isaac importer UrdfImporter.cpp:406-411; Phobos io/representation.py:1680; 41 of "
-               "322 files of the Tola/Corke dataset.",
+    .remedy =
+        "Rotate the tensor into the axes of the link and write rpy=\"0 0 0\", if these readers "
+        "matter.",
+    .sources =
+        "Isaac importer UrdfImporter.cpp:406-411; Phobos io/representation.py:1680; 41 of 322 "
+        "files of the Tola/Corke dataset.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -42,7 +42,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "keeps the number", kRun},
     {&readers::mars, Effect::breaks,
-     "stops loading here: what follows, the pose and the anchor are missing",
+     "stops loading here: everything after it, the pose and the anchor are missing",
      "MARS smurf.cpp:1014-1058, NodePhysics.cpp:626-634"},
     {&readers::dart, Effect::crashes, "ends the process by an assertion", kRun},
     {&readers::mujoco, Effect::refuses, "refuses a size that is not positive", kRun},

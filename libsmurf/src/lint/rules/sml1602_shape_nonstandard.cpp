@@ -16,10 +16,10 @@ void check_geometry(const LinkedModel& model, const urdf::Link& link,
   const xml::View shape(model.robot->document, geometry.shape_element);
   const auto is_name = [&](std::string_view name) { return is_same(shape.name(), name); };
   if (std::any_of(std::begin(kStandard), std::end(kStandard), is_name)) return;
-  // What is no shape of any reader is an unknown element and reported as such.
+  // A shape that no reader knows is reported as an unknown element.
   const std::string_view known[] = {"capsule", "plane", "cdf", "ellipsoid"};
   if (std::none_of(std::begin(known), std::end(known), is_name)) return;
-  findings.report(shape.name_span(), quoted(shape.name()) + " is no shape of URDF 1.0")
+  findings.report(shape.name_span(), quoted(shape.name()) + " is not a shape of URDF 1.0")
       .notes.push_back("urdfdom before 5.1 drops it and everything after it from " + title(link));
 }
 
@@ -37,9 +37,9 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/plane/"},
     {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/cdf/"},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
-    {&readers::mujoco, Effect::takes, "knows the capsule", kRun, "/capsule/"},
+    {&readers::mujoco, Effect::takes, "supports capsules", kRun, "/capsule/"},
     {&readers::mujoco, Effect::refuses, "refuses the shape", kRun},
-    {&readers::drake, Effect::takes, "knows the capsule", "Drake detail_urdf_geometry.cc:318-346",
+    {&readers::drake, Effect::takes, "supports capsules", "Drake detail_urdf_geometry.cc:318-346",
      "/capsule/"},
     {&readers::drake, Effect::refuses, "refuses the shape",
      "Drake detail_urdf_geometry.cc:318-346"},

@@ -97,7 +97,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::loses, "looks for the package in places of its own",
+    {&readers::urdf, Effect::loses, "looks for the package in other folders",
      "package folders depend on the machine", "#package"},
     {&readers::mars, Effect::crashes, "ends with an exception on a missing mesh of a collision",
      "MARS gui_helper_functions.cpp:278-280", "/collision/"},

@@ -22,8 +22,9 @@ std::string corrected(const MeshReference& reference) {
 void check(const LinkedModel& model, Findings& findings) {
   for (const PathUses& path : paths_with(model, PathFault::other_case)) {
     const MeshReference& first = path.first();
-    Diagnostic& diagnostic = findings.report(
-        first.span, "file not found: " + quoted(path.filename) + "; there is one in other case");
+    Diagnostic& diagnostic =
+        findings.report(first.span, "file not found: " + quoted(path.filename) +
+                                        "; a file exists whose name differs in case only");
     diagnostic.caret = "the file is " + quoted(first.similar);
     diagnostic.help = "write " + quoted(corrected(first));
     diagnostic.fixes.push_back(rewrite(path, corrected(first), Applicability::safe));
@@ -52,7 +53,7 @@ extern constinit const Rule sml1605_mesh_case{
     .id = "SML1605",
     .name = "mesh-case",
     .severity = Severity::error,
-    .summary = "The path of a mesh or texture has other upper and lower case than the file.",
+    .summary = "The path of a mesh or texture differs from the file name in upper and lower case.",
     .why = "Only Windows and macOS find the file; on Linux it is missing.",
     .remedy = "Write the path as the file is named.",
     .sources = "executed on Linux.",

@@ -12,8 +12,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const MeshReference& first = path.first();
     std::string slashes(path.filename);
     std::replace(slashes.begin(), slashes.end(), '\\', '/');
-    Diagnostic& diagnostic =
-        findings.report(first.span, "the path " + quoted(path.filename) + " is separated by `\\`");
+    Diagnostic& diagnostic = findings.report(first.span, "the path " + quoted(path.filename) +
+                                                             " uses `\\` as separator");
     diagnostic.help = "write " + quoted(slashes);
     if (first.similar.empty()) {
       diagnostic.notes.push_back("there is no file of that name either");
@@ -39,7 +39,7 @@ extern constinit const Rule sml1606_mesh_backslash{
     .id = "SML1606",
     .name = "mesh-backslash",
     .severity = Severity::error,
-    .summary = "The path of a mesh or texture is separated by backslashes.",
+    .summary = "The path of a mesh or texture uses backslashes as separators.",
     .why = "Only Windows treats a backslash as a separator; elsewhere it is part of the file name.",
     .remedy = "Write `/`, which Windows accepts, too.",
     .sources = "Bullet, MuJoCo and DART, executed on Linux.",

@@ -16,7 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const auto& [folder, files] : by_folder) {
     const MeshReference& first = files.front()->first();
     Diagnostic& diagnostic = findings.report(first.span, "the path " + quoted(first.filename) +
-                                                             " is that of one machine");
+                                                             " exists on one machine only");
     if (!first.exists) diagnostic.caret = "not found here";
     if (first.exists || first.is_texture) diagnostic.severity = Severity::warning;
     if (files.size() > 1) {

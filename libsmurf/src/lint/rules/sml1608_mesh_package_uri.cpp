@@ -20,7 +20,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (count > 1) {
     diagnostic.notes.push_back("the URDF names " + std::to_string(count) + " meshes in this way");
   }
-  diagnostic.help = "write paths that hold from the URDF and from the .smurf";
+  diagnostic.help = "write paths that resolve from both the URDF and the .smurf";
 }
 
 constexpr Fact kFacts[] = {
@@ -38,8 +38,8 @@ extern constinit const Rule sml1608_mesh_package_uri{
     .name = "mesh-package-uri",
     .severity = Severity::warning,
     .summary = "The URDF of a SMURF model names a mesh by package://.",
-    .remedy =
-        "Write a relative path; with the folders `urdf/` and `smurf/` side by side, `../meshes/x.obj` works from both.",
+    .remedy = "Write a relative path; with the folders `urdf/` and `smurf/` side by side, "
+              "`../meshes/x.obj` works from both.",
     .check_model = check,
     .facts = kFacts};
 

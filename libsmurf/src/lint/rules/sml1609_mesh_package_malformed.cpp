@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
       paths.front().first().span, "the address " + quoted(first) + " names no package and file");
   if (paths.size() > 1) {
-    diagnostic.notes.push_back("it is so for " + std::to_string(paths.size()) + " addresses");
+    diagnostic.notes.push_back("this applies to " + std::to_string(paths.size()) + " addresses");
   }
   diagnostic.help = "write package://NAME/PATH";
   Fix fix{Applicability::unsafe, {}};

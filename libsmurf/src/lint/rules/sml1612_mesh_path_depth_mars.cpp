@@ -25,7 +25,7 @@ void report(const LinkedModel& model, std::string_view reader,
   diagnostic.notes.push_back((is_mars ? "URDF readers find " : "MARS, from the .smurf, finds ") +
                              quoted(is_mars ? first->path : first->mars_path));
   if (count > 1) {
-    diagnostic.notes.push_back("it is so for " + std::to_string(count) + " paths of the URDF");
+    diagnostic.notes.push_back("this applies to " + std::to_string(count) + " paths of the URDF");
   }
   diagnostic.help = is_mars || !first->mars_path.ends_with(".bobj")
                         ? "keep the URDF and the .smurf in folders side by side"
@@ -55,12 +55,13 @@ extern constinit const Rule sml1612_mesh_path_depth_mars{
     .name = "mesh-path-depth-mars",
     .severity = Severity::warning,
     .summary = "A relative mesh path works from the URDF or from the .smurf, but not from both.",
-    .why =
-        "MARS starts at the folder of the .smurf, and ends with an uncaught exception when a collision mesh is missing; URDF readers and Phobos start at the folder of the URDF.",
-    .remedy =
-        "Keep both files in folders side by side, such as `smurf/` and `urdf/`, and write `../meshes/x.obj`.",
+    .why = "MARS starts at the folder of the .smurf, and ends with an uncaught exception when a "
+           "collision mesh is missing; URDF readers and Phobos start at the folder of the URDF.",
+    .remedy = "Keep both files in folders side by side, such as `smurf/` and `urdf/`, and write "
+              "`../meshes/x.obj`.",
     .sources =
-        "MARS smurf.cpp:1080-1113, NodePhysics.cpp:626-634; Phobos and URDF readers by their documentation.",
+        "MARS smurf.cpp:1080-1113, NodePhysics.cpp:626-634; Phobos and URDF readers by their "
+        "documentation.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -18,10 +18,10 @@ void check(const LinkedModel& model, Findings& findings) {
   if (first == nullptr) return;
   const char found = first->filename[first->filename.find_first_of(" %#?")];
   Diagnostic& diagnostic = findings.report(
-      first->span, "the path " + quoted(first->filename) + " holds " +
-                       (found == ' ' ? std::string("a blank") : quoted(std::string(1, found))));
+      first->span, "the path " + quoted(first->filename) + " contains " +
+                       (found == ' ' ? std::string("a space") : quoted(std::string(1, found))));
   if (names.size() > 1) {
-    diagnostic.notes.push_back("it is so for " + std::to_string(names.size()) + " files");
+    diagnostic.notes.push_back("this applies to " + std::to_string(names.size()) + " files");
   }
 }
 
@@ -32,9 +32,11 @@ extern constinit const Rule sml1613_mesh_path_special{
     .name = "mesh-path-special",
     .severity = Severity::info,
     .summary =
-        "The path of a mesh or texture holds a blank or a character with a special meaning in URLs.",
+        "The path of a mesh or texture contains a space or a character with a special meaning in "
+        "URLs.",
     .why =
-        "Readers that treat paths as URLs decode `%20` and cut at `#` and `?`; most use the text literally.",
+        "Readers that treat paths as URLs decode `%20` and cut at `#` and `?`; most use the text "
+        "literally.",
     .remedy = "Rename the file.",
     .sources = "`%` is literal in six readers, executed; RFC 3986 for addresses.",
     .check_model = check};

@@ -7,8 +7,8 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   report_meshes(
       model, [](const OpenedMesh& mesh) { return mesh.facts.named_solid; },
-      "the mesh is a binary STL that begins with `solid`, as ASCII ones do",
-      "are binary STL that begin with `solid`, as ASCII ones do", findings);
+      "the mesh is a binary STL that begins with `solid`, like an ASCII file",
+      "are binary STL that begin with `solid`, like an ASCII file", findings);
 }
 
 }  // namespace
@@ -18,8 +18,8 @@ extern constinit const Rule sml1617_stl_binary_named_solid{
     .name = "stl-binary-named-solid",
     .severity = Severity::info,
     .summary = "A binary STL file begins with the word `solid`.",
-    .why =
-        "Readers that look at the first word only treat the file as ASCII and fail; those of MuJoCo, Bullet and assimp compare the size and read it.",
+    .why = "Readers that look at the first word only treat the file as ASCII and fail; those of "
+           "MuJoCo, Bullet and assimp compare the size and read it.",
     .remedy = "Export it again with another header.",
     .sources = "assimp STLLoader.cpp, Bullet LoadMeshFromSTL.h; 21 of 1690 public files.",
     .check_model = check};

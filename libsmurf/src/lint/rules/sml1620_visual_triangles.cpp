@@ -23,7 +23,8 @@ extern constinit const Rule sml1620_visual_triangles{
     .severity = Severity::info,
     .summary = "The mesh of a visual has more than 100000 triangles.",
     .why =
-        "It takes long to load and to draw, most of all in a browser; no visual mesh of 322 public URDFs was as large.",
+        "It takes long to load and to draw, most of all in a browser; no visual mesh of 322 public "
+        "URDFs is as large.",
     .remedy = "Simplify the mesh.",
     .sources = "733 visual meshes of 322 public URDFs: 95 % below 34850, at most 82075.",
     .check_model = check};

@@ -33,7 +33,7 @@ void report(const Suspects& suspects, bool is_huge, Findings& findings) {
     diagnostic.help = "write scale=\"0.001 0.001 0.001\" if the file is in millimetres";
   }
   if (suspects.files > 1) {
-    diagnostic.notes.push_back("it is so for " + std::to_string(suspects.files) + " mesh files");
+    diagnostic.notes.push_back("this applies to " + std::to_string(suspects.files) + " mesh files");
   }
 }
 
@@ -62,10 +62,12 @@ extern constinit const Rule sml1630_mesh_units{
     .severity = Severity::warning,
     .summary = "A mesh is longer than 50 m or shorter than 1 mm with its scale.",
     .why =
-        "URDF lengths are in metres, CAD programs write millimetres: the robot is a thousand times too large, or, scaled twice, too small to see.",
+        "URDF lengths are in metres, CAD programs write millimetres: the robot is a thousand times "
+        "too large, or, scaled twice, too small to see.",
     .remedy = "Correct `scale`, or export the mesh in metres.",
     .sources =
-        "40 of 322 public URDFs scale by 0.001; rerun issue 11290 and pinocchio issue 1370 are such cases.",
+        "40 of 322 public URDFs scale by 0.001; rerun issue 11290 and pinocchio issue 1370 are "
+        "such cases.",
     .check_model = check,
     .tolerance = {.value = 50, .unit = "m", .meaning = "how large a mesh may be"}};
 

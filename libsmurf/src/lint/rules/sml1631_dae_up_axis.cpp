@@ -11,8 +11,8 @@ void check(const LinkedModel& model, Findings& findings) {
         return mesh.facts.format == MeshFormat::collada && mesh.facts.up_axis != 'Z' &&
                !mesh.facts.defect;
       },
-      "the mesh has another up axis than Z, which readers treat in different ways",
-      "have another up axis than Z, which readers treat in different ways", findings);
+      "the up axis of the mesh is not Z, and readers treat that in different ways",
+      "have an up axis other than Z, which readers treat in different ways", findings);
   if (diagnostic != nullptr) diagnostic->help = "export it with Z up";
 }
 
@@ -22,13 +22,13 @@ extern constinit const Rule sml1631_dae_up_axis{
     .id = "SML1631",
     .name = "dae-up-axis",
     .severity = Severity::warning,
-    .summary =
-        "A COLLADA mesh says that another axis than Z is up, or says nothing, which means Y.",
-    .why =
-        "Bullet turns the mesh, RViz, MoveIt and urdf-loader do not: the visual of one is the wrong way round in another.",
+    .summary = "A COLLADA mesh declares an up axis other than Z, or none, which means Y.",
+    .why = "Bullet turns the mesh, RViz, MoveIt and urdf-loader do not: a mesh that looks right in "
+           "one is turned in another.",
     .remedy = "Export the mesh with Z up and the rotation applied.",
     .sources =
-        "Bullet LoadMeshFromCollada.cpp:538-550, geometric_shapes mesh_operations.cpp:252-258, urdf-loader URDFLoader.js:667; 226 of 932 public files.",
+        "Bullet LoadMeshFromCollada.cpp:538-550, geometric_shapes mesh_operations.cpp:252-258, "
+        "urdf-loader URDFLoader.js:667; 226 of 932 public files.",
     .check_model = check};
 
 }  // namespace smurf::rules

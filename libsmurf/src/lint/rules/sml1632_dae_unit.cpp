@@ -9,7 +9,7 @@ void check(const LinkedModel& model, Findings& findings) {
       model,
       [](const OpenedMesh& mesh) { return mesh.facts.unit_meters && *mesh.facts.unit_meters != 1; },
       "the unit of the mesh is not the metre, which readers treat in different ways",
-      "have another unit than the metre, which readers treat in different ways", findings);
+      "have a unit other than the metre, which readers treat in different ways", findings);
   if (diagnostic != nullptr) diagnostic->help = "export it in metres";
 }
 
@@ -19,12 +19,14 @@ extern constinit const Rule sml1632_dae_unit{
     .id = "SML1632",
     .name = "dae-unit",
     .severity = Severity::warning,
-    .summary = "A COLLADA mesh has another unit than the metre.",
+    .summary = "The unit of a COLLADA mesh is not the metre.",
     .why =
-        "Readers that take the vertices without the root transform, as MoveIt does for collisions, see it a hundred or a thousand times larger than those that apply it, as RViz and Bullet do.",
+        "Readers that ignore the root transform (MoveIt, for collisions) see the mesh a hundred or "
+        "a thousand times larger than those that apply it (RViz, Bullet).",
     .remedy = "Export the mesh in metres.",
     .sources =
-        "geometric_shapes mesh_operations.cpp:252-258, assimp 5.2 and Bullet, executed; about 30 of 932 public files.",
+        "geometric_shapes mesh_operations.cpp:252-258, assimp 5.2 and Bullet, executed; about 30 "
+        "of 932 public files.",
     .check_model = check};
 
 }  // namespace smurf::rules

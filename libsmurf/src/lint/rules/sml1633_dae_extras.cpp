@@ -7,8 +7,8 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   Diagnostic* diagnostic = report_meshes(
       model, [](const OpenedMesh& mesh) { return !mesh.facts.extras.empty(); },
-      "the mesh file holds lights, cameras or animations", "hold lights, cameras or animations",
-      findings);
+      "the mesh file contains lights, cameras or animations",
+      "contain lights, cameras or animations", findings);
   if (diagnostic != nullptr) diagnostic->help = "export the mesh alone";
 }
 
@@ -18,7 +18,7 @@ extern constinit const Rule sml1633_dae_extras{
     .id = "SML1633",
     .name = "dae-extras",
     .severity = Severity::info,
-    .summary = "A COLLADA mesh holds lights, cameras or animations.",
+    .summary = "A COLLADA mesh contains lights, cameras or animations.",
     .why = "RViz and Gazebo add the lights to the scene: every robot makes it brighter.",
     .remedy = "Export the selected mesh without the rest of the scene.",
     .sources = "207 of 932 public files.",

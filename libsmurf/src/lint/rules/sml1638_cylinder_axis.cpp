@@ -4,7 +4,7 @@
 namespace smurf::rules {
 namespace {
 
-/// The proportion of two lengths, at least 1.
+/// The ratio of two lengths, at least 1.
 double ratio(double a, double b) { return a > b ? a / b : b / a; }
 bool is_alike(double a, double b) {
   constexpr double kTolerance = 1.1;
@@ -40,10 +40,10 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!box || !has_same_frame(visual.origin, collision.origin)) return;
     const int axis = better_axis(box->size(), 2 * *cylinder->radius, *cylinder->length);
     if (axis < 0) return;
-    Diagnostic& diagnostic =
-        findings.report(tag_name(model, collision.geometry.shape_element),
-                        "the cylinder stands along z, but the mesh it stands for lies along " +
-                            std::string(axis == 0 ? "x" : "y"));
+    Diagnostic& diagnostic = findings.report(
+        tag_name(model, collision.geometry.shape_element),
+        "the axis of the cylinder is z, but the mesh that it replaces extends along " +
+            std::string(axis == 0 ? "x" : "y"));
     diagnostic.labels.push_back({tag_name(model, visual.geometry.shape_element), "the mesh"});
     diagnostic.help = axis == 0 ? "turn its origin by rpy=\"0 1.5708 0\""
                                 : "turn its origin by rpy=\"1.5708 0 0\"";
@@ -57,8 +57,8 @@ extern constinit const Rule sml1638_cylinder_axis{
     .name = "cylinder-axis",
     .severity = Severity::warning,
     .summary = "A collision cylinder is rotated relative to the visual mesh that it replaces.",
-    .why =
-        "The axis of a cylinder is z in every reader. Without the rotation of the mesh, the cylinder lies where the wheel stands upright.",
+    .why = "The axis of a cylinder is z in every reader. Without the rotation of the mesh, the "
+           "cylinder is at a right angle to the part that it should cover.",
     .remedy = "Turn the origin of the collision.",
     .sources = "URDF specification; all readers agree.",
     .check_model = check};

@@ -40,7 +40,7 @@ void check(const LinkedModel& model, Findings& findings) {
     if (is_same(*mesh->facts.box, *bobj->facts.box)) continue;
     if (!seen.insert(reference.mars_path).second) continue;
     findings
-        .report(reference.span, "MARS takes " + quoted(reference.mars_path) +
+        .report(reference.span, "MARS loads " + quoted(reference.mars_path) +
                                     " instead, which has another size or place")
         .help = "write the .bobj again, or delete it";
   }

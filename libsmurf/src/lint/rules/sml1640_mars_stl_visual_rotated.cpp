@@ -24,14 +24,15 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(first->span, "MARS turns this STL by -90 degrees about x, as it is a visual");
   if (files.size() > 1) {
-    diagnostic.notes.push_back("so it does " + std::to_string(files.size()) + " STL files");
+    diagnostic.notes.push_back("this applies to " + std::to_string(files.size()) + " STL files");
   }
-  diagnostic.help = "add a .bobj or name an .obj, which it leaves as they are";
+  diagnostic.help = "add a .bobj, or use an .obj: MARS does not turn those";
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "turns the mesh of a visual by -90 degrees about x when it is an STL, but not that of a collision",
+     "turns the mesh of a visual by -90 degrees about x when it is an STL, but not that of a "
+     "collision",
      "MARS smurf.cpp:1129-1136"},
 };
 

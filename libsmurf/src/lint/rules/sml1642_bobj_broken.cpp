@@ -19,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
       Diagnostic& diagnostic =
           findings.report(reference.span, "the .bobj cannot be read: " + defect.what + " (byte " +
                                               std::to_string(defect.offset) + ")");
-      if (file != reference.file) diagnostic.notes.push_back("MARS takes " + quoted(*path));
+      if (file != reference.file) diagnostic.notes.push_back("MARS loads " + quoted(*path));
     }
   }
 }

@@ -29,7 +29,7 @@ extern constinit const Rule sml1643_mesh_lfs_pointer{
     .severity = Severity::error,
     .summary = "A mesh file is a Git LFS pointer instead of its content.",
     .why =
-        "The file exists, but holds three lines of text: every reader fails to load it without naming the cause.",
+        "The file exists, but contains three lines of text: every reader fails to load it without naming the cause.",
     .remedy = "Run `git lfs pull`.",
     .sources = "Git LFS pointer format; pollen-robotics/reachy_mini issue 760.",
     .check_model = check,

@@ -61,7 +61,7 @@ void check(const LinkedModel& model, Findings& findings) {
       report(reference, facts.defect->what + place, findings);
     } else if (facts.format != MeshFormat::unknown && facts.format != MeshFormat::gltf &&
                facts.format != MeshFormat::lfs_pointer && !facts.defect && facts.triangles == 0) {
-      report(reference, "it holds no triangle", findings);
+      report(reference, "it contains no triangle", findings);
     }
   }
   report_outside(outside, findings);

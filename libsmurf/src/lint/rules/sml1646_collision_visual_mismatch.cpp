@@ -100,12 +100,12 @@ extern constinit const Rule sml1646_collision_visual_mismatch{
     .id = "SML1646",
     .name = "collision-visual-mismatch",
     .severity = Severity::warning,
-    .summary = "The collision of a link has quite another size or place than its visual.",
-    .why =
-        "One of them has most likely the wrong scale or origin: the visual does not match the collision.",
+    .summary = "The collision of a link differs widely from its visual in size or place.",
+    .why = "One of them has most likely the wrong scale or origin: the visual does not match the "
+           "collision.",
     .remedy = "Compare `scale` and `origin` of both.",
     .sources = "Bounding boxes of shapes and meshes.",
     .check_model = check,
-    .tolerance = {.value = 20, .meaning = "how many times as large one of both may be"}};
+    .tolerance = {.value = 20, .meaning = "how many times as large one of the two may be"}};
 
 }  // namespace smurf::rules

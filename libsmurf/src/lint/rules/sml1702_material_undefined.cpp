@@ -40,7 +40,7 @@ class MaterialCheck {
     if (defined_.contains(*name) || reported_.contains(*name)) return;
     reported_.add(*name, 0);
     Diagnostic& diagnostic =
-        findings_.report(name.span, "the material " + quoted(*name) + " is defined nowhere");
+        findings_.report(name.span, "the material " + quoted(*name) + " is not defined anywhere");
     if (uses_[*name] > 1) {
       diagnostic.notes.push_back("it is used " + std::to_string(uses_[*name]) + " times");
     }

@@ -29,7 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
                       "this visual has no material; MuJoCo paints it like the one before");
   diagnostic.labels.push_back({tag_name(model, coloured_first->element), "the one before"});
   if (links > 1) {
-    diagnostic.notes.push_back("it is so in " + std::to_string(links) + " links");
+    diagnostic.notes.push_back("this applies to " + std::to_string(links) + " links");
   }
 }
 
@@ -41,7 +41,8 @@ extern constinit const Rule sml1711_mujoco_colour_leak{
     .severity = Severity::info,
     .summary = "A visual without material follows one with a material in the same link.",
     .why =
-        "MuJoCo does not reset the colour between the visuals of a link; other readers use their default colour.",
+        "MuJoCo does not reset the colour between the visuals of a link; other readers use their "
+        "default colour.",
     .remedy = "Give each visual its material.",
     .sources = "MuJoCo xml_urdf.cc:291; 23 of 322 public URDFs.",
     .check_model = check};

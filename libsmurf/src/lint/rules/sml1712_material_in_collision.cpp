@@ -18,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(first, "the material of a collision is ignored by every reader");
   if (count > 1) {
-    diagnostic.notes.push_back("it is so for " + std::to_string(count) + " collisions");
+    diagnostic.notes.push_back("this applies to " + std::to_string(count) + " collisions");
   }
 }
 

@@ -6,9 +6,9 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::pybullet, Effect::takes, "skips blanks", "Bullet UrdfParser.cpp (atof), run"},
-    {&readers::mujoco, Effect::takes, "skips blanks", kRun},
-    {&readers::drake, Effect::takes, "skips blanks", "Drake detail_tinyxml.h:60-73"},
+    {&readers::pybullet, Effect::takes, "skips white space", "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::mujoco, Effect::takes, "skips white space", kRun},
+    {&readers::drake, Effect::takes, "skips white space", "Drake detail_tinyxml.h:60-73"},
 };
 
 }  // namespace
@@ -17,10 +17,10 @@ extern constinit const Rule sml1802_trailing_space{
     .id = "SML1802",
     .name = "trailing-space",
     .severity = Severity::error,
-    .summary = "A blank follows a single number.",
-    .why =
-        "A mass written like this can cost all visuals and collisions of its link without a message.",
-    .remedy = "Delete the blank.",
+    .summary = "White space follows a single number.",
+    .why = "A mass written like this can cost all visuals and collisions of its link without a "
+           "message.",
+    .remedy = "Delete the white space.",
     .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -20,7 +20,7 @@ extern constinit const Rule sml1807_vector_count{
     .id = "SML1807",
     .name = "vector-count",
     .severity = Severity::error,
-    .summary = "An attribute holds the wrong number of numbers.",
+    .summary = "An attribute contains the wrong number of numbers.",
     .remedy = "Write as many numbers as the attribute takes.",
     .facts = kFacts};
 

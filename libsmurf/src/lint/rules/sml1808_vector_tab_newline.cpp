@@ -8,9 +8,9 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads a vector of zeros and warns",
      "Bullet UrdfParser.cpp:49-78, run"},
-    {&readers::mujoco, Effect::takes, "skips blanks of every kind", kRun},
-    {&readers::drake, Effect::takes, "skips blanks of every kind", "Drake detail_tinyxml.h:60-73"},
-    {&readers::urdfdom, Effect::takes, "skips blanks in front", kRun, "#leading"},
+    {&readers::mujoco, Effect::takes, "skips all white space", kRun},
+    {&readers::drake, Effect::takes, "skips all white space", "Drake detail_tinyxml.h:60-73"},
+    {&readers::urdfdom, Effect::takes, "skips leading white space", kRun, "#leading"},
 };
 
 }  // namespace

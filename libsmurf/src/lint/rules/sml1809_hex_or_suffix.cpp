@@ -11,13 +11,13 @@ constexpr std::string_view kNotPositive =
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "reads a hexadecimal number",
      "Bullet UrdfParser.cpp (atof), run", "#hex"},
-    {&readers::pybullet, Effect::changes, "reads the digits in front",
+    {&readers::pybullet, Effect::changes, "reads the leading digits",
      "Bullet UrdfParser.cpp (atof), run"},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@size/#hex#not-positive"},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@radius/#hex#not-positive"},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@length/#hex#not-positive"},
     {&readers::mujoco, Effect::changes, "reads a hexadecimal number", kRun, "#hex"},
-    {&readers::drake, Effect::changes, "reads the digits in front", "Drake detail_tinyxml.h:60-73"},
+    {&readers::drake, Effect::changes, "reads the leading digits", "Drake detail_tinyxml.h:60-73"},
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ std::string format_of(std::string_view filename) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  // A robot has one format and dozens of meshes: one finding for the format.
+  // One finding per format, because a robot has dozens of meshes.
   std::map<std::pair<GeometryRole, std::string>, std::vector<Span>> uses;
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.mesh() == nullptr || !use.mesh()->filename) return;
@@ -30,8 +30,9 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(places.front(), "the mesh of a " + what + " is a ." + format + " file");
     diagnostic.construct = format;
     if (places.size() > 1) {
-      diagnostic.notes.push_back("so are those of " + std::to_string(places.size() - 1) + " more " +
-                                 what + (places.size() > 2 ? "s" : ""));
+      diagnostic.notes.push_back("the same applies to those of " +
+                                 std::to_string(places.size() - 1) + " more " + what +
+                                 (places.size() > 2 ? "s" : ""));
     }
   }
 }

@@ -20,8 +20,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic =
         findings.report(places.front(), "the mesh of a " + what + " is named by `package://`");
     if (places.size() > 1) {
-      diagnostic.notes.push_back("so are those of " + std::to_string(places.size() - 1) + " more " +
-                                 what + (places.size() > 2 ? "s" : ""));
+      diagnostic.notes.push_back("the same applies to those of " +
+                                 std::to_string(places.size() - 1) + " more " + what +
+                                 (places.size() > 2 ? "s" : ""));
     }
     diagnostic.help = "smurf2urdf writes paths relative to the URDF";
   }
@@ -35,11 +36,11 @@ constexpr Fact kFacts[] = {
      "treats `package://` as a part of the path, and shows the link without it",
      "MARS misc.cpp:112-131"},
     {&readers::phobos, Effect::refuses,
-     "takes the folder above urdf/ for every package, and stops where the file is not there",
+     "uses the folder above urdf/ for every package, and stops when the file is not there",
      "Phobos xml.py:89-98, run"},
     {&readers::mujoco, Effect::takes, "looks where its element `compiler` says", kRun, kElsewhere},
     {&readers::mujoco, Effect::refuses, "treats `package://` as a part of the path", kRun},
-    {&readers::dart, Effect::refuses, "knows no package that it was not told of", kRun},
+    {&readers::dart, Effect::refuses, "finds only packages whose folders it was given", kRun},
 };
 
 }  // namespace

@@ -73,9 +73,10 @@ extern constinit const Rule sml1916_link_without_inertial{
     .id = "SML1916",
     .name = "link-without-inertial",
     .severity = Severity::warning,
-    .summary = "A link has no inertial, which a target makes up or drops the link for.",
-    .why = "URDF means no mass by it. Frames and sensors have none either.",
-    .remedy = "Add an inertial to what has a mass; for Bullet, a small one to every frame.",
+    .summary = "A link has no inertial: a target invents one, or drops the link.",
+    .why = "In URDF this means no mass, as for frames and sensors.",
+    .remedy =
+        "Add an inertial to every link that has a mass, and for Bullet a small one to every frame.",
     .sources = "bullet3 issues 3097, 3110; 102 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
     .needs_target = true,

@@ -28,7 +28,7 @@ extern constinit const Rule sml1917_root_with_inertial{
     .name = "root-with-inertial",
     .severity = Severity::warning,
     .summary = "The root link has an inertial, which a target leaves out.",
-    .remedy = "Put a link without inertial above it, joined by a fixed joint.",
+    .remedy = "Add a new root link without an inertial, and connect the two by a fixed joint.",
     .sources = "84 of 322 files of the Tola/Corke dataset.",
     .check_model = check,
     .needs_target = true,

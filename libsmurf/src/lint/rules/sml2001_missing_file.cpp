@@ -20,7 +20,7 @@ extern constinit const Rule sml2001_missing_file{
     .name = "missing-file",
     .severity = Severity::error,
     .summary = "`files` lists a file that cannot be read.",
-    .remedy = "Correct the path (relative to the .smurf's folder), or take the entry out.",
+    .remedy = "Correct the path (relative to the .smurf's folder), or delete the entry.",
     .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -8,7 +8,7 @@
 namespace smurf::rules {
 namespace {
 
-/// What stands where the URDF should: it must be made into one first.
+/// The file in place of the URDF, which must be converted to one first.
 const Spanned<std::string>* other_source(const NameList& files) {
   const auto found = std::find_if(files.begin(), files.end(), [](const auto& file) {
     const std::string extension = path::to_lower(path::extension(file.value));
@@ -27,7 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(other->span,
                 "MARS ignores " + quoted(other->value) + ", so that `files` lists no URDF")
-        .help = "make a .urdf of it and list that";
+        .help = "convert it to a .urdf and list that";
     return;
   }
   findings.report(root.find("files").key_span(), "`files` lists no URDF");

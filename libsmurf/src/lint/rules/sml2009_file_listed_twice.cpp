@@ -7,7 +7,7 @@ namespace {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "merges it twice: every motor, sensor and light exists two times, under one name",
+     "merges it twice: every motor, sensor and light exists twice, under one name",
      "smurf_parser SMURFParser.cpp:43-69, run"},
 };
 

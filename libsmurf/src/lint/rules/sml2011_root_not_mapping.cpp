@@ -19,7 +19,7 @@ extern constinit const Rule sml2011_root_not_mapping{
     .id = "SML2011",
     .name = "root-not-mapping",
     .severity = Severity::error,
-    .summary = "A main, annotation or scene file is empty or does not hold a mapping.",
+    .summary = "A main, annotation or scene file is empty or does not contain a mapping.",
     .remedy =
         "Write the keys of the file kind (`files:`, `motors:`, `entities:`), or take the file "
         "out of the list that names it.",

@@ -71,7 +71,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
-     "reads sections in file order: a controller before the motors or sensors, or a sensor of motors before the motors, finds none of its names and stays empty, without a message",
+     "reads sections in file order: a controller before its motors or sensors, or a sensor before "
+     "its motors, finds none of them and stays empty, without a message",
      "MARS smurf.cpp:223-228, 161-181, 465-480"},
 };
 

@@ -15,8 +15,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto [found, is_new] = first.emplace(key.value.key(), key);
     const SourceId before = found->second.file.source;
     if (is_new || before == key.file.source) continue;
-    Diagnostic& diagnostic = findings.report(
-        key.value.key_span(), quoted(key.value.key()) + " stands in another file, too");
+    Diagnostic& diagnostic =
+        findings.report(key.value.key_span(), quoted(key.value.key()) + " is in another file, too");
     diagnostic.labels.push_back({found->second.value.key_span(), "the first part"});
     diagnostic.notes.push_back("MARS joins the parts, Phobos reads the last one only");
   }

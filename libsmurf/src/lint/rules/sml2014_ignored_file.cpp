@@ -42,7 +42,7 @@ extern constinit const Rule sml2014_ignored_file{
     .name = "ignored-file",
     .severity = Severity::warning,
     .summary = "`files` lists a file of a kind that MARS ignores.",
-    .remedy = "Remove the file from `files`; a custom key can name it.",
+    .remedy = "Remove the file from `files`; name it under a custom key if a program needs it.",
     .check_model = check,
     .facts = kFacts};
 

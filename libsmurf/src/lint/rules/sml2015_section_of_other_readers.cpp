@@ -39,7 +39,8 @@ constexpr Fact kFacts[] = {
     {&readers::envire, Effect::loses,
      "ignores `joints`, `links`, `collisions`, `motor` and `sensor` without a message",
      "MARS smurf.cpp:257-485"},
-    {&readers::phobos, Effect::takes, "reads both numbers", "Phobos io/smurfrobot.py:201-205"},
+    {&readers::phobos, Effect::takes, "reads singular and plural names",
+     "Phobos io/smurfrobot.py:201-205"},
 };
 
 }  // namespace

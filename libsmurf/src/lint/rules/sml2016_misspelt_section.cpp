@@ -39,7 +39,8 @@ class Sections {
   void offer_rename(Diagnostic& diagnostic, yaml::View section, std::string_view name) {
     KeyRenames& renames = of(section);
     if (!renames.is_free(name)) {
-      diagnostic.help = "is it a part of " + quoted(name) + "? A file has one section of a name";
+      diagnostic.help =
+          "does it belong in " + quoted(name) + "? A file can have only one section of that name";
       return;
     }
     diagnostic.help = "did you mean " + quoted(name) + "?";

@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
     for (const yaml::Node& node : file.document->nodes) {
       if (!is_same(node.key(), "URI") && !is_same(node.key(), "URIs")) continue;
       Diagnostic& diagnostic = findings.report(
-          node.key_span(), "MARS puts the keys of another file over those written here");
+          node.key_span(), "in MARS, the keys of another file override those written here");
       const bool is_main = file.kind == ModelFile::Kind::main;
       if (is_main && node.text().starts_with('/')) {
         diagnostic.notes.push_back("the absolute path is not found in the main file");
@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "merges the named files into the entry, and their keys win over those written beside them",
+     "merges the named files into the entry, and their keys override those written beside them",
      "configmaps ConfigMap.cpp:607-638, run; MARS smurf.cpp:125-149"},
     {&readers::mars2, Effect::loses, "does not read `URIs`", "envire_smurf_loader Model.cpp"},
     {&readers::envire, Effect::loses, "does not read the file", "rock-cpp/smurf Robot.cpp"},
@@ -37,11 +37,12 @@ extern constinit const Rule sml2017_uri_in_model{
     .id = "SML2017",
     .name = "uri-in-model",
     .severity = Severity::warning,
-    .summary = "A mapping of a model has the key `URI` or `URIs`, which readers resolve "
-               "differently.",
+    .summary =
+        "A mapping of a model has the key `URI` or `URIs`, which readers resolve differently.",
     .why =
-        "The documentation of configmaps states the opposite. In the main file absolute paths do not work, and a cycle overflows the stack. This tool does not look into the files either.",
-    .remedy = "Write the keys in place.",
+        "The documentation of configmaps states the opposite. In the main file absolute paths do "
+        "not work, and a cycle overflows the stack. smurf-lint does not read the named files.",
+    .remedy = "Write the keys here instead of naming a file.",
     .check_model = check,
     .facts = kFacts};
 

@@ -15,14 +15,14 @@ void check(const LinkedModel& model, Findings& findings) {
   const yaml::View written = root.find("modelname");
   const Span place = written ? written.key_span() : (*root.begin()).key_span();
   findings.report(place, "the main file has no `modelname`").help =
-      "name the model like its URDF's robot";
+      "use the name of the robot in its URDF";
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::takes, "takes the name of the entity", "MARS smurf.cpp"},
-    {&readers::mars2, Effect::changes, "names what it loads by it",
+    {&readers::mars2, Effect::changes, "names the loaded model by it",
      "envire_smurf_loader Model.cpp:94-97"},
-    {&readers::envire, Effect::changes, "names what it loads by it",
+    {&readers::envire, Effect::changes, "names the loaded model by it",
      "rock-cpp/smurf Robot.cpp:33-39"},
     {&readers::phobos, Effect::takes, "uses it as it is", kRun, "/modelname/"},
     {&readers::phobos, Effect::refuses, "stops with a KeyError", "Phobos io/smurfrobot.py:166"},

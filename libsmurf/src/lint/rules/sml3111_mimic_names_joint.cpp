@@ -11,8 +11,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const bool is_joint = one.is_known() && one.kind == NameKind::joint;
     if (!is_joint || annotation_place(model, one).section != "motors") continue;
     Diagnostic& diagnostic =
-        findings.report(place_of(one), "MARS knows no motor " + quoted(one.name) +
-                                           ": it is a joint, which only Phobos takes");
+        findings.report(place_of(one), "MARS has no motor " + quoted(one.name) +
+                                           ": it is a joint, which only Phobos accepts");
     diagnostic.labels.push_back(
         {definition(model, NameKind::joint, one.name), "the joint is defined here"});
   }
@@ -20,7 +20,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "looks for a motor of that name; when there is none, the motor adds its offset in every step and drifts away",
+     "looks for a motor of that name; when there is none, the motor adds its offset in every step "
+     "and drifts away",
      "MARS MotorManager.cpp:537-544, SimMotor.cpp:356"},
     {&readers::phobos, Effect::takes, "writes and reads the name of the joint that is mimicked",
      "Phobos representation.py:2399"},

@@ -12,8 +12,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const auto index = model.link_names.find(*sensor.link);
     if (!index || model.tree.parent_joint[*index]) continue;
     Diagnostic& diagnostic = findings.report(
-        sensor.link.span, "no joint leads to " + quoted(*sensor.link) + ", whose forces " +
-                              subject("sensor", sensor) + " is to measure");
+        sensor.link.span, "no joint leads to " + quoted(*sensor.link) + ", but " +
+                              subject("sensor", sensor) + " should measure its forces");
     diagnostic.labels.push_back({model.robot->links[*index].name.span, "the root link"});
     diagnostic.notes.push_back("MARS dereferences a null pointer");
   }

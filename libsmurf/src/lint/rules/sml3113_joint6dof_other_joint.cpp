@@ -19,7 +19,7 @@ void check(const LinkedModel& model, Findings& findings) {
         sensor.joint.span, subject("sensor", sensor) + " measures " + title(measured) +
                                " in MARS, which leads to " + quoted(*sensor.link) + ", but " +
                                quoted(*sensor.joint) + " in MARS 2");
-    diagnostic.labels.push_back({sensor.link.span, "MARS goes by the link"});
+    diagnostic.labels.push_back({sensor.link.span, "MARS uses the link"});
     if (!measured.name) continue;
     diagnostic.help = "did you mean " + quoted(*measured.name) + "?";
     if (!fits_everywhere(*measured.name)) continue;

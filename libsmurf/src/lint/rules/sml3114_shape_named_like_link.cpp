@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view kInertial = "inertial_";
 
-/// "the link `a`" when MARS calls it or its inertial so.
+/// The link that has this name in MARS, or whose inertial has it.
 const urdf::Link* namesake(const LinkedModel& model, std::string_view name) {
   if (const urdf::Link* link = model.find_link(name)) return link;
   if (!name.starts_with(kInertial)) return nullptr;
@@ -41,7 +41,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "keeps links and their inertials, collisions and visuals in one map of names, and the last one wins: joints and sensors of the link are attached to the shape, or the loading stops",
+     "keeps links and their inertials, collisions and visuals in one map of names, and the last "
+     "one wins: joints and sensors of the link are attached to the shape, or the loading stops",
      "MARS smurf.cpp:619-620, 661, 715, 788, 899-900"},
 };
 

@@ -21,7 +21,7 @@ void check_name(const Counts& counts, std::string_view name, Span place, std::st
   if (found == counts.end() || found->second < 2) return;
   findings.report(place, std::to_string(found->second) + " robots of the scene have a " +
                              std::string(kind) + " " + quoted(name) +
-                             "; MARS takes the first for all of them");
+                             "; MARS uses the first for all of them");
 }
 
 void check_model(const LinkedModel& model, const Counts& motors, const Counts& links,
@@ -65,13 +65,13 @@ extern constinit const Rule sml3115_name_shared_in_scene{
     .name = "name-shared-in-scene",
     .severity = Severity::info,
     .summary = "A name that MARS looks up in the whole scene belongs to several robots of it.",
-    .why = "The leader of a mimicking motor, the frame of a NodeCOM sensor, the node of a "
-           "light and `frictionDirNode` are looked up by name among all robots of the "
-           "simulation, and the first one is taken: the motors of the second robot follow "
-           "the first robot.",
+    .why =
+        "The leader of a mimicking motor, the frame of a NodeCOM sensor, the node of a light and "
+        "`frictionDirNode` are looked up by name among all robots of the simulation, and the first "
+        "match is used: the motors of the second robot follow the first robot.",
     .remedy = "Give the motors or links of the robots different names, or use the model once.",
-    .sources = "MARS MotorManager.cpp:274-281, 537-544; NodeCOMSensor.cpp:54; "
-               "Simulator.cpp:784; SimNode.cpp:87.",
+    .sources = "MARS MotorManager.cpp:274-281, 537-544; NodeCOMSensor.cpp:54; Simulator.cpp:784; "
+               "SimNode.cpp:87.",
     .check_scene = check};
 
 }  // namespace smurf::rules

@@ -5,8 +5,8 @@
 namespace smurf::rules {
 namespace {
 
-constexpr std::string_view kLeads = "in MARS the name leads to the last one";
-constexpr std::string_view kReplaces = "readers disagree on which of the two counts";
+constexpr std::string_view kLeads = "in MARS, the name refers to the last one";
+constexpr std::string_view kReplaces = "readers disagree on which of the two they use";
 
 template <class Entries>
 void check_entries(const Entries& entries, std::string_view kind, std::string_view note,
@@ -40,7 +40,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "creates both, but a name refers to the last one only: controllers, poses and mimicking motors never reach the first; entries that change the URDF are applied one after the other",
+     "creates both, but a name refers to the last one only: controllers, poses and mimicking "
+     "motors never reach the first; entries that change the URDF are applied one after the other",
      "MARS smurf.cpp:262, 326"},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun, "/motors/"},
     {&readers::phobos, Effect::changes,

@@ -39,7 +39,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "puts the value of the sensor, joint or motor into the data twice, so that all later values are found one place too late",
+     "puts the value of the sensor, joint or motor into the data twice, so all later values are "
+     "shifted by one place",
      "MARS smurf.cpp:151-182, 465-480"},
     {&readers::phobos, Effect::loses, "does not export a joint that submechanisms list twice",
      "Phobos core/robot.py:352-360"},

@@ -55,7 +55,7 @@ extern constinit const Rule sml3204_motor_stronger_than_joint{
     .remedy = "Make the two agree.",
     .check_model = check,
     .tolerance = {.value = 1.1,
-                  .meaning = "how many times what the joint allows a motor may claim"},
+                  .meaning = "how many times as strong or fast as the joint allows a motor may be"},
     .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -44,7 +44,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "builds the joint of the entry",
+    {&readers::mars, Effect::changes, "builds the joint that the entry describes",
      "MARS smurf.cpp:391-403, 893-939"},
     {&readers::phobos, Effect::changes, "keeps what it read last",
      "Phobos representation.py:2001-2119"},

@@ -15,7 +15,7 @@ struct Pair {
 constexpr Pair kPairs[] = {{"spring_const_constraint_axis1", "springStiffness"},
                            {"damping_const_constraint_axis1", "springDamping"}};
 
-/// rock-cpp/smurf reads the four keys when all are there, else none.
+/// rock-cpp/smurf reads the four keys if all are there, and otherwise none.
 void check_count(yaml::View mapping, const Subject& who, Findings& findings) {
   std::string_view missing;
   int count = 0;
@@ -59,7 +59,7 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes, "reads the keys with `constraint`",
      "MARS JointData.cpp:89-164"},
-    {&readers::mars2, Effect::changes, "reads both names, of which that with `constraint` wins",
+    {&readers::mars2, Effect::changes, "reads both names; the one with `constraint` wins",
      "mars_ode_physics Joint.cpp:180-193"},
     {&readers::envire, Effect::changes, "reads the four keys together or not at all",
      "rock-cpp/smurf Joint.cpp:101-124"},
@@ -72,8 +72,8 @@ extern constinit const Rule sml3214_spring_keys_disagree{
     .name = "spring-keys-disagree",
     .severity = Severity::warning,
     .summary =
-        "The two names for the spring or the damping of a joint hold different values, or one"
-        " is missing.",
+        "The two names for the spring or the damping of a joint have different values, or one is "
+        "missing.",
     .why = "The joint differs from reader to reader.",
     .remedy = "Write the same value under both names.",
     .check_model = check,

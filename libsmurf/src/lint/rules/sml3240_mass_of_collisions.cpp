@@ -27,12 +27,12 @@ extern constinit const Rule sml3240_mass_of_collisions{
     .name = "mass-of-collisions",
     .severity = Severity::info,
     .summary = "MARS makes a light link much heavier than the URDF says.",
-    .why = "MARS adds one gram for each collision of a link, and a milligram for its "
-           "frame: a link of a few grams, or one of many collisions, gets another mass and "
-           "inertia.",
+    .why =
+        "MARS adds one gram for each collision of a link, and a milligram for its frame: a link of "
+        "a few grams, or one with many collisions, gets a wrong mass and inertia.",
     .remedy = "Set `mass: 0.0001` for its collisions under `collision`, or merge them.",
     .sources = "MARS smurf.cpp:719, NodeData defaults.",
     .check_model = check,
-    .tolerance = {.value = 0.1, .meaning = "what part of the mass of the link may be added"}};
+    .tolerance = {.value = 0.1, .meaning = "which fraction of the mass of the link may be added"}};
 
 }  // namespace smurf::rules

@@ -18,7 +18,7 @@ void check_list(const LinkedModel& model, const Submechanism& mechanism, std::st
     // Unknown names are reported as possible misspellings.
     if (all.contains(name.value) || !model.joint_names.contains(name.value)) continue;
     Diagnostic& diagnostic = findings.report(
-        name.span, quoted(key) + " of " + subject("submechanism", mechanism) + " holds " +
+        name.span, quoted(key) + " of " + subject("submechanism", mechanism) + " contains " +
                        quoted(name.value) + ", which `jointnames` does not");
     diagnostic.labels.push_back({mechanism.joint_names.span, "all joints of the mechanism"});
   }
@@ -54,11 +54,11 @@ extern constinit const Rule sml3241_submechanism_lists_disagree{
     .id = "SML3241",
     .name = "submechanism-lists-disagree",
     .severity = Severity::warning,
-    .summary = "A list of a submechanism holds a joint that is not among the joints of the "
-               "mechanism.",
-    .why =
-        "`jointnames` lists all joints of a submechanism, and the other lists choose from it: lists that disagree describe no mechanism.",
-    .remedy = "Add the joint to `jointnames`, or take it out of the other list.",
+    .summary =
+        "A list of a submechanism contains a joint that is not among the joints of the mechanism.",
+    .why = "`jointnames` lists all joints of a submechanism, and the other lists choose from it: "
+           "lists that disagree describe no mechanism.",
+    .remedy = "Add the joint to `jointnames`, or delete it from the other list.",
     .check_model = check,
     .facts = kFacts};
 

@@ -8,7 +8,7 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::refuses, "ends with an uncaught exception", kRun, "/physicmode/"},
     {&readers::mars, Effect::breaks,
-     "stops loading here: what follows, the pose and the anchor are missing",
+     "stops loading here: everything after it, the pose and the anchor are missing",
      "MARS SensorManager.cpp:357-360"},
 };
 
@@ -18,7 +18,7 @@ extern constinit const Rule sml4002_unknown_value{
     .id = "SML4002",
     .name = "unknown-value",
     .severity = Severity::error,
-    .summary = "A key holds a word that is not one of its values.",
+    .summary = "A key has a word that is not one of its values.",
     .remedy = "Use one of the known values; they are case-sensitive.",
     .facts = kFacts};
 

@@ -32,7 +32,7 @@ constexpr Needed kOfCollisions[] = {
 };
 constexpr Needed kOfLinks[] = {
     {"link", {}, 1, "MARS 2 stops at an entry without it"},
-    {"name", {}, 1, "MARS and Phobos match by it and pass over the entry"},
+    {"name", {}, 1, "MARS and Phobos match by it and ignore the entry"},
 };
 
 bool has_key(yaml::View mapping, const Needed& needed) {
@@ -109,10 +109,13 @@ extern constinit const Rule sml4010_unlike_the_others{
     .severity = Severity::warning,
     .summary = "One entry lacks a key that all others of its section have.",
     .why =
-        "Each of these keys is needed by some reader: without `p` a position motor of MARS does not move, without `link` MARS 2 stops at a collision entry, without `bitmask` rock-cpp/smurf lets nothing collide. An entry that alone lacks the key is rarely intended.",
+        "Each of these keys is needed by some reader: without `p` a position motor of MARS does "
+        "not move, without `link` MARS 2 stops at a collision entry, without `bitmask` "
+        "rock-cpp/smurf lets nothing collide. A single entry without the key is rarely intended.",
     .remedy = "Add the key.",
-    .sources = "MARS SimMotor.cpp:352-407, MotorData.cpp; envire_smurf_loader Model.cpp:216-230, "
-               "443-505; rock-cpp/smurf Robot.cpp:53-83.",
+    .sources =
+        "MARS SimMotor.cpp:352-407, MotorData.cpp; envire_smurf_loader Model.cpp:216-230, 443-505; "
+        "rock-cpp/smurf Robot.cpp:53-83.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -11,7 +11,7 @@ struct Need {
   std::string_view consequence;
 };
 constexpr Need kSpeed{"maxSpeed", "maximumVelocity", "does not move in MARS"};
-constexpr Need kEffort{"maxEffort", "motorMaxForce", "is limp in MARS"};
+constexpr Need kEffort{"maxEffort", "motorMaxForce", "produces no force in MARS"};
 constexpr Need kGain{"p", "p", "does not move in MARS"};
 
 void check_need(const LinkedModel& model, const Motor& motor, const Need& need,
@@ -50,7 +50,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "clamps the speed to `maxSpeed` and the force of the joint to `maxEffort`, which are 0 when absent; a position motor moves at `p` times its error",
+     "clamps the speed to `maxSpeed` and the force of the joint to `maxEffort`, which are 0 when "
+     "absent; a position motor moves at `p` times its error",
      "MARS MotorData.cpp:85-86, SimMotor.cpp:352-407, 434-444"},
     {&readers::phobos, Effect::takes, "takes effort and speed from the limit of the joint",
      "Phobos a613e31, run"},

@@ -19,8 +19,8 @@ void check(const LinkedModel& model, Findings& findings) {
     for (const Foreign& foreign : kForeign) {
       if (!motor.type || *motor.type != foreign.type) continue;
       Diagnostic& diagnostic = findings.report(
-          motor.type.span, "MARS takes " + quoted(foreign.type) + ", a type of " +
-                               std::string(foreign.reader) + ", for a position controller");
+          motor.type.span, "MARS treats " + quoted(foreign.type) + ", a type of " +
+                               std::string(foreign.reader) + ", as a position controller");
       diagnostic.help = "the type of MARS is " + quoted(foreign.in_mars);
     }
   }
@@ -39,7 +39,8 @@ extern constinit const Rule sml4104_motor_type_of_other_readers{
     .severity = Severity::warning,
     .summary = "A motor has a type that MARS treats as a position controller, but others do not.",
     .why =
-        "`velocity` and `force` are types of one reader, `DirectEffort`, `FeedForwardEffort` and `ff_torque` of another.",
+        "`velocity` and `force` are types of one reader, `DirectEffort`, `FeedForwardEffort` and "
+        "`ff_torque` of another.",
     .remedy =
         "Write `DC` for a speed and `direct_effort` for a torque so that MARS understands it.",
     .check_model = check,

@@ -31,14 +31,15 @@ void check(const LinkedModel& model, Findings& findings) {
       diagnostic.labels.push_back({place_to_add(mapping, "id"), "add `id` after this"});
     }
     if (!targets) continue;
-    diagnostic.help = "did you mean `id` by `targets`?";
+    diagnostic.help = "did you mean `id` instead of `targets`?";
     KeyRenames(mapping).offer(diagnostic.fixes, targets, "id");
   }
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::loses,
-     "collects the targets in `id`, `links`, `joints`, `collisions` and `motors`; without any of them the sensor delivers nothing",
+     "collects the targets in `id`, `links`, `joints`, `collisions` and `motors`; without any of "
+     "them the sensor delivers nothing",
      "MARS smurf.cpp:151-182, IDListConfig.h:60-64"},
 };
 

@@ -29,9 +29,11 @@ void check(const LinkedModel& model, Findings& findings) {
           .severity = Severity::warning;
     } else if ((*entry.bitmask & kDefault) == 0) {
       findings
-          .report(entry.bitmask.span, subject("collision", entry) +
-                                          " collides with nothing that has the default mask: none "
-                                          "of the bits 0 to 15 is set")
+          .report(
+              entry.bitmask.span,
+              subject("collision", entry) +
+                  " collides with nothing that has the default mask: none of the bits 0 to 15 is "
+                  "set")
           .severity = Severity::warning;
     } else if ((*entry.bitmask & kSeenByRays) == 0) {
       hidden.push_back(&entry);
@@ -45,7 +47,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (others > 0) who += " and " + std::to_string(others) + (others == 1 ? " other" : " others");
   Diagnostic& diagnostic = findings.report(first.bitmask.span, "ray sensors of MARS do not see " +
                                                                    who + ": bit 15 is not set");
-  diagnostic.help = "with it the bitmask is " + std::to_string(*first.bitmask | kSeenByRays);
+  diagnostic.help = "set bit 15: `bitmask: " + std::to_string(*first.bitmask | kSeenByRays) + "`";
   // A robot with ray sensors is rarely meant to be invisible to them.
   if (has_ray_sensor(model)) diagnostic.severity = Severity::warning;
 }
@@ -57,8 +59,9 @@ extern constinit const Rule sml4110_bitmask_hides_body{
     .name = "bitmask-hides-body",
     .severity = Severity::info,
     .summary = "A bitmask excludes a collision from contacts or from ray sensors.",
-    .why = "Two objects collide when their masks share a bit, so a mask of 0 collides with "
-           "nothing. Ray sensors of MARS see bit 15 (32768) only.",
+    .why =
+        "Two objects collide when their masks share a bit, so a mask of 0 collides with nothing. "
+        "Ray sensors of MARS see bit 15 (32768) only.",
     .remedy = "Add 32768 to the mask when lasers and sonars are to see the body.",
     .sources = "MARS NodePhysics.cpp:1389-1390, 1449.",
     .check_model = check};

@@ -39,9 +39,9 @@ void check_ranges(const LinkedModel& model, Findings& findings) {
     const Field<double>& high = upper_bound(motor);
     if (!low || !high || *low != *high) continue;
     if (control_in_mars(motor) != MotorControl::position) continue;
-    Diagnostic& diagnostic = findings.report(low.span, subject("motor", motor) +
-                                                           " can go nowhere: both its bounds are " +
-                                                           format_number(*low));
+    Diagnostic& diagnostic =
+        findings.report(low.span, subject("motor", motor) + " cannot move: both its bounds are " +
+                                      format_number(*low));
     diagnostic.severity = Severity::warning;
     diagnostic.labels.push_back({high.span, "the upper bound"});
   }
@@ -63,7 +63,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "clamps commands to the upper bound, then to the lower one: the motor always goes to the lower bound",
+     "clamps commands to the upper bound, then to the lower one: the motor always goes to the "
+     "lower bound",
      "MARS SimMotor.cpp (runPositionController), GraphicData.cpp, RotatingRaySensor.cpp"},
     {&readers::phobos, Effect::takes, "takes them from the limit of the joint",
      "Phobos a613e31, run"},

@@ -20,7 +20,7 @@ void check_keys(const LinkedModel& model, const Entry& entry, std::string_view w
   }
 }
 
-/// How to follow is said, but not whom.
+/// The entry says how to follow, but not which motor.
 void check_follower(const LinkedModel& model, const Motor& motor, Findings& findings) {
   if (motor.mimic_motor.written || !motor.mimic_multiplier.written) return;
   const yaml::View mapping = mapping_of(model, motor);
@@ -55,11 +55,11 @@ extern constinit const Rule sml4114_key_without_effect{
     .severity = Severity::info,
     .summary = "A key that MARS reads has no effect.",
     .why =
-        "MARS overwrites `axis`, `index` and `jointIndex` of a motor when it loads it, "
-        "and takes the control value before it stores `position`, so the motor starts "
-        "at 0. A factor of a mimic without a motor to follow is not looked at. A RaySensor casts one row of rays: its height says nothing.",
-    .remedy = "Delete the key. A pose under `poses` sets the positions in which the robot "
-              "starts.",
+        "MARS overwrites `axis`, `index` and `jointIndex` of a motor when it loads it, and takes "
+        "the control value before it stores `position`, so the motor starts at 0. MARS ignores the "
+        "factor of a mimic that names no motor. A RaySensor casts one row of rays, so its height "
+        "has no effect.",
+    .remedy = "Delete the key. A pose under `poses` sets the positions in which the robot starts.",
     .sources = "MARS smurf.cpp:261-264, SimMotor.cpp:49-89, RaySensor.cpp.",
     .check_model = check};
 

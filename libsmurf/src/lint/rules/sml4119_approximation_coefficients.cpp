@@ -39,7 +39,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
-     "reads the coefficients by number without looking how many there are: beyond the end of the list it reads foreign memory",
+     "reads the coefficients by number without checking how many there are: it reads memory beyond "
+     "the end of the list",
      "MARS MotorData.cpp"},
 };
 

@@ -26,7 +26,7 @@ void check_entries(const LinkedModel& model, const Entries& entries, std::string
                             " is a quaternion of length " + format_rounded(*length));
       if (*length < kShortest) {
         diagnostic.severity = Severity::error;
-        diagnostic.notes.emplace_back("no direction follows from it");
+        diagnostic.notes.emplace_back("it defines no rotation");
       }
     }
   }
@@ -44,7 +44,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "multiplies by the numbers as they are written: vectors that are turned by such a quaternion get longer or shorter; ODE ends the program at one of length zero",
+     "multiplies by the numbers as they are written: vectors that such a quaternion turns get "
+     "longer or shorter; ODE ends the program at one of length zero",
      "MARS SimEntity.cpp:416-434, NodePhysics.cpp:526-597, run"},
 };
 

@@ -28,7 +28,8 @@ void check(const LinkedScene& scene, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "turns the root link rightly, but moves the other links and everything in an included scene by a scaled rotation",
+     "turns the root link correctly, but moves the other links and everything in an included scene "
+     "by a scaled rotation",
      "MARS SimEntity.cpp:416-434, SMURFLoader.cpp:716, run"},
     {&readers::phobos, Effect::changes, "normalises it, and reads it as x, y, z, w",
      "Phobos representation.py:141-160"},

@@ -6,10 +6,10 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::crashes, "goes by the type and fails on the file",
+    {&readers::mars, Effect::crashes, "uses the type and fails on the file",
      "MARS SMURFLoader.cpp:319-322"},
-    {&readers::mars2, Effect::changes, "goes by the extension", "MarsSceneLoader.cpp:206-226"},
-    {&readers::phobos, Effect::changes, "goes by the extension", "Phobos multiple.py",
+    {&readers::mars2, Effect::changes, "uses the extension", "MarsSceneLoader.cpp:206-226"},
+    {&readers::phobos, Effect::changes, "uses the extension", "Phobos multiple.py",
      "#of-another-kind"},
     {&readers::phobos, Effect::refuses, "stops with an exception", kRun},
 };

@@ -37,7 +37,7 @@ extern constinit const Rule sml5011_archive_entity{
     .name = "archive-entity",
     .severity = Severity::warning,
     .summary = "An entity is a .zsmurf, .zsmurfs or .zsmurfa archive.",
-    .why = "These tools read the archive in place.",
+    .why = "The tools of this project read the archive without unpacking it.",
     .remedy = "For MARS, unpack the archive and name the .smurf or .smurfs inside it.",
     .check_scene = check,
     .facts = kFacts};

@@ -18,7 +18,8 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::changes, "creates those that have a parent in another order",
+    {&readers::mars, Effect::changes,
+     "creates unnamed entities that have a parent in another order",
      "MARS SMURFLoader.cpp:616-621, run"},
 };
 

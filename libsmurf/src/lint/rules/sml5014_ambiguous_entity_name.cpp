@@ -48,7 +48,7 @@ class Ambiguities {
     if (named.first != meant.instance) {
       Diagnostic& diagnostic = findings_.report(
           reference.span, quoted(instance.name) + " means " + quoted(instance.path) +
-                              " here, but MARS takes " + quoted(first.path));
+                              " here, but MARS uses " + quoted(first.path));
       if (&scene_.entity(instance) != &scene_.entity(first)) {
         label(diagnostic, place_of(scene_.entity(instance)), "meant here");
         label(diagnostic, place_of(scene_.entity(first)), "the first of that name");
@@ -95,7 +95,7 @@ extern constinit const Rule sml5014_ambiguous_entity_name{
     .id = "SML5014",
     .name = "ambiguous-entity-name",
     .severity = Severity::warning,
-    .summary = "A name means another entity in MARS than in the scene that uses it.",
+    .summary = "A name refers to one entity in the scene that uses it, and to another in MARS.",
     .why =
         "An included scene is meant to refer to its own entities first, then to those around it.",
     .remedy = "Give the entities different names, or include the scene only once.",

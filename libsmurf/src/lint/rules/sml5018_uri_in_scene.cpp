@@ -18,8 +18,8 @@ void check(const LinkedScene& scene, Findings& findings) {
     for (const yaml::Node& node : file.document->nodes) {
       if (node.key() != "URI" || without_file.contains(node.parent)) continue;
       Diagnostic& diagnostic = findings.report(
-          node.key_span(), "MARS puts the keys of this file in the place of `URI`, over those "
-                           "written here");
+          node.key_span(),
+          "MARS replaces `URI` by the keys of this file, which override those written here");
       diagnostic.help = "write the keys of that file here";
     }
   }
@@ -39,9 +39,9 @@ extern constinit const Rule sml5018_uri_in_scene{
     .name = "uri-in-scene",
     .severity = Severity::warning,
     .summary = "A mapping of a scene has the key `URI`, which only MARS expands.",
-    .why =
-        "The documentation of configmaps states the opposite. Absolute paths do not work, and a cycle overflows the stack.",
-    .remedy = "Write the keys in place, or nest a scene with `file`.",
+    .why = "The documentation of configmaps states the opposite. Absolute paths do not work, and a "
+           "cycle overflows the stack.",
+    .remedy = "Write the keys here, or include a scene with `file`.",
     .check_scene = check,
     .facts = kFacts};
 

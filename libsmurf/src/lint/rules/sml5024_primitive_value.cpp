@@ -53,7 +53,7 @@ extern constinit const Rule sml5024_primitive_value{
     .id = "SML5024",
     .name = "primitive-value",
     .severity = Severity::error,
-    .summary = "A key of a primitive holds a value that a node of MARS does not take.",
+    .summary = "A key of a primitive contains a value that a node of MARS does not take.",
     .remedy = "Write the kind of value that the message names.",
     .check_scene = check,
     .facts = kFacts};

@@ -12,7 +12,7 @@ namespace {
 
 void report(yaml::View value, const KeySpec& meant, KeyRenames& renames, Findings& findings) {
   Diagnostic& diagnostic = findings.report(
-      value.key_span(), quoted(value.key()) + " is no key that readers of scenes know");
+      value.key_span(), quoted(value.key()) + " is not a key that readers of scenes know");
   diagnostic.help = "did you mean " + quoted(meant.name) + "?";
   if (takes_value(meant, value)) renames.offer(diagnostic.fixes, value, meant.name);
 }
@@ -74,7 +74,8 @@ extern constinit const Rule sml5028_misspelt_scene_key{
     .severity = Severity::warning,
     .summary = "A key of a scene, an entity, physics or environment is almost a known one.",
     .why =
-        "Every reader ignores keys it does not know, silently: the robot is at the origin, is not fixed, or is missing.",
+        "Every reader ignores keys it does not know, silently: the robot is at the origin, is not "
+        "fixed, or is missing.",
     .remedy = "Write the key as suggested. Custom keys may have any other name.",
     .sources = "MARS SMURFLoader.cpp:418-548, SimEntity.cpp:344-501.",
     .check_scene = check};

@@ -30,7 +30,7 @@ void check_image(const Entity& entity, Findings& findings) {
   }
   const std::string extension = path::to_lower(path::extension(*entity.file));
   if (std::find(std::begin(kImages), std::end(kImages), extension) != std::end(kImages)) return;
-  findings.report(entity.file.span, quoted(*entity.file) + " is no image to take heights from");
+  findings.report(entity.file.span, quoted(*entity.file) + " is not an image to read heights from");
 }
 
 void check_keys(const Entity& entity, yaml::View mapping, Findings& findings) {
@@ -49,8 +49,8 @@ void check_keys(const Entity& entity, yaml::View mapping, Findings& findings) {
   for (const std::string_view key : missing) {
     const CustomSection* slip = slip_of(entity, key);
     if (slip != nullptr && nearest(slip->name.value, missing) == key) {
-      Diagnostic& diagnostic =
-          findings.report(slip->name.span, quoted(slip->name.value) + " is no key of a height map");
+      Diagnostic& diagnostic = findings.report(
+          slip->name.span, quoted(slip->name.value) + " is not a key of a height map");
       diagnostic.help = "did you mean " + quoted(key) + "?";
       KeyRenames(mapping).offer(diagnostic.fixes, {mapping.document(), slip->node}, key);
     } else {
@@ -76,9 +76,10 @@ extern constinit const Rule sml5032_heightmap_value{
     .name = "heightmap-value",
     .severity = Severity::warning,
     .summary = "A height map lacks its image or its size, or their values are unusable.",
-    .why = "Phobos 0.7 writes a height map as an entity with the image under `file` and its "
-           "extent in metres under `width`, `length` and `height`; MARS itself has no such type,"
-           " and a plug-in that makes one needs all of them.",
+    .why =
+        "Phobos 0.7 writes a height map as an entity with the image under `file` and its extent in "
+        "metres under `width`, `length` and `height`; MARS itself has no such type, and a plug-in "
+        "that makes one needs all of them.",
     .remedy = "Name an image under `file` and write the three sizes in metres.",
     .sources = "Phobos 0.7.6 io/scenes.py; MARS EntityFactoryManager.cpp:70-90.",
     .check_scene = check};

@@ -16,7 +16,7 @@ extern constinit const Rule sml5043_nested_drawing_group{
     .id = "SML5043",
     .name = "nested-drawing-group",
     .severity = Severity::warning,
-    .summary = "A group of a drawn scene holds other groups.",
+    .summary = "A group of a drawn scene contains other groups.",
     .why = "smurfs-flatten follows the picture: it does not treat a layer as an entity.",
     .remedy = "Draw without layers and ungroup.",
     .facts = kFacts};

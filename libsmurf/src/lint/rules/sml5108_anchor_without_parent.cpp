@@ -10,9 +10,9 @@ namespace {
 void check_link(const Use& use, Findings& findings) {
   const Entity& entity = use.entity;
   if (entity.parent.written || use.placement.anchor.kind != Attachment::Kind::link) return;
-  Diagnostic& diagnostic =
-      findings.report(entity.anchor.span, title(entity) + " is fixed to " + quoted(*entity.anchor) +
-                                              ", but placed from the origin of the scene");
+  Diagnostic& diagnostic = findings.report(
+      entity.anchor.span, title(entity) + " is fixed to " + quoted(*entity.anchor) +
+                              ", but its position is relative to the origin of the scene");
   diagnostic.help = "write " + quoted("parent: " + *entity.anchor) +
                     " to place it there, or `parent: world` if the origin is meant";
 }
@@ -48,10 +48,11 @@ extern constinit const Rule sml5108_anchor_without_parent{
     .name = "anchor-without-parent",
     .severity = Severity::warning,
     .summary = "An entity has an anchor to its parent or to a link, but no parent.",
-    .why = "`anchor` fixes an entity where it is. Only `parent` places it on a link: without it, "
-           "the entity starts at its position in the scene.",
-    .remedy = "Add `parent`, or write `anchor: world`; `parent: world` says that the position is "
-              "one in the scene.",
+    .why =
+        "`anchor` fixes an entity where it is. Only `parent` places it on a link: without it, the "
+        "entity starts at its position in the scene.",
+    .remedy = "Add `parent`, or write `anchor: world`; `parent: world` states that the position is "
+              "relative to the scene.",
     .check_scene = check,
     .facts = kFacts};
 

@@ -7,7 +7,7 @@
 namespace smurf::rules {
 namespace {
 
-/// An entity before the one that it stands on is another finding.
+/// SML5203 reports an entity that comes before the one that it is placed on.
 bool stands_on_earlier(const Use& use) {
   const std::size_t self = static_cast<std::size_t>(use.instance - use.scene.instances.data());
   return to_size(use.placement.parent.instance) < self;
@@ -25,13 +25,14 @@ void check(const LinkedScene& scene, Findings& findings) {
                                                 quoted(*entity.parent) + ", but not fixed to it");
     const yaml::View mapping = mapping_of(use.scene.file(use.around), entity);
     diagnostic.labels.push_back({place_to_add(mapping, "anchor"), "add `anchor` after this"});
-    diagnostic.help = "add `anchor: parent`, or say `anchor: none` when it is to move freely";
+    diagnostic.help = "add `anchor: parent`, or `anchor: none` if it should move freely";
   });
 }
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "waits for the parent only when `anchor` names it as well, and else creates the entity last, in file order",
+     "waits for the parent only when `anchor` names it as well, and else creates the entity last, "
+     "in file order",
      "MARS SimEntity.cpp:344-501, SMURFLoader.cpp:587-636, run"},
 };
 
@@ -41,9 +42,10 @@ extern constinit const Rule sml5109_parent_without_anchor{
     .id = "SML5109",
     .name = "parent-without-anchor",
     .severity = Severity::warning,
-    .summary = "An entity has a parent, but says nothing of an anchor.",
+    .summary = "An entity has a parent, but no anchor.",
     .why =
-        "`parent` says where an entity starts, not that it stays there: without `anchor: parent` it falls.",
+        "`parent` says where an entity starts, not that it stays there: without `anchor: parent` "
+        "it falls.",
     .remedy = "Add `anchor: parent`; to place without fixing, write `anchor: none`.",
     .check_scene = check,
     .facts = kFacts};

@@ -30,7 +30,7 @@ extern constinit const Rule sml5202_nested_parent_none{
     .name = "nested-parent-none",
     .severity = Severity::warning,
     .summary = "An entity in an included scene has the parent `none` or an empty one.",
-    .why = "It means no parent, so that the entity moves with the include.",
+    .why = "The value means no parent, so the entity should move with the include.",
     .remedy = "Leave the key out, or write `world`.",
     .check_scene = check,
     .facts = kFacts};

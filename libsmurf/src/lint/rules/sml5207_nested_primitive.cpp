@@ -28,7 +28,7 @@ extern constinit const Rule sml5207_nested_primitive{
     .id = "SML5207",
     .name = "nested-primitive",
     .severity = Severity::error,
-    .summary = "An included scene holds an entity of type primitive.",
+    .summary = "An included scene contains an entity of type primitive.",
     .remedy = "Put the primitive into the outermost scene, or make it a URDF.",
     .check_scene = check,
     .facts = kFacts};

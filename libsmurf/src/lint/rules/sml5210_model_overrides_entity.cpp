@@ -33,7 +33,7 @@ extern constinit const Rule sml5210_model_overrides_entity{
     .id = "SML5210",
     .name = "model-overrides-entity",
     .severity = Severity::warning,
-    .summary = "A model's main file holds a key that belongs to the scene.",
+    .summary = "A model's main file contains a key that belongs to the scene.",
     .why = "The main file sets the pose of the model. Other readers and this tool ignore the keys.",
     .remedy = "Move the key into the scene.",
     .check_scene = check,

@@ -26,7 +26,7 @@ void check(const LinkedScene& scene, Findings& findings) {
       if (!outer) continue;
       Diagnostic& diagnostic = findings.report(
           inner.key_span(),
-          quoted(key) + " of an included scene yields to that of the scene around it");
+          quoted(key) + " of an included scene is overridden by the enclosing scene");
       diagnostic.labels.push_back({outer.key_span(), "this one is set afterwards"});
     }
   }
@@ -48,7 +48,7 @@ extern constinit const Rule sml5302_world_of_included_scene{
     .severity = Severity::warning,
     .summary = "An included scene sets physics or environment, and so does an enclosing scene.",
     .why = "All scenes share one world.",
-    .remedy = "Set `physics` and `environment` in one scene, best the outermost.",
+    .remedy = "Set `physics` and `environment` in one scene, preferably the outermost.",
     .check_scene = check,
     .facts = kFacts};
 

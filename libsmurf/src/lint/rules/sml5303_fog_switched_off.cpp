@@ -12,7 +12,7 @@ bool has_fog(yaml::View environment) {
   return fog && !fog.is_null();
 }
 
-/// A place in the scene or its models that asks for fog.
+/// A place in the scene or its models that switches fog on.
 std::optional<Span> fog_of(const LinkedScene& scene) {
   for (const SceneFile& file : scene.scenes) {
     const yaml::View environment = world_value(file, "environment");
@@ -32,7 +32,7 @@ void check(const LinkedScene& scene, Findings& findings) {
   for (const SceneFile& file : scene.scenes) {
     const yaml::View environment = world_value(file, "environment");
     if (!environment || has_fog(environment)) continue;
-    // An environment that yields to that of the scene around it is reported as such.
+    // SML5302 reports an environment that the enclosing scene overrides.
     if (&file != &scene.scenes.front() && world_value(scene.scenes.front(), "environment"))
       continue;
     Diagnostic& diagnostic = findings.report(
@@ -52,7 +52,7 @@ extern constinit const Rule sml5303_fog_switched_off{
     .name = "fog-switched-off",
     .severity = Severity::warning,
     .summary = "An environment without `fog` switches off the fog that another file asks for.",
-    .remedy = "Repeat `fog` in this environment, or take it out of the other file.",
+    .remedy = "Repeat `fog` in this environment, or delete it from the other file.",
     .check_scene = check,
     .facts = kFacts};
 

@@ -9,7 +9,7 @@ namespace {
 
 /// Simulations step by 0.1 ms to 20 ms; as seconds these numbers are below this.
 constexpr double kSmallestMilliseconds = 0.05;
-/// With a second between two looks things have fallen through each other.
+/// With steps of a second, bodies fall through each other.
 constexpr double kLargestMilliseconds = 1000;
 
 void check(const LinkedScene& scene, Findings& findings) {
@@ -22,7 +22,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     }
     if (!step || *step < 0 || *step >= kSmallestMilliseconds) continue;
     if (*step == 0) {
-      findings.report(step.span, "with a step of 0 ms time stands still");
+      findings.report(step.span, "with a step of 0 ms, the simulation does not advance");
       continue;
     }
     const std::string milliseconds = format_rounded(*step * 1000, 12);

@@ -41,10 +41,9 @@ extern constinit const Rule sml5306_gravity_implausible{
     .id = "SML5306",
     .name = "gravity-implausible",
     .severity = Severity::warning,
-    .summary =
-        "Gravity pulls upward or sideways, is not there, or pulls more strongly than that of any planet.",
-    .why =
-        "In SMURF scenes z points up and gravity is an acceleration in m/s^2, taken as it is: with a positive z everything falls upward.",
+    .summary = "Gravity pulls upward or sideways, is zero, or is stronger than on any planet.",
+    .why = "In SMURF scenes z points up and gravity is an acceleration vector in m/s^2: with a "
+           "positive z, everything falls upward.",
     .remedy = "Write {x: 0, y: 0, z: -9.81}.",
     .sources = "MARS SMURFLoader.cpp:455-462.",
     .check_scene = check,

@@ -12,7 +12,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const yaml::View value : root) {
     if (!is_section_name(value.key()) || value.is_repeated()) continue;
     findings.report(value.key_span(),
-                    "the section " + quoted(value.key()) + " stands in the main file");
+                    "the section " + quoted(value.key()) + " is in the main file");
   }
 }
 

@@ -15,7 +15,7 @@ constexpr std::string_view kUnknown[] = {
     "JointLoad",    "JointTorque",         "JointAVGTorque", "MultiLevelLaserRangeFinder",
     "NodeVelocity", "NodeAngularVelocity", "ScanningSonar",  "HapticField"};
 
-/// It has values of its own for these, which a null replaces.
+/// Phobos has defaults for these, which a null replaces.
 constexpr std::string_view kNeeded[] = {"id",     "horizontal_offset", "vertical_offset",
                                         "lasers", "opening_width",     "opening_height"};
 
@@ -33,8 +33,9 @@ void check_name(yaml::View entry, Findings& findings) {
   const yaml::View name = entry.is_mapping() ? entry.find("name") : yaml::View();
   if (!name || !name.is_scalar() || name.style() != yaml::Style::plain) return;
   if (!name.number() && !name.boolean()) return;
-  findings.report(name.span(), "Phobos reads " + quoted(name.text()) + " as no text").help =
-      "put it in quotes";
+  findings
+      .report(name.span(), "Phobos reads " + quoted(name.text()) + " as something other than text")
+      .help = "put it in quotes";
 }
 
 void check_offsets(yaml::View sensor, Findings& findings) {
@@ -46,14 +47,15 @@ void check_offsets(yaml::View sensor, Findings& findings) {
   }
   if (position && (position.is_null() || position.is_mapping()) &&
       !has_just(position, {"x", "y", "z"})) {
-    findings.report(position.key_span(), "Phobos wants a position with x, y, z");
+    findings.report(position.key_span(), "Phobos expects a position with x, y, z");
     return;
   }
   const bool is_behind =
       orientation && position && orientation.key_span().begin < position.key_span().begin;
   if (!position || is_behind) return;
   findings
-      .report(position.key_span(), "Phobos takes `position_offset` after `orientation_offset` only")
+      .report(position.key_span(),
+              "Phobos accepts `position_offset` only after `orientation_offset`")
       .help = orientation ? "write `orientation_offset` before it"
                           : "write `orientation_offset: {w: 1, x: 0, y: 0, z: 0}` before it";
 }
@@ -66,7 +68,7 @@ void check_sensor(const Sensor& sensor, yaml::View mapping, Findings& findings) 
   }
   const yaml::View joint = mapping.find("joint");
   if (type == "Joint6DOF" && joint) {
-    findings.report(joint.key_span(), "Phobos takes no `joint` here").help =
+    findings.report(joint.key_span(), "Phobos accepts no `joint` here").help =
         "leave it out: the sensor measures the joint above its link";
   }
   for (const std::string_view key : kNeeded) {
@@ -119,7 +121,7 @@ void check_dependencies(const LinkedModel& model, Findings& findings) {
         const yaml::View leaders = joint.is_mapping() ? joint.find("depends_on") : yaml::View();
         if (!leaders || !leaders.is_sequence() || leaders.size() == 0) continue;
         if ((*leaders.begin()).is_mapping()) continue;
-        findings.report(leaders.key_span(), "Phobos wants mappings in `depends_on`, not names")
+        findings.report(leaders.key_span(), "Phobos expects mappings in `depends_on`, not names")
             .help = "write `{joint: NAME, multiplier: 1, offset: 0}`";
       }
     }
@@ -131,7 +133,7 @@ void check_main_file(const LinkedModel& model, Findings& findings) {
   const yaml::View root = model.files.front().document->view();
   const yaml::View files = root && root.is_mapping() ? root.find("files") : yaml::View();
   if (!files || !files.is_scalar() || files.text().empty()) return;
-  findings.report(files.place(), "Phobos wants a list of `files`").help =
+  findings.report(files.place(), "Phobos expects a list of `files`").help =
       "make it an item: `- FILE`";
 }
 
@@ -140,7 +142,7 @@ void check_robot(const LinkedModel& model, Findings& findings) {
   const xml::View robot = model.robot->document.view();
   const xml::View sensor = robot ? robot.child("sensor") : xml::View();
   if (!sensor) return;
-  findings.report(sensor.name_span(), "Phobos takes no `sensor` beside the links").help =
+  findings.report(sensor.name_span(), "Phobos accepts no `sensor` beside the links").help =
       "keep sensors in a `sensors` section";
 }
 

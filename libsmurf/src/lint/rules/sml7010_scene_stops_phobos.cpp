@@ -16,7 +16,7 @@ bool is_text(yaml::View name) {
 
 void check_position(yaml::View position, Findings& findings) {
   if (!position || !position.is_mapping() || position.size() == 3) return;
-  findings.report(position.key_span(), "Phobos wants a `position` of three numbers");
+  findings.report(position.key_span(), "Phobos expects a `position` of three numbers");
 }
 
 void check_entities(yaml::View entities, Findings& findings) {
@@ -31,8 +31,10 @@ void check_entities(yaml::View entities, Findings& findings) {
     const yaml::View name = entity.find("name");
     if (!name || !name.is_scalar() || name.is_null()) continue;
     if (!is_text(name)) {
-      findings.report(name.span(), "Phobos reads " + quoted(name.text()) + " as no text").help =
-          "put it in quotes";
+      findings
+          .report(name.span(),
+                  "Phobos reads " + quoted(name.text()) + " as something other than text")
+          .help = "put it in quotes";
     }
   }
 }

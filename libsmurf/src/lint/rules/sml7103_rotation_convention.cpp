@@ -52,7 +52,7 @@ extern constinit const Rule sml7103_rotation_convention{
     .id = "SML7103",
     .name = "rotation-convention",
     .severity = Severity::warning,
-    .summary = "A rotation is written in a way that a target reads as another one.",
+    .summary = "A target reads a rotation as a different rotation.",
     .remedy = "For Phobos 2 write a mapping with the keys w, x, y, z, which MARS reads since 2025.",
     .check_scene = check,
     .needs_target = true,

@@ -15,7 +15,7 @@ void check(const LinkedScene& scene, Findings& findings) {
     if (!seen.insert({file.source, entity.list}).second) return;
     const std::string_view name = entity.list == EntityList::smurfs ? "smurfs" : "smurfa";
     const yaml::View list = file.document->view().find(name);
-    if (list) findings.report(list.key_span(), "the entities stand in the list " + quoted(name));
+    if (list) findings.report(list.key_span(), "the entities are in the list " + quoted(name));
   });
 }
 

@@ -7,12 +7,13 @@ extern constinit const Rule sml8211_lost_part{
     .id = "SML8211",
     .name = "lost-part",
     .severity = Severity::warning,
-    .summary = "A part of a model or of an entity is not in the result, or is written as something "
-               "else.",
-    .why = "What the format cannot say, the simulator does not know: a joint without its velocity "
-           "limit, a robot without the plug-ins of its `<gazebo>` elements.",
-    .remedy = "Set it up in the simulator, or choose a format that keeps it; docs/scene-formats.md "
-              "has the table.",
+    .summary =
+        "A part of a model or of an entity is not in the result, or is written as something else.",
+    .why = "The simulator does not get what the format cannot express: joints lose their velocity "
+           "limits, robots the plug-ins of their `<gazebo>` elements.",
+    .remedy =
+        "Set it up in the simulator, or choose a format that keeps it; docs/scene-formats.md has "
+        "the table.",
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 

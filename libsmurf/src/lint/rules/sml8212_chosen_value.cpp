@@ -7,7 +7,7 @@ extern constinit const Rule sml8212_chosen_value{
     .id = "SML8212",
     .name = "chosen-value",
     .severity = Severity::info,
-    .summary = "The result has a value that nobody wrote, because its readers need one.",
+    .summary = "The result has a value that is not in the source, because its readers need one.",
     .why =
         "A moving link without mass, or a scene without gravity and step, is read differently by "
         "each simulator.",

@@ -11,8 +11,8 @@ extern constinit const Rule sml9101_malformed_suppression{
     .why = "The comment does not silence the finding it was written for.",
     .remedy =
         "Write `smurf-lint: ignore[SML3101] reason` at the end of the line or on the line above "
-        "the entry, or `smurf-lint: ignore-file[SML3101] reason` for the whole file. The rules "
-        "have to be named.",
+        "the entry, or `smurf-lint: ignore-file[SML3101] reason` for the whole file. The comment "
+        "must name the rules.",
     .sources = "smurf-lint, docs/integrations.md"};
 
 }  // namespace smurf::rules

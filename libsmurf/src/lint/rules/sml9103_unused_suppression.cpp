@@ -8,8 +8,8 @@ extern constinit const Rule sml9103_unused_suppression{
     .name = "unused-suppression",
     .severity = Severity::warning,
     .summary = "A comment for smurf-lint silences nothing.",
-    .why =
-        "The fault was repaired, or the comment is in the wrong place. If the comment stays, it hides the next fault there.",
+    .why = "The fault was repaired, or the comment is in the wrong place. If the comment stays, it "
+           "hides the next finding there.",
     .remedy = "Remove the comment; `--fix` does it.",
     .sources = "smurf-lint"};
 
