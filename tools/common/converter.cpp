@@ -19,9 +19,9 @@ namespace smurf::tools {
 
 std::vector<Option> converter_options(ConverterOptions& options, std::string_view output_help) {
   Option fail_on = fail_on_option(options.threshold);
-  fail_on.help(
+  fail_on.help =
       "Refuse to write when there is a finding of this severity or above: error, warning, info or "
-      "never. Without it, only what makes the result wrong is refused.");
+      "never. Without it, only what makes the result wrong is refused.";
   return {output_option(options.output, output_help),
           report_option("report", options.reports),
           std::move(fail_on),
@@ -176,7 +176,7 @@ std::string Conversion::render_for_people(const Report& report, const LossOf& lo
     const auto loss = loss_of(finding);
     if (loss || (!options_.quiet && is_told(finding, sources))) {
       Diagnostic shown = finding;
-      if (loss) shown.note("not converted: " + *loss);
+      if (loss) shown.notes.push_back("not converted: " + *loss);
       text += render_full(shown, sources, style);
     } else {
       rest.push_back(finding);

@@ -158,7 +158,7 @@ class BodyCheck {
   Diagnostic& report(const Rule& rule, Span place, std::string message, std::string_view ode) {
     Diagnostic& diagnostic = sink_.report(rule, place, std::move(message));
     diagnostic.severity = Severity::error;
-    diagnostic.note(ode);
+    diagnostic.note(std::string(ode));
     return diagnostic;
   }
 

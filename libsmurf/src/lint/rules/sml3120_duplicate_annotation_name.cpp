@@ -21,7 +21,7 @@ void check_entries(const Entries& entries, std::string_view kind, std::string_vi
     Diagnostic& diagnostic = findings.report(
         entry.name.span, "there is another " + std::string(kind) + " " + quoted(*entry.name));
     diagnostic.label(entries[*first].name.span, "the first one");
-    diagnostic.note(note);
+    diagnostic.note(std::string(note));
   }
 }
 

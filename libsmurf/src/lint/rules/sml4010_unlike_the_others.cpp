@@ -75,7 +75,7 @@ void check_entries(const LinkedModel& model, const std::vector<T>& entries, std:
       subject(what, *odd) + " has no " + quoted(needed.key) + ", unlike " +
           (others == 1 ? "the other one" : "the " + std::to_string(others) + " others"));
   diagnostic.label(place_to_add(mapping, needed.key), "add it after this");
-  diagnostic.note(needed.consequence);
+  diagnostic.note(std::string(needed.consequence));
 }
 
 /// Only they have gains and bounds.
