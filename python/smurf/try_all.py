@@ -24,6 +24,11 @@ def try_all(arguments):
     code = 0
     for file in listed.stdout.decode(errors="surrogateescape").splitlines():
         if file.endswith(ENDINGS[program]):
+            # So smurf-lint writes control characters; another file may have the name that is written.
+            if "\\" in file:
+                print(f"{program}: cannot tell which file is meant by '{file}': rename it", file=sys.stderr)
+                code = 2
+                continue
             done = subprocess.run([program, *options, "--", file], stdout=subprocess.DEVNULL, check=False)
             code = max(code, done.returncode)
     return code

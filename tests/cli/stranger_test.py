@@ -225,6 +225,20 @@ class Names(StrangerTest):
                 self.assertRegex(path, r"^(smurf|urdf)/[\w][\w.-]*$")
 
 
+class Hooks(StrangerTest):
+    def test_a_file_hides_behind_no_other(self):
+        """A list of files shows U+2028 by an escape, which may be the name of a sound file."""
+        shutil.copytree(FIXTURES / "models/arm", self.project / "arm")
+        shutil.copy(self.project / "arm/smurf/arm.smurf", self.project / "arm/smurf/a\\u2028b.smurf")
+        self.write("arm/smurf/a\u2028b.smurf", "modelname: [\n")
+        self.write(".smurf-lintignore", "a\\\\u2028b.smurf\n")
+        environment = {**os.environ, "PATH": f"{TOOLS}:{os.environ['PATH']}"}
+        done = subprocess.run([sys.executable, "-I", ROOT / "python/smurf/try_all.py", "smurf2urdf"], cwd=self.project,
+                              env=environment, capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("cannot tell which file is meant", done.stderr)
+
+
 class Links(StrangerTest):
     """Links below a folder that the user names."""
 
