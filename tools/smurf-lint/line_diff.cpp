@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The greedy algorithm of Myers, which keeps for each diagonal how far so many changes lead. After
-// kMostChanges it begins again where it came farthest, so that time and memory are linear.
+// kMostChanges it begins again where it came farthest, so that time and memory are linear; those of
+// the library dtl are quadratic where every line changes.
 #include "smurf-lint/line_diff.hpp"
 
 #include <algorithm>

@@ -115,7 +115,7 @@ Diagnostic to_diagnostic(const Json& json) {
           .untargeted = to_severity(json["untargeted"]),
           .labels = from_list(json["labels"], to_label),
           .notes = json["notes"],
-          .help = json["help"],
+          .help_text = json["help"],
           .fixes = from_list(json["fixes"], to_fix),
           .left_out = to_rule(json["left_out"])};
 }
