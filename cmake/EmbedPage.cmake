@@ -4,20 +4,20 @@
 set(marker "@SCENE@")
 set(piece_size 60000)
 
-# As a list of raw literals. The page is ASCII, so that no character is cut in two.
+# As a list of raw literals, of which nobody has to look for the end. The page is ASCII, so that no character is cut in two.
 function(append_pieces name text)
   string(LENGTH "${text}" length)
-  set(pieces "constexpr std::string_view ${name}[] = {\"\"")
+  set(pieces "constexpr std::string_view ${name}[] = {\"\"sv")
   set(at 0)
   while(at LESS length)
     string(SUBSTRING "${text}" ${at} ${piece_size} piece)
-    string(APPEND pieces ",\nR\"page(${piece})page\"")
+    string(APPEND pieces ",\nR\"page(${piece})page\"sv")
     math(EXPR at "${at} + ${piece_size}")
   endwhile()
   file(APPEND ${OUTPUT} "${pieces}};\n")
 endfunction()
 
-file(WRITE ${OUTPUT} "// Made by cmake/EmbedPage.cmake.\n#include \"write/viewer_page.hpp\"\n\nnamespace smurf {\n")
+file(WRITE ${OUTPUT} "// Made by cmake/EmbedPage.cmake.\n#include \"write/viewer_page.hpp\"\n\nnamespace smurf {\nusing namespace std::string_view_literals;\n")
 if(PAGE)
   file(READ ${PAGE} page)
   string(FIND "${page}" ${marker} middle)

@@ -183,11 +183,14 @@ class PageTest(viewer.ViewerTest):
         selected = "[smurfViewer.tree.selected.textContent, smurfViewer.tree.selected.getAttribute('aria-level')]"
         rows = "[...document.querySelectorAll('[role=treeitem]')].filter((row) => row.offsetParent).length"
         close = "smurfViewer.tree.open(smurfViewer.tree.rows.get('0 %d'), false)"
-        steps = [READ, f"smurfViewer.select(0, {number - 1})", selected, rows, close % 3000, rows, close % 20, rows]
+        steps = [READ, f"smurfViewer.select(0, {number - 1})", selected, rows, close % 3000, rows, close % 20, rows,
+                 "[document.querySelectorAll('.joint').length, document.querySelector('#sliders button').click(),"
+                 " document.querySelectorAll('.joint').length]"]
         results = self.browse({"page": page, "steps": steps})[0]["results"]
         self.assert_poses(results[0], self.data(page)[0], self.flat("chain.urdf")["instances"], "chain")
         self.assertEqual(results[2], [f"l{number - 1}", f"{number + 1}"])
         self.assertEqual([results[3], results[5], results[7]], [number + 1, 3002, 22])
+        self.assertEqual(results[8], [100, None, number - 1])
 
     def test_empty_scenes_say_so(self):
         self.write("empty.smurfs", "entities: []\n")

@@ -6,6 +6,7 @@ import { byId, counted, element, short } from "./dom.js";
 import { isMovable } from "./motion.js";
 
 const kMoments = ["xx", "xy", "xz", "yy", "yz", "zz"];
+const kMostSliders = 100; // at first: thousands take seconds to lay out
 const kDegrees = 180 / Math.PI;
 
 export const massOf = (links) => links.reduce((sum, link) => sum + (link.mass ?? 0), 0);
@@ -128,24 +129,20 @@ export class Joints {
     this.scene = scene;
     this.motion = motion;
     this.onMove = onMove;
+    this.taken = new Map(); // the pose of each entity, "" when it was moved by hand
     byId("poses").addEventListener("change", () => this.takePose(byId("poses").value));
     byId("reset").addEventListener("click", () => this.takePose("start"));
   }
 
-  show(entity) {
-    if (this.entity === entity) return;
+  show(entity, isWhole = false) {
+    if (this.entity === entity && !isWhole) return;
     this.entity = entity;
     this.model = this.scene.entities[entity]?.model;
     const movable = this.model?.joints.filter(isMovable) ?? [];
     byId("joint-tools").hidden = movable.length === 0;
     byId("joints-of").textContent =
       this.model && this.scene.entities.length > 1 ? ` of ${this.scene.entities[entity].path}` : "";
-    this.rows =
-      this.model?.joints.flatMap((joint, index) => (isMovable(joint) ? [this.row(joint, index)] : [])) ?? [];
-    const why = this.model ? "No joint of this model moves." : "Select a model to move its joints.";
-    byId("sliders").replaceChildren(
-      ...(this.rows.length > 0 ? this.rows.map(({ line }) => line) : [element("p", { class: "empty" }, why)]),
-    );
+    this.showRows(movable, isWhole);
     const poses = [
       element("option", { value: "start" }, "as in the scene"),
       element("option", { value: "zero" }, "all at zero"),
@@ -155,8 +152,21 @@ export class Joints {
       element("option", { value: "", disabled: true, hidden: true }, "moved by hand"),
       ...poses,
     );
-    byId("poses").value = "start";
+    byId("poses").value = this.taken.get(entity) ?? "start";
     this.update();
+  }
+
+  showRows(movable, isWhole) {
+    const shown = isWhole ? movable : movable.slice(0, kMostSliders);
+    this.rows = shown.map((joint) => this.row(joint, joint.index));
+    const lines = this.rows.map(({ line }) => line);
+    const why = this.model ? "No joint of this model moves." : "Select a model to move its joints.";
+    if (movable.length === 0) lines.push(element("p", { class: "empty" }, why));
+    if (shown.length < movable.length) {
+      const all = `Show all ${counted(movable.length, "joint")}`;
+      lines.push(element("button", { type: "button", onclick: () => this.show(this.entity, true) }, all));
+    }
+    byId("sliders").replaceChildren(...lines);
   }
 
   row(joint, index) {
@@ -192,15 +202,20 @@ export class Joints {
     const positions = new Map(this.motion.positions[this.entity]);
     positions.set(joint.name, value);
     this.motion.set(this.entity, positions);
-    byId("poses").value = "";
+    this.take("");
     this.update();
     this.onMove();
+  }
+
+  take(name) {
+    this.taken.set(this.entity, name);
+    byId("poses").value = name;
   }
 
   takePose(name) {
     const poses = { start: this.scene.entities[this.entity].start, zero: new Map() };
     this.motion.set(this.entity, poses[name] ?? this.model.poses[name].positions);
-    byId("poses").value = name;
+    this.take(name);
     this.update();
     this.onMove();
   }

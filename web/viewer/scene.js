@@ -65,7 +65,10 @@ export function readScene(text) {
   const scene = JSON.parse(text);
   for (const model of scene.models) {
     model.links.forEach((link, index) => (link.name ??= `link ${index + 1}, without name`));
-    model.joints.forEach((joint, index) => (joint.name ??= `joint ${index + 1}, without name`));
+    model.joints.forEach((joint, index) => {
+      joint.index = index;
+      joint.name ??= `joint ${index + 1}, without name`;
+    });
     for (const pose of model.poses) pose.positions = toMap(pose.positions);
     addTree(model);
   }

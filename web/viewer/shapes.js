@@ -85,6 +85,10 @@ function materialOf(layer, opacity, solid) {
   return paint(solid.flat ? "FLAT" : "SMOOTH", { opacity, isThin, ...behind });
 }
 
+/** Planes, and heightmaps, of which only the box is known. */
+const isGround = ({ shape, layer, link }) =>
+  shape.plane !== undefined || (layer === Layer.unseen && link === undefined);
+
 export class Shapes {
   /** Adds all shapes to the three.js object `root`. */
   constructor(scene, motion, root) {
@@ -181,7 +185,7 @@ export class Shapes {
       const geometry = this.geometries.get(solid.batch.solid.key);
       if (!geometry.boundingBox) geometry.computeBoundingBox();
       box.copy(geometry.boundingBox).applyMatrix4(matrix.multiplyMatrices(this.worldOf(solid), solid.local));
-      if (Number.isFinite(box.min.x + box.max.x)) (solid.shape.plane ? ground : all).union(box);
+      if (Number.isFinite(box.min.x + box.max.x)) (isGround(solid) ? ground : all).union(box);
     }
     return all.isEmpty() ? ground : all;
   }
