@@ -106,7 +106,7 @@ TEST_CASE("all that a finding says arrives") {
                         .untargeted = Severity::warning,
                         .labels = {{at(10), "first"}, {at(20), "second"}},
                         .notes = {"one", "two"},
-                        .help = "help",
+                        .help_text = "help",
                         .fixes = {{Applicability::safe, {{at(30), "edit"}, {at(40), "more"}}}},
                         .left_out = &rules::sml6402_energy_grows};
   CheckResult result;
