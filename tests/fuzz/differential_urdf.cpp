@@ -43,7 +43,7 @@ constexpr Refusal kRefusals[] = {
     {"SML1001", "has no quotes", false, true, "TinyXML 1 needs none"},
     {"SML1001", "text before the root element", true, true, "both skip it"},
     {"SML1001", "text after the root element", false, true, "TinyXML 1 takes it for a text"},
-    {"SML1001", "a document type stands before the root element or not at all", true, true,
+    {"SML1001", "a document type must come before the root element", true, true,
      "XML forbids it behind the root; both skip such a node wherever it is"},
     {"SML1001", "urdfdom (TinyXML) reads", true, true,
      "urdfdom reads what is behind it, if that is a robot"},

@@ -95,7 +95,7 @@ std::string automatic(const Results& results, const TextStyle& style) {
 
 constexpr ReportFormat kFormats[] = {
     {"full", "source lines with marks, and a summary", full},
-    {"concise", "one line a finding", concise},
+    {"concise", "one line per finding", concise},
     {"json", "for programs", json},
     {"sarif", "for code scanning and editors", sarif},
     {"github", "annotations of a workflow", github},
