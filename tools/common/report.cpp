@@ -100,7 +100,7 @@ constexpr ReportFormat kFormats[] = {
     {"sarif", "for code scanning and editors", sarif},
     {"github", "annotations of a workflow", github},
     {"gitlab", "a code quality report", gitlab},
-    {"junit", "test cases, one a file", junit},
+    {"junit", "test cases, one per file", junit},
     {"auto", "github in a GitHub workflow, otherwise full (the default)", automatic},
 };
 
