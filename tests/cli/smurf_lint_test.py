@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import resource
+import shutil
 import signal
 import struct
 import subprocess
@@ -182,6 +183,15 @@ smurf-lint --explain SML1404, or https://github.com/smurf-tools/smurf/blob/main/
         self.assertEqual(targets["ros"]["first"]["line"], 6)
         self.assertNotIn("targets", json.loads(
             self.expect(1, "--format", "json", "arm.urdf").stdout))
+
+    def test_a_mesh_that_only_mars_finds(self):
+        shutil.copytree(cli.FIXTURES / "models/arm", self.folder / "arm")
+        (self.folder / "arm/meshes/upper_arm.obj").unlink()
+        done = self.expect(1, "--target", "mars,ros,dart", "arm")
+        self.assertIn("finds `arm/meshes/upper_arm.bobj`", done.stdout)
+        self.assertRegex(done.stdout, r"\nmars +loads, with losses")
+        self.assertRegex(done.stdout, r"\nros +loads, with losses \(1\)\n.*RViz")
+        self.assertRegex(done.stdout, r"\ndart +fails to load")
 
     def test_targets_are_applied_once(self):
         folders = [one for one in sorted((cli.FIXTURES / "rules").glob("SML1*/bad"))]

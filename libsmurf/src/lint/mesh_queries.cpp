@@ -2,6 +2,7 @@
 #include "lint/mesh_queries.hpp"
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "ast/urdf_numbers.hpp"
@@ -59,6 +60,22 @@ PathFault path_fault(const MeshReference& reference) {
   if (filename.find('\\') != std::string_view::npos) return backslash;
   if (!reference.similar.empty()) return other_case;
   return reference.mars_exists ? found_by_mars_only : missing;
+}
+
+std::vector<const MeshReference*> collisions_first(const LinkedModel& model) {
+  std::set<std::uint32_t> collisions;
+  for_each_geometry(model, [&](const GeometryUse& use) {
+    const auto* mesh = std::get_if<urdf::Mesh>(&use.geometry.shape);
+    if (mesh != nullptr && use.role == GeometryRole::collision) {
+      collisions.insert(mesh->filename.span.begin);
+    }
+  });
+  std::vector<const MeshReference*> references;
+  for (const MeshReference& mesh : model.meshes) references.push_back(&mesh);
+  std::stable_partition(references.begin(), references.end(), [&](const MeshReference* mesh) {
+    return collisions.contains(mesh->span.begin);
+  });
+  return references;
 }
 
 std::vector<PathUses> paths_with(const LinkedModel& model, PathFault fault) {

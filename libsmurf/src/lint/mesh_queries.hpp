@@ -21,9 +21,13 @@ enum class PathFault : std::uint8_t {
   absolute,           ///< SML1607, whether the file is there or not
   malformed_package,  ///< SML1609
   scheme,             ///< SML1610, whether the file is there or not
-  found_by_mars_only  ///< SML1612
+  found_by_mars_only  ///< SML1604, with a note
 };
 PathFault path_fault(const MeshReference& reference);
+
+/// The meshes and textures of the URDF. Those of collisions come first, because all readers need
+/// them and one finding represents many files.
+std::vector<const MeshReference*> collisions_first(const LinkedModel& model);
 
 /// References of one kind that name the same path, in document order.
 struct PathUses {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <map>
 #include <set>
 
@@ -44,24 +43,14 @@ void report_file(const MeshReference& mesh, std::size_t lost_beside, Findings& f
     diagnostic.note(others + " that the URDF names in this folder" +
                     (lost_beside == 1 ? " is" : " are") + " missing, too");
   }
+  if (path_fault(mesh) == PathFault::found_by_mars_only) {
+    diagnostic.construct += "#found-by-mars";
+    diagnostic.note("MARS, from the .smurf, finds " + quoted(mesh.mars_path));
+    diagnostic.help(mesh.mars_path.ends_with(".bobj")
+                        ? "add the mesh itself; only MARS reads .bobj"
+                        : "keep the URDF and the .smurf in folders side by side");
+  }
   if (mesh.is_texture) diagnostic.severity = Severity::warning;
-}
-
-/// One finding represents many meshes. Collisions come first, because all readers need them.
-std::vector<const MeshReference*> collisions_first(const LinkedModel& model) {
-  std::set<std::uint32_t> collisions;
-  for_each_geometry(model, [&](const GeometryUse& use) {
-    const auto* mesh = std::get_if<urdf::Mesh>(&use.geometry.shape);
-    if (mesh != nullptr && use.role == GeometryRole::collision) {
-      collisions.insert(mesh->filename.span.begin);
-    }
-  });
-  std::vector<const MeshReference*> references;
-  for (const MeshReference& mesh : model.meshes) references.push_back(&mesh);
-  std::stable_partition(references.begin(), references.end(), [&](const MeshReference* mesh) {
-    return collisions.contains(mesh->span.begin);
-  });
-  return references;
 }
 
 void check(const LinkedModel& model, Findings& findings) {
@@ -76,7 +65,13 @@ void check(const LinkedModel& model, Findings& findings) {
   std::set<std::string_view> seen;
   for (const MeshReference* use : collisions_first(model)) {
     const MeshReference& mesh = *use;
-    if (path_fault(mesh) != PathFault::missing || !seen.insert(mesh.filename).second) continue;
+    const PathFault fault = path_fault(mesh);
+    if (fault != PathFault::missing && fault != PathFault::found_by_mars_only) continue;
+    if (!seen.insert(mesh.filename).second) continue;
+    if (fault == PathFault::found_by_mars_only) {
+      report_file(mesh, 0, findings);
+      continue;
+    }
     const std::string_view package = package_of(mesh.filename);
     const std::string_view folder = path::parent(mesh.path);
     if (mesh.path.empty()) {
@@ -99,6 +94,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::loses, "looks for the package in other folders",
      "package folders depend on the machine", "#package"},
+    {&readers::mars, Effect::takes, "finds it from the folder of the .smurf",
+     "MARS smurf.cpp:1080-1113", "#found-by-mars"},
     {&readers::mars, Effect::crashes, "ends with an exception on a missing mesh of a collision",
      "MARS gui_helper_functions.cpp:278-280", "/collision/"},
     {&readers::mars, Effect::loses, "shows the link without it", "MARS smurf.cpp:1080-1113",
