@@ -170,7 +170,8 @@ void SceneLosses::unknown_entities() {
 }
 
 void SceneLosses::of_scene(const SceneThing& thing) {
-  if (fate_of(thing.cells[to_size(column_)]) == Fate::kept) return;
+  const Fate fate = fate_of(thing.cells[to_size(column_)]);
+  if (fate == Fate::kept || fate == Fate::shown) return;
   if (thing.in_scene != nullptr) report(thing, thing.in_scene(scene_, column_));
   for (const SceneFile& file : scene_.scene.scenes) report_setting(thing.setting, file);
   if (thing.setting == WorldSetting::lights) lights_of_old_scenes();
