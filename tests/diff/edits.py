@@ -121,6 +121,10 @@ def path_of(element, attribute):
     return f"{tag}.{attribute}"
 
 
+# What may stand around such an element: anything else is unknown to URDF, or misspelt.
+PARENTS = {"robot", "link", "joint", "material", "visual", "collision", "inertial", "geometry"}
+
+
 def is_standard(element):
     """In a place where URDF defines it, the first one there, and not in an element of a vendor."""
     parents = {"limit": "joint", "dynamics": "joint", "mimic": "joint", "safety_controller": "joint", "axis": "joint",
@@ -138,7 +142,7 @@ def is_standard(element):
     while parent is not None:
         chain.append(parent.tag)
         parent = parent.parent
-    return chain[-1] == "robot" and chain[-2:-1] and chain[-2] in ("link", "joint", "material")
+    return chain[-1] == "robot" and chain[-2:-1] and chain[-2] in ("link", "joint", "material") and PARENTS.issuperset(chain)
 
 
 def tensor_turns(element):
