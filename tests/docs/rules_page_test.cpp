@@ -132,6 +132,12 @@ void write_rule(std::ostream& page, const Rule& rule) {
          << tolerance.unit << ": " << tolerance.meaning << "\n";
   }
   page << example_of(rule) << "\n**Sources.** " << sources_of(rule) << "\n";
+  if (rule.former.empty()) return;
+  page << "\n**Former ids and names.** ";
+  for (const std::string_view& former : rule.former) {
+    page << (&former == rule.former.data() ? "" : ", ") << "`" << former << "`";
+  }
+  page << "\n";
 }
 
 /// A row of the index. The anchors are those of the time when all rules were on one page.

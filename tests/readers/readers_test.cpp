@@ -139,7 +139,7 @@ TEST_CASE("the severity is that of the worst target") {
   CHECK(severity_for(bounds_equal, {}) == Severity::warning);
   CHECK(severity_for(bounds_equal, {"mujoco"}) == Severity::warning);
   CHECK(severity_for(bounds_equal, {"ros"}) == Severity::info);
-  const Diagnostic effort_missing = at("SML1404", "/robot/joint/limit");
+  const Diagnostic effort_missing = at("SML1404", "/robot/joint/limit", "effort");
   CHECK(severity_for(effort_missing, {"ros"}) == Severity::error);
   CHECK(severity_for(effort_missing, {"pybullet"}) == Severity::warning);
   CHECK(severity_for(effort_missing, {"pybullet", "ros"}) == Severity::error);
@@ -161,7 +161,7 @@ TEST_CASE("--severity has the last word") {
   selection.targets = {find_target("ros")};
   selection.severities["SML1404"] = Severity::info;
   SourceMap sources;
-  Diagnostic finding = at("SML1404", "/robot/joint/limit");
+  Diagnostic finding = at("SML1404", "/robot/joint/limit", "effort");
   finding.span.source = sources.add("robot.urdf", "");
   CHECK(finish({finding}, sources, selection)[0].severity == Severity::info);
 }
@@ -170,7 +170,7 @@ TEST_CASE("notes say what the targets make of it, equal ones once") {
   RuleSelection selection;
   selection.targets = {find_target("ros"), find_target("dart"), find_target("pybullet")};
   SourceMap sources;
-  Diagnostic finding = at("SML1404", "/robot/joint/limit");
+  Diagnostic finding = at("SML1404", "/robot/joint/limit", "effort");
   finding.span.source = sources.add("robot.urdf", "");
   CHECK(finish({finding}, sources, selection)[0].notes ==
         std::vector<std::string>{"ros, dart: refuses the file",

@@ -118,6 +118,19 @@ std::string folder_name(const Rule& rule) {
 
 }  // namespace
 
+TEST_CASE("ids and names, with the former ones, mean one rule each") {
+  std::map<std::string_view, int> uses;
+  for (const Rule* rule : all_rules()) {
+    ++uses[rule->id];
+    ++uses[rule->name];
+    for (const std::string_view former : rule->former) {
+      ++uses[former];
+      CHECK(find_rule(former) == rule);
+    }
+  }
+  for (const auto& entry : uses) CHECK_MESSAGE(entry.second == 1, entry.first);
+}
+
 TEST_CASE("bad fixtures raise their rule and nothing else, good ones nothing") {
   for (const Rule* rule : all_rules()) {
     const fs::path folder = kFixtures / folder_name(*rule);

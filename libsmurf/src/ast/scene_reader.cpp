@@ -150,8 +150,9 @@ void read_entities(yaml::View value, EntityList list, std::size_t most, Scene& s
   const std::string key(value.key());
   if (!value.is_sequence()) {
     Diagnostic& diagnostic =
-        sink.report(rules::sml5001_entities_not_a_list, value.key_span(),
+        sink.report(rules::sml4001_wrong_type, value.key_span(),
                     "`" + key + "` contains " + describe(value) + " instead of a list of entities");
+    diagnostic.construct = "entity-list";
     diagnostic.help("begin every entity with `- name:`");
     return;
   }

@@ -128,10 +128,12 @@ class NumberReader {
                                       : std::string_view(lower);
     const std::string shown = quoted(text);
     if (bare == "nan") {
-      sink_.report(rules::sml1803_nan, place(token),
+      sink_.report(rules::sml1803_number_nan, place(token),
                    shown + " is not a number that a reader can use");
     } else if (bare == "inf" || bare == "infinity") {
-      sink_.report(rules::sml1804_inf, place(token), shown + " is infinite, which urdfdom refuses")
+      sink_
+          .report(rules::sml1804_number_infinite, place(token),
+                  shown + " is infinite, which urdfdom refuses")
           .construct = lower.starts_with('-') ? "not-positive" : "";
     } else if (is_decimal_comma(text)) {
       report_comma(token, text);
@@ -223,10 +225,7 @@ class NumberReader {
     const std::string_view name = attribute_.name();
     const bool is_scale = name == "scale";
     const bool is_color = name == "rgba";
-    const Rule& rule = is_scale   ? rules::sml1626_scale_malformed
-                       : is_color ? rules::sml1706_rgba_count
-                                  : rules::sml1807_vector_count;
-    Diagnostic& diagnostic = sink_.report(rule, place(whole()),
+    Diagnostic& diagnostic = sink_.report(rules::sml1807_vector_count, place(whole()),
                                           quoted(name) + " takes " + plural(count) + ", not " +
                                               std::to_string(tokens.size()));
     if (is_scale && tokens.size() == 1) {
@@ -255,17 +254,18 @@ class NumberReader {
     }
     if (count == 1) {
       if (tokens.back().end == text_.size()) return;  // readers skip blanks in front
-      Diagnostic& diagnostic = sink_.report(rules::sml1802_trailing_space, place(whole()),
+      Diagnostic& diagnostic = sink_.report(rules::sml1802_number_whitespace, place(whole()),
                                             "white space follows the number `" + fixed + "`");
       diagnostic.help("delete the white space");
       diagnostic.fixes.push_back({Applicability::safe, {{attribute_.value_span(), fixed}}});
     } else if (std::any_of(text_.begin(), text_.end(), is_line_or_tab)) {
-      Diagnostic& diagnostic = sink_.report(rules::sml1808_vector_tab_newline, place(whole()),
+      Diagnostic& diagnostic = sink_.report(rules::sml1802_number_whitespace, place(whole()),
                                             "a tab or line break between the numbers of `" +
                                                 std::string(attribute_.name()) + "`");
       diagnostic.help("separate them by single spaces");
       const std::string_view rest = text_.substr(tokens.front().begin);
-      if (std::none_of(rest.begin(), rest.end(), is_line_or_tab)) diagnostic.construct = "leading";
+      const bool is_leading = std::none_of(rest.begin(), rest.end(), is_line_or_tab);
+      diagnostic.construct = is_leading ? "vector#leading" : "vector";
       diagnostic.fixes.push_back({Applicability::unsafe, {{attribute_.value_span(), fixed}}});
     }
   }

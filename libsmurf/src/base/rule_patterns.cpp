@@ -9,11 +9,15 @@ namespace {
 
 using Places = std::unordered_map<std::string_view, std::size_t>;
 
-/// Where the rules of these names are in the table.
+/// Where the rules of these names, or of these former ids and names, are in the table.
 const Places& places_by_name() {
   static const Places places = [] {
     Places all;
-    for (std::size_t i = 0; i < all_rules().size(); ++i) all.emplace(all_rules()[i]->name, i);
+    for (std::size_t i = 0; i < all_rules().size(); ++i) {
+      const Rule& rule = *all_rules()[i];
+      all.emplace(rule.name, i);
+      for (const std::string_view former : rule.former) all.emplace(former, i);
+    }
     return all;
   }();
   return places;
@@ -21,12 +25,15 @@ const Places& places_by_name() {
 
 }  // namespace
 
+bool has_former(const Rule& rule, std::string_view id_or_name) {
+  return std::find(rule.former.begin(), rule.former.end(), id_or_name) != rule.former.end();
+}
+
 std::span<const Rule* const> rules_matching(std::string_view pattern) {
   const std::span<const Rule* const> rules = all_rules();
-  if (!pattern.starts_with("SML")) {
-    const auto place = places_by_name().find(pattern);
-    return place == places_by_name().end() ? rules.first(0) : rules.subspan(place->second, 1);
-  }
+  const auto place = places_by_name().find(pattern);
+  if (place != places_by_name().end()) return rules.subspan(place->second, 1);
+  if (!pattern.starts_with("SML")) return {};
   // Rules are ascending by id, so that those of a prefix are neighbours.
   const auto first =
       std::lower_bound(rules.begin(), rules.end(), pattern,

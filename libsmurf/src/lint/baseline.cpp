@@ -43,7 +43,9 @@ void Baseline::read_file(yaml::View file, DiagnosticSink& sink) {
       malformed(rule.place(), "a rule needs a list of places", sink);
       continue;
     }
-    auto& entries = entries_[std::string(file.key())][std::string(rule.key())];
+    const Rule* known = find_rule(rule.key());  // it may be a former id
+    const std::string_view id = known != nullptr ? known->id : rule.key();
+    auto& entries = entries_[std::string(file.key())][std::string(id)];
     for (const yaml::View place : rule) {
       if (!place.is_scalar()) {
         malformed(place.place(), "a place is a pointer such as `/motors/name=elbow/joint`", sink);

@@ -65,9 +65,8 @@ PathFault path_fault(const MeshReference& reference) {
 std::vector<const MeshReference*> collisions_first(const LinkedModel& model) {
   std::set<std::uint32_t> collisions;
   for_each_geometry(model, [&](const GeometryUse& use) {
-    const auto* mesh = std::get_if<urdf::Mesh>(&use.geometry.shape);
-    if (mesh != nullptr && use.role == GeometryRole::collision) {
-      collisions.insert(mesh->filename.span.begin);
+    if (use.mesh() != nullptr && use.role == GeometryRole::collision) {
+      collisions.insert(use.mesh()->filename.span.begin);
     }
   });
   std::vector<const MeshReference*> references;
@@ -114,6 +113,7 @@ bool OpenedMesh::is_collision() const {
 
 std::vector<OpenedMesh> opened_meshes(const LinkedModel& model) {
   std::vector<OpenedMesh> meshes;
+  if (model.meshes.empty()) return meshes;  // spares ten rules the way through all geometries
   std::unordered_map<const MeshFile*, std::size_t> by_file;
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.mesh() == nullptr) return;
@@ -153,6 +153,18 @@ Diagnostic* report_meshes(const LinkedModel& model,
   }
   diagnostic.note(std::move(others));
   return &diagnostic;
+}
+
+void report_turned(const std::vector<const MeshReference*>& turned, std::string message,
+                   std::string_view kind, Findings& findings) {
+  if (turned.empty()) return;
+  std::set<std::string_view> files;
+  for (const MeshReference* reference : turned) files.insert(reference->filename);
+  Diagnostic& diagnostic = findings.report(turned.front()->span, std::move(message));
+  if (files.size() > 1) {
+    diagnostic.note("this applies to " + std::to_string(files.size()) + " " + std::string(kind));
+  }
+  diagnostic.help("add a .bobj beside it, which MARS loads instead and does not turn");
 }
 
 }  // namespace smurf

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/readers.hpp"
 #include "lint/geometry_queries.hpp"
 
 namespace smurf {
@@ -39,6 +40,15 @@ struct PathUses {
 /// The paths of a model that have this fault.
 std::vector<PathUses> paths_with(const LinkedModel& model, PathFault fault);
 
+/// What MARS makes of a mesh that it does not find, in a collision and elsewhere.
+inline constexpr Fact kMarsWithoutCollision{
+    &readers::mars, Effect::crashes, "ends with an exception on a missing mesh of a collision",
+    "MARS gui_helper_functions.cpp:278-280, NodePhysics.cpp:626-634", "/collision/"};
+constexpr Fact mars_without_mesh(std::string_view where = {}) {
+  return {&readers::mars, Effect::loses, "shows the link without it", "MARS smurf.cpp:1080-1113",
+          where};
+}
+
 /// A fix that writes another path wherever this one stands.
 Fix rewrite(const PathUses& path, std::string_view filename, Applicability applicability);
 
@@ -66,5 +76,10 @@ std::vector<OpenedMesh> opened_meshes(const LinkedModel& model);
 Diagnostic* report_meshes(const LinkedModel& model,
                           const std::function<bool(const OpenedMesh&)>& is_at_fault,
                           std::string_view one, std::string_view many, Findings& findings);
+
+/// One finding, at the first of these references, for all files that MARS turns; none without
+/// references. `kind` is as in "12 STL files".
+void report_turned(const std::vector<const MeshReference*>& turned, std::string message,
+                   std::string_view kind, Findings& findings);
 
 }  // namespace smurf

@@ -55,7 +55,7 @@ class Lines {
   Line line_;
 };
 
-/// Whether smurf-lint would have found here whatever there is to find of the rules of that name.
+/// Whether smurf-lint reports all findings of the rules of that name here.
 /// Findings that depend on targets appear only when each reader with an opinion is a target, and
 /// those of the other tools (SML6, SML8) never.
 bool has_run(std::string_view name, const RuleSelection& selection, FileSelection& file) {
@@ -105,7 +105,7 @@ class Suppressions::Reader {
       const bool is_continued = i + 1 < markers.size() && markers[i + 1].hash < line.end;
       const std::size_t end =
           is_continued ? text_.find_last_not_of(kBlank, markers[i + 1].hash - 1) + 1 : line.end;
-      // Several in one comment apply to the same place.
+      // Several suppressions in one comment apply to the same place.
       const bool is_first = i == 0 || markers[i - 1].hash < line.begin;
       if (is_first) is_above_entry = hash == line.text_begin;
       add({source_, offset(hash), offset(end)}, at, is_above_entry,

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
+
 #include "base/readers.hpp"
 #include "base/words.hpp"
 #include "lint/queries.hpp"
@@ -11,10 +14,11 @@ constexpr std::string_view kNewer[] = {"quat_xyzw", "acceleration", "deceleratio
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (const xml::Attribute& attribute : model.robot->document.attributes) {
-    for (const std::string_view name : kNewer) {
-      if (!is_same(attribute.name(), name)) continue;
-      findings.report(attribute.name_span(), quoted(name) + " is ignored by readers of URDF 1.0");
-    }
+    const std::string_view name = attribute.name();
+    const bool is_newer = std::any_of(std::begin(kNewer), std::end(kNewer),
+                                      [&](std::string_view one) { return is_same(name, one); });
+    if (!is_newer) continue;
+    findings.report(attribute.name_span(), quoted(name) + " is ignored by readers of URDF 1.0");
   }
 }
 

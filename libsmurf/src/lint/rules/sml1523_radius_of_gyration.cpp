@@ -13,17 +13,19 @@ void check(const LinkedModel& model, Findings& findings) {
   constexpr double kShortest = 1e-3;  // m
   constexpr double kLongest = 2;      // m
   for_each_link(model, [&](const urdf::Link& link) {
-    // Where the size of the link is known, the inertia is compared with that.
-    if (!link.inertial || is_unit_tensor(*link.inertial) || extent_of(model, link)) return;
-    const auto body = body_of(*link.inertial);
-    if (!body || body->mass < kNegligibleMass) return;
-    const double radius = std::sqrt((*principal_moments(*link.inertial))[2] / body->mass);
+    if (!link.inertial || is_unit_tensor(*link.inertial)) return;
+    const auto moments = principal_moments(*link.inertial);
+    const double mass = link.inertial->mass.value_or(0);
+    if (!moments || mass < kNegligibleMass) return;
+    const double radius = std::sqrt((*moments)[2] / mass);
     if (radius >= kShortest && radius <= kLongest) return;
+    // Where the size of the link is known, the inertia is compared with that.
+    if (extent_of(model, link) || !body_of(*link.inertial)) return;
     findings
         .report(inertia_place(model, *link.inertial),
                 "the inertia of " + title(link) + " does not fit its mass")
         .caret =
-        format_rounded(body->mass, 3) + " kg at " + format_rounded(radius, 2) + " m from the axis";
+        format_rounded(mass, 3) + " kg at " + format_rounded(radius, 2) + " m from the axis";
   });
 }
 

@@ -60,29 +60,22 @@ void check(const LinkedModel& model, Findings& findings) {
     found.insert(package_of(mesh.filename));
     found.insert(path::parent(mesh.path));
   }
-  std::map<std::string_view, std::vector<const MeshReference*>> lost_packages;
-  std::map<std::string_view, std::vector<const MeshReference*>> lost_folders;
+  using Uses = std::vector<const MeshReference*>;
+  std::map<std::string_view, Uses> lost_packages;
+  std::map<std::pair<std::string_view, PathFault>, Uses> lost_folders;
   std::set<std::string_view> seen;
-  for (const MeshReference* use : collisions_first(model)) {
-    const MeshReference& mesh = *use;
-    const PathFault fault = path_fault(mesh);
+  for (const MeshReference* mesh : collisions_first(model)) {
+    const PathFault fault = path_fault(*mesh);
     if (fault != PathFault::missing && fault != PathFault::found_by_mars_only) continue;
-    if (!seen.insert(mesh.filename).second) continue;
-    if (fault == PathFault::found_by_mars_only) {
-      report_file(mesh, 0, findings);
-      continue;
-    }
-    const std::string_view package = package_of(mesh.filename);
-    const std::string_view folder = path::parent(mesh.path);
-    if (mesh.path.empty()) {
-      if (found.contains(package))
-        report_file(mesh, 0, findings);
-      else
-        lost_packages[package].push_back(&mesh);
-    } else if (found.contains(folder)) {
-      report_file(mesh, 0, findings);
+    if (!seen.insert(mesh->filename).second) continue;
+    const std::string_view package = package_of(mesh->filename);
+    const std::string_view folder = path::parent(mesh->path);
+    if (mesh->path.empty() && !found.contains(package)) {
+      lost_packages[package].push_back(mesh);
+    } else if (mesh->path.empty() || found.contains(folder)) {
+      report_file(*mesh, 0, findings);
     } else {
-      lost_folders[folder].push_back(&mesh);
+      lost_folders[{folder, fault}].push_back(mesh);
     }
   }
   for (const auto& [package, uses] : lost_packages) report_package(uses, package, findings);
@@ -96,10 +89,8 @@ constexpr Fact kFacts[] = {
      "package folders depend on the machine", "#package"},
     {&readers::mars, Effect::takes, "finds it from the folder of the .smurf",
      "MARS smurf.cpp:1080-1113", "#found-by-mars"},
-    {&readers::mars, Effect::crashes, "ends with an exception on a missing mesh of a collision",
-     "MARS gui_helper_functions.cpp:278-280", "/collision/"},
-    {&readers::mars, Effect::loses, "shows the link without it", "MARS smurf.cpp:1080-1113",
-     "/visual/"},
+    kMarsWithoutCollision,
+    mars_without_mesh("/visual/"),
     {&readers::phobos, Effect::refuses, "stops with an IOError", "Phobos a613e31, run", "#texture"},
     {&readers::phobos, Effect::refuses,
      "looks in the folder above urdf/ only, and stops with an exception", "Phobos a613e31, run",

@@ -33,9 +33,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::crashes, "ends with an exception",
-     "MARS gui_helper_functions.cpp:278-280", "/collision/"},
-    {&readers::mars, Effect::loses, "shows the link without it", "MARS smurf.cpp:1080-1113"},
+    kMarsWithoutCollision,
+    mars_without_mesh(),
     {&readers::pybullet, Effect::refuses, "refuses the whole robot",
      "Bullet UrdfFindMeshFile.h, run"},
     {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",

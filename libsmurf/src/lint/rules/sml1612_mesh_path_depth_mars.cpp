@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
 
 namespace smurf::rules {
@@ -26,11 +25,7 @@ void check(const LinkedModel& model, Findings& findings) {
   diagnostic.help("keep the URDF and the .smurf in folders side by side");
 }
 
-constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::crashes, "ends with an exception on a missing mesh of a collision",
-     "MARS NodePhysics.cpp:626-634", "/collision/"},
-    {&readers::mars, Effect::loses, "shows the link without it", "MARS smurf.cpp:1080-1113"},
-};
+constexpr Fact kFacts[] = {kMarsWithoutCollision, mars_without_mesh()};
 
 }  // namespace
 

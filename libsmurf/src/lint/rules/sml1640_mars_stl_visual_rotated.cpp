@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <set>
-
 #include "base/path.hpp"
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
@@ -9,24 +7,16 @@ namespace smurf::rules {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::set<std::string_view> files;
-  const MeshReference* first = nullptr;
+  std::vector<const MeshReference*> turned;
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.role != GeometryRole::visual || use.mesh() == nullptr) return;
     const MeshReference* reference = find_reference(model, *use.mesh());
     if (reference == nullptr || !reference->mars_exists) return;
     const std::string_view extension = path::extension(reference->mars_path);
-    if (extension != ".stl" && extension != ".STL") return;
-    if (first == nullptr) first = reference;
-    files.insert(reference->filename);
+    if (extension == ".stl" || extension == ".STL") turned.push_back(reference);
   });
-  if (first == nullptr) return;
-  Diagnostic& diagnostic =
-      findings.report(first->span, "MARS turns this STL by -90 degrees about x, as it is a visual");
-  if (files.size() > 1) {
-    diagnostic.note("this applies to " + std::to_string(files.size()) + " STL files");
-  }
-  diagnostic.help("add a .bobj beside it, which MARS loads instead and does not turn");
+  report_turned(turned, "MARS turns this STL by -90 degrees about x, as it is a visual",
+                "STL files", findings);
 }
 
 constexpr Fact kFacts[] = {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <set>
-
 #include "base/path.hpp"
 #include "base/readers.hpp"
 #include "lint/mesh_queries.hpp"
@@ -14,22 +12,14 @@ bool is_for_mars(std::string_view path) {
 }
 
 void check(const LinkedModel& model, Findings& findings) {
-  std::set<std::string_view> files;
-  const MeshReference* first = nullptr;
+  std::vector<const MeshReference*> turned;
   for (const MeshReference& reference : model.meshes) {
     if (reference.is_texture || !reference.mars_exists) continue;
     if (path::to_lower(path::extension(reference.mars_path)) != ".obj") continue;
-    if (is_for_mars(reference.filename)) continue;
-    if (first == nullptr) first = &reference;
-    files.insert(reference.filename);
+    if (!is_for_mars(reference.filename)) turned.push_back(&reference);
   }
-  if (first == nullptr) return;
-  Diagnostic& diagnostic = findings.report(
-      first->span, "MARS turns this OBJ by 90 degrees about x; URDF readers do not");
-  if (files.size() > 1) {
-    diagnostic.note("this applies to " + std::to_string(files.size()) + " OBJ files");
-  }
-  diagnostic.help("add a .bobj beside it, which MARS loads instead and does not turn");
+  report_turned(turned, "MARS turns this OBJ by 90 degrees about x; URDF readers do not",
+                "OBJ files", findings);
 }
 
 constexpr Fact kFacts[] = {

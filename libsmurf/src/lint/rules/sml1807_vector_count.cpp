@@ -6,13 +6,23 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::breaks,
+     "reports an error and drops the visuals and collisions of the link that follow",
+     "urdfdom link.cpp:415-486, run", "/@scale/"},
     {&readers::urdfdom, Effect::changes, "reads a colour of three numbers as black",
      "urdfdom color.h:88, run", "/@rgba/"},
+    {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
+     "/@scale/"},
+    {&readers::pybullet, Effect::changes, "uses one number for all axes", "Bullet, read",
+     "/@scale/"},
     {&readers::pybullet, Effect::refuses, "refuses an axis that is no vector",
      "Bullet UrdfParser.cpp, run", "/axis/"},
     {&readers::pybullet, Effect::changes, "cuts the vector, or reads zeros and warns",
      "Bullet UrdfParser.cpp:49-78, run"},
+    {&readers::drake, Effect::changes, "uses one number for all axes", "Drake, read", "/@scale/"},
+    {&readers::drake, Effect::refuses, "refuses the file", "Drake, read", "/@rgba/"},
 };
+constexpr std::string_view kFormer[] = {"SML1626", "SML1706", "scale-malformed", "rgba-count"};
 
 }  // namespace
 
@@ -21,7 +31,11 @@ extern constinit const Rule sml1807_vector_count{
     .name = "vector-count",
     .severity = Severity::error,
     .summary = "An attribute contains the wrong number of numbers.",
-    .remedy = "Write as many numbers as the attribute takes.",
-    .facts = kFacts};
+    .why = "Of a scale of one number, urdf-loader makes no scale, and yourdfpy one for all axes.",
+    .remedy = "Write as many numbers as the attribute takes: one factor for each axis in a scale; "
+              "red, green, blue and alpha, each from 0 to 1, in a colour.",
+    .sources = "urdf-loader 0.13, executed.",
+    .facts = kFacts,
+    .former = kFormer};
 
 }  // namespace smurf::rules

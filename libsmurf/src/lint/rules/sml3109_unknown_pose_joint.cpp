@@ -20,10 +20,9 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic* diagnostic = check_reference(model, NameKind::joint, one.name, place_of(one),
                                              subject_of(place).c_str(), findings);
     if (diagnostic == nullptr || one.notation != Reference::Notation::yaml_key) continue;
-    for (const Fix& fix : std::vector<Fix>(diagnostic->fixes)) {
-      const std::string& name = fix.edits.front().text;
-      if (siblings_of(model, one).find(name)) withhold_fix(diagnostic, name);
-    }
+    const yaml::View siblings = siblings_of(model, one);
+    std::erase_if(diagnostic->fixes,
+                  [&](const Fix& fix) { return bool(siblings.find(fix.edits.front().text)); });
   }
 }
 

@@ -87,6 +87,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, refuses, kRaises, kRun, "/entities/name/"},
     {&readers::phobos, ignores, "keeps the value as it is", kRun},
 };
+constexpr std::string_view kFormer[] = {"SML5001", "entities-not-a-list"};
 
 }  // namespace
 
@@ -99,6 +100,7 @@ extern constinit const Rule sml4001_wrong_type{
     .remedy =
         "Write a value of the kind that the message names; `smurf-lint --explain SECTION` lists "
         "the keys of a section with their types.",
-    .facts = kFacts};
+    .facts = kFacts,
+    .former = kFormer};
 
 }  // namespace smurf::rules

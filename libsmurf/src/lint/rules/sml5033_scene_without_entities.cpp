@@ -20,7 +20,7 @@ yaml::View unknown_key(yaml::View root) {
   return {};
 }
 
-/// SML5001 reports a value that is not a list, SML5028 a misspelt key.
+/// SML4001 reports a value that is not a list, SML4005 a misspelt key.
 bool is_reported(yaml::View root) {
   KeyRenames renames(root);
   return std::any_of(root.begin(), root.end(), [&](const yaml::View value) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+/// `names` has the first of each name. Works for links and joints.
+template <class Elements, class Names>
+void check_names(const Elements& elements, const Names& names, const char* what,
+                 Findings& findings) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Field<std::string>& name = elements[i].name;
+    if (!name || name->empty()) continue;
+    const auto first = names.find(*name);
+    if (*first == i) continue;
+    findings.report(name.span, "a second " + std::string(what) + " is named " + quoted(*name))
+        .label(elements[*first].name.span, "the first one");
+  }
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  if (!model.robot) return;
+  check_names(model.robot->links, model.link_names, "link", findings);
+  check_names(model.robot->joints, model.joint_names, "joint", findings);
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "refuses the file", "urdfdom, sdformat, MuJoCo, Bullet, run"},
+    {&readers::mujoco, Effect::takes, "accepts joints of equal names", kRun, "/joint/"},
+};
+constexpr std::string_view kFormer[] = {"SML1302", "duplicate-link", "duplicate-joint"};
+
+}  // namespace
+
+extern constinit const Rule sml1301_duplicate_name{
+    .id = "SML1301",
+    .name = "duplicate-name",
+    .severity = Severity::error,
+    .summary = "Two links, or two joints, have the same name.",
+    .why = "urdf-loader uses the last one.",
+    .remedy = "Rename one of them, with everything that refers to it.",
+    .sources = "urdf-loader 0.13, executed.",
+    .check_model = check,
+    .facts = kFacts,
+    .blocks_building = true,
+    .former = kFormer};
+
+}  // namespace smurf::rules

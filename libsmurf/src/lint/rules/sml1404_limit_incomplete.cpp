@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "lint/limit_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check_value(const LinkedModel& model, const urdf::Joint& joint, bool is_written,
+                 const char* name, Findings& findings) {
+  if (is_written || is_slip(model, joint.limit->element, name, findings)) return;
+  findings
+      .report(tag_name(model, joint.limit->element),
+              "the limit of " + title(joint) + " has no " + quoted(name))
+      .construct = name;
+}
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.limit || is_empty_limit(model, joint)) return;  // SML1403
+    check_value(model, joint, joint.limit->effort.written, "effort", findings);
+    check_value(model, joint, joint.limit->velocity.written, "velocity", findings);
+  });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::refuses, "refuses the file", kRun},
+    {&readers::pybullet, Effect::changes, "reads 0: the joint has no force",
+     "Bullet UrdfParser.cpp, run", "#effort"},
+    {&readers::pybullet, Effect::changes, "reads 0", "Bullet UrdfParser.cpp, run"},
+    {&readers::mujoco, Effect::takes, "needs neither effort nor velocity", kRun},
+    {&readers::drake, Effect::changes, "reads infinity", "Drake detail_urdf_parser.cc"},
+};
+constexpr std::string_view kFormer[] = {"SML1405", "effort-missing", "velocity-missing"};
+
+}  // namespace
+
+extern constinit const Rule sml1404_limit_incomplete{
+    .id = "SML1404",
+    .name = "limit-incomplete",
+    .severity = Severity::error,
+    .summary = "A limit has no effort or no velocity.",
+    .why = "Isaac uses the largest float for the effort; urdf-rs refuses the whole file.",
+    .remedy = "Write the effort and velocity limits of the drive.",
+    .check_model = check,
+    .facts = kFacts,
+    .former = kFormer};
+
+}  // namespace smurf::rules

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/numbers.hpp"
+#include "base/readers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.limit || !joint.has_one_axis()) return;
+    const Field<double>& lower = joint.limit->lower;
+    const Field<double>& upper = joint.limit->upper;
+    // With one of them absent readers disagree about more than the order; SML1406 reports it.
+    if (!lower || !upper || *lower <= *upper) return;
+    if (joint.type == urdf::JointType::continuous) return;  // SML1409: it takes none
+    Diagnostic& diagnostic = findings.report(
+        lower.span, "the lower limit " + format_number(*lower) + " of " + title(joint) +
+                        " is above its upper limit " + format_number(*upper));
+    diagnostic.label(upper.span, "the upper limit");
+    diagnostic.help("swap the two values");
+    // Bullet's way to say "no limit".
+    if (*lower == 1 && (*upper == 0 || *upper == -1)) {
+      diagnostic.help("make the joint continuous, if no limit is meant");
+    }
+    diagnostic.fixes.push_back(
+        {Applicability::unsafe,
+         {{lower.span, format_number(*upper)}, {upper.span, format_number(*lower)}}});
+  });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::changes, "keeps limits that no position satisfies", kRun},
+    {&readers::mars, Effect::ignores, "reads no limits from the URDF", "MARS smurf.cpp:902-910"},
+    {&readers::pybullet, Effect::changes, "lets the joint move without limit", kRun},
+    {&readers::gazebo, Effect::changes, "swaps the two limits",
+     "sdformat parser_urdf.cc:3127-3140, run"},
+    {&readers::mujoco, Effect::changes, "lets the joint move without limit", kRun},
+    {&readers::drake, Effect::crashes, "ends the process", "Drake joint.h:159"},
+};
+
+constexpr std::string_view kFormer[] = {"lower-gt-upper"};
+
+}  // namespace
+
+extern constinit const Rule sml1407_limits_swapped{
+    .id = "SML1407",
+    .name = "limits-swapped",
+    .severity = Severity::error,
+    .summary = "The lower limit of a joint is above its upper limit.",
+    .remedy = "Swap the values, or correct the one that is wrong.",
+    .check_model = check,
+    .facts = kFacts,
+    .former = kFormer};
+
+}  // namespace smurf::rules

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "lint/limit_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (!joint.has_one_axis() || joint.mimic || !joint.limit || has_equal_bounds(joint)) return;
+    const Field<double>& effort = joint.limit->effort;
+    const Field<double>& velocity = joint.limit->velocity;
+    // Effort and velocity both zero is one placeholder.
+    if (effort && *effort == 0) {
+      findings.report(effort.span, "the effort limit of " + title(joint) + " is 0")
+          .note("MuJoCo reads no limit, Gazebo and Bullet no force at all");
+    } else if (velocity && *velocity == 0) {
+      findings.report(velocity.span, "the velocity limit of " + title(joint) + " is 0")
+          .note("MoveIt and Isaac read no limit, Drake and Bullet a joint that cannot move");
+    }
+  });
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::changes, "gives the joint no force", kRun, "/@effort/"},
+    {&readers::pybullet, Effect::changes, "keeps the joint from moving", "Bullet, read",
+     "/@velocity/"},
+    {&readers::ros, Effect::changes, "treats 0 as no limit (MoveIt)", "MoveIt robot_model.cpp:874",
+     "/@velocity/"},
+    {&readers::gazebo, Effect::changes, "gives the joint no force", kRun, "/@effort/"},
+    {&readers::mujoco, Effect::changes, "makes the force unlimited", kRun, "/@effort/"},
+    {&readers::drake, Effect::loses, "leaves the actuator of the joint out",
+     "Drake detail_urdf_parser.cc:930-1001", "/@effort/"},
+    {&readers::drake, Effect::changes, "keeps the joint from moving", "Drake detail_urdf_parser.cc",
+     "/@velocity/"},
+};
+constexpr std::string_view kFormer[] = {"SML1416", "effort-zero", "velocity-zero"};
+
+}  // namespace
+
+extern constinit const Rule sml1414_limit_zero{
+    .id = "SML1414",
+    .name = "limit-zero",
+    .severity = Severity::warning,
+    .summary = "The effort or velocity limit of a movable joint is 0.",
+    .why = "Isaac treats a velocity of 0 as no limit.",
+    .remedy = "Write the effort that the drive can provide, and the speed that it reaches.",
+    .sources = "88 of 322 files of the Tola/Corke dataset; Isaac UrdfImporter.cpp:964.",
+    .check_model = check,
+    .facts = kFacts,
+    .former = kFormer};
+
+}  // namespace smurf::rules

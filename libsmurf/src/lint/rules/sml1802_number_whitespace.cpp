@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr Fact kFacts[] = {
+    {&readers::urdfdom, Effect::takes, "skips leading white space", kRun, "#leading"},
+    {&readers::pybullet, Effect::changes, "reads a vector of zeros and warns",
+     "Bullet UrdfParser.cpp:49-78, run", "#vector"},
+    {&readers::pybullet, Effect::takes, "skips white space", "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::mujoco, Effect::takes, "skips white space", kRun},
+    {&readers::drake, Effect::takes, "skips white space", "Drake detail_tinyxml.h:60-73"},
+};
+constexpr std::string_view kFormer[] = {"SML1808", "trailing-space", "vector-tab-newline"};
+
+}  // namespace
+
+extern constinit const Rule sml1802_number_whitespace{
+    .id = "SML1802",
+    .name = "number-whitespace",
+    .severity = Severity::error,
+    .summary =
+        "White space follows a single number, or a tab or line break separates those of a vector.",
+    .why = "A mass written like this can cost all visuals and collisions of its link without a "
+           "message.",
+    .remedy = "Delete the white space, and separate the numbers of a vector by single spaces.",
+    .facts = kFacts,
+    .former = kFormer};
+
+}  // namespace smurf::rules

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "base/rules.hpp"
+
+namespace smurf::rules {
+namespace {
+
+constexpr std::string_view kNotPositive = "refuses a size that is not positive";
+
+constexpr std::string_view kCarried = "#carried";  // see locate()
+
+constexpr Fact kFacts[] = {
+    {&readers::pybullet, Effect::takes, "reads infinity", "Bullet UrdfParser.cpp (atof), run"},
+    {&readers::mujoco, Effect::changes, "computes with it where the body does not move by itself",
+     kRun, kCarried},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
+     "/inertial/origin/@rpy/"},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
+     "/inertia/"},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@size/#not-positive"},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@radius/#not-positive"},
+    {&readers::mujoco, Effect::refuses, kNotPositive, kRun, "@length/#not-positive"},
+    {&readers::mujoco, Effect::changes, "reads infinity", kRun},
+    {&readers::drake, Effect::refuses, "refuses the number", "Drake detail_tinyxml.h:60-73"},
+};
+
+constexpr std::string_view kFormer[] = {"inf"};
+
+}  // namespace
+
+extern constinit const Rule sml1804_number_infinite{
+    .id = "SML1804",
+    .name = "number-infinite",
+    .severity = Severity::error,
+    .summary = "A number is infinite.",
+    .remedy = "Write a large finite number, or use a continuous joint.",
+    .facts = kFacts,
+    .former = kFormer};
+
+}  // namespace smurf::rules

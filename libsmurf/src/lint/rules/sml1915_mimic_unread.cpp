@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/readers.hpp"
+#include "lint/queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedModel& model, Findings& findings) {
+  std::vector<const urdf::Joint*> mimics;
+  for_each_joint(model, [&](const urdf::Joint& joint) {
+    if (joint.mimic) mimics.push_back(&joint);
+  });
+  if (mimics.empty()) return;
+  Diagnostic& diagnostic = findings.report(tag_name(model, mimics.front()->mimic->element),
+                                           title(*mimics.front()) + " mimics another joint");
+  if (mimics.size() > 1) {
+    diagnostic.note("so do " + std::to_string(mimics.size() - 1) + " more joints");
+  }
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::mars, Effect::loses, "ignores mimic of the URDF: it reads that of motors",
+     "MARS smurf.cpp:902-910"},
+    {&readers::pybullet, Effect::loses, "ignores mimic: the joint moves on its own",
+     "Bullet UrdfParser.cpp has no code for it"},
+    {&readers::gazebo, Effect::loses,
+     "leaves mimic out before sdformat 14: the joint moves on its own",
+     "sdformat parser_urdf.cc:3152; 12.3, run"},
+    {&readers::drake, Effect::changes, "couples the joints in some solvers only",
+     "Drake detail_urdf_parser.cc:791-880"},
+};
+
+constexpr std::string_view kFormer[] = {"mimic"};
+
+}  // namespace
+
+extern constinit const Rule sml1915_mimic_unread{
+    .id = "SML1915",
+    .name = "mimic-unread",
+    .severity = Severity::warning,
+    .summary = "A joint mimics another one, which a target ignores.",
+    .why = "Fingers of a gripper move one by one.",
+    .remedy = "Couple the joints where the target can: `mimic_motor` of a motor for MARS, a gear "
+              "constraint for Bullet.",
+    .check_model = check,
+    .needs_target = true,
+    .facts = kFacts,
+    .former = kFormer};
+
+}  // namespace smurf::rules

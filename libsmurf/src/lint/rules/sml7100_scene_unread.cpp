@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "base/path.hpp"
+#include "base/readers.hpp"
+#include "lint/scene_queries.hpp"
+
+namespace smurf::rules {
+namespace {
+
+void check(const LinkedScene& scene, Findings& findings) {
+  const SceneFile& file = scene.scenes.front();
+  if (!file.document || !file.document->view() || !file.document->view().is_mapping()) return;
+  const yaml::View first = *file.document->view().begin();
+  if (!first) return;
+  const std::string_view extension = path::extension(file.path);
+  findings.report(first.key_span(), "this is a SMURF scene").construct =
+      extension.empty() ? extension : extension.substr(1);
+}
+
+constexpr Fact kFacts[] = {
+    {&readers::urdf, Effect::refuses, "reads no scenes", "only the MARS generations and Phobos do"},
+    {&readers::mars, Effect::takes, "reads scenes and assemblies", "MARS SMURFLoader.cpp"},
+    {&readers::mars2, Effect::refuses, "reads .smurfs only", "MarsSceneLoader.cpp:76", "#smurfa"},
+    {&readers::mars2, Effect::takes, "reads scenes", "MarsSceneLoader.cpp:76"},
+    {&readers::phobos, Effect::takes, "reads scenes and assemblies", "Phobos core/multiple.py"},
+    {&readers::pybullet, Effect::refuses, "reads .smurfs only (the script of Phobos)",
+     "Phobos scripts/smurfs_in_pybullet.py", "#smurfa"},
+    {&readers::pybullet, Effect::takes, "reads scenes (the script of Phobos)",
+     "Phobos scripts/smurfs_in_pybullet.py"},
+};
+
+constexpr std::string_view kFormer[] = {"scene"};
+
+}  // namespace
+
+extern constinit const Rule sml7100_scene_unread{.id = "SML7100",
+                                                 .name = "scene-unread",
+                                                 .severity = Severity::error,
+                                                 .summary = "A target does not read scenes.",
+                                                 .remedy = "Expand the scene with smurfs-flatten.",
+                                                 .check_scene = check,
+                                                 .needs_target = true,
+                                                 .facts = kFacts,
+                                                 .former = kFormer};
+
+}  // namespace smurf::rules
