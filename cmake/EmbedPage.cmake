@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Writes a page as C++. usage: cmake -D PAGE=FILE -D OUTPUT=FILE -P EmbedPage.cmake
-# Without PAGE, one that is empty. Compilers need not take literals of more than 65536 bytes.
-set(marker "@SCENE@")
+# Writes a page as C++ source: the function that STAGE/NAME.hpp declares. usage:
+# cmake -D PAGE=FILE -D MARKER=WORD -D STAGE=STAGE -D NAME=FUNCTION -D OUTPUT=FILE -P EmbedPage.cmake
+# @WORD@ is the place for the data of the page. Without PAGE, the page is empty. Compilers need not accept
+# literals of more than 65536 bytes.
+set(marker "@${MARKER}@")
 set(piece_size 60000)
 
-# As a list of raw literals, of which nobody has to look for the end. The page is ASCII, so that no character is cut in two.
+# Appends a list of raw literals. They are views of known size, since string_view would search for their end. The page is
+# ASCII, so no cut divides a character.
 function(append_pieces name text)
   string(LENGTH "${text}" length)
   set(pieces "constexpr std::string_view ${name}[] = {\"\"sv")
@@ -17,7 +20,7 @@ function(append_pieces name text)
   file(APPEND ${OUTPUT} "${pieces}};\n")
 endfunction()
 
-file(WRITE ${OUTPUT} "// Made by cmake/EmbedPage.cmake.\n#include \"write/viewer_page.hpp\"\n\nnamespace smurf {\nusing namespace std::string_view_literals;\n")
+file(WRITE ${OUTPUT} "// Made by cmake/EmbedPage.cmake.\n#include \"${STAGE}/${NAME}.hpp\"\n\nnamespace smurf {\nusing namespace std::string_view_literals;\n")
 if(PAGE)
   file(READ ${PAGE} page)
   string(FIND "${page}" ${marker} middle)
@@ -31,8 +34,8 @@ if(PAGE)
   file(APPEND ${OUTPUT} "namespace {\n")
   append_pieces(kHead "${head}")
   append_pieces(kTail "${tail}")
-  file(APPEND ${OUTPUT} "}  // namespace\nViewerPage viewer_page() { return {kHead, kTail}; }\n")
+  file(APPEND ${OUTPUT} "}  // namespace\nEmbeddedPage ${NAME}() { return {kHead, kTail}; }\n")
 else()
-  file(APPEND ${OUTPUT} "ViewerPage viewer_page() { return {}; }\n")
+  file(APPEND ${OUTPUT} "EmbeddedPage ${NAME}() { return {}; }\n")
 endif()
 file(APPEND ${OUTPUT} "}  // namespace smurf\n")

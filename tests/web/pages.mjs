@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Opens pages in Chromium and does what it is told there. usage: node pages.mjs NODE_MODULES CHROMIUM <JOBS >RESULTS
-// JOBS: [{page, width, height, scheme, steps}]. A step is a script (a text), {key}, {click: [x, y]}, {shot: FILE} or
-// {axe: true}. RESULTS: [{results: one a step, errors: of the page, addresses: that it asked for}]
+// Opens pages in Chromium and runs steps in them. usage: node pages.mjs NODE_MODULES CHROMIUM <JOBS >RESULTS
+// JOBS: [{page, hash, width, height, scheme, steps}]. A step is a script (a text), {key}, {click: [x, y]}, {shot: FILE} or
+// {axe: true}. RESULTS: [{results: one for each step, errors that the page logged, addresses that it asked for}]
 import fs from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
@@ -16,11 +16,11 @@ async function take(page, step) {
   if (step.click) return page.mouse.click(...step.click);
   if (step.shot) return void (await page.screenshot({ path: step.shot }));
   await page.evaluate(fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8"));
-  const { violations } = await page.evaluate("axe.run()");
+  const { violations } = await page.evaluate("axe.run({ iframes: false })"); // the pages in frames have tests of their own
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
 }
 
-async function run(browser, { page: file, width = 1280, height = 800, scheme = "light", steps }) {
+async function run(browser, { page: file, hash = "", width = 1280, height = 800, scheme = "light", steps }) {
   const page = await browser.newPage();
   page.setDefaultTimeout(kTime);
   const errors = [];
@@ -33,12 +33,13 @@ async function run(browser, { page: file, width = 1280, height = 800, scheme = "
   page.on("request", (request) => addresses.push(request.url()));
   await page.setViewport({ width, height });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
-  await page.goto(pathToFileURL(file).href, { timeout: kTime });
+  await page.goto(pathToFileURL(file).href + hash, { timeout: kTime });
   await page.waitForSelector("html[data-ready]");
   const results = [];
   for (const step of steps) results.push((await take(page, step)) ?? null);
   await page.close();
-  return { results, errors, addresses: addresses.filter((address) => address !== pathToFileURL(file).href) };
+  const isOther = (address) => address.split("#")[0] !== pathToFileURL(file).href;
+  return { results, errors, addresses: addresses.filter(isOther) };
 }
 
 const browser = await require("puppeteer-core").launch({

@@ -1,23 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `smurfs-flatten --format html` writes, opened in Chromium by pages.mjs.
-
-A test program is called with the tool and the scratch build folder: NAME_test.py TOOL BUILD.
-It ends with 77, which CTest shows as skipped, when Chromium, a package or the viewer itself is absent.
-"""
+"""What `smurfs-flatten --format html` writes. A test is skipped where the tool was built without the viewer, too."""
 import json
 import math
-import pathlib
 import random
-import shutil
 import subprocess
-import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "readers"))
-import reader  # noqa: E402
-from reader import cli, main  # noqa: E402, F401
+from browser import BrowserTest, cli, main, reader  # noqa: F401
 
-PAGES = pathlib.Path(__file__).resolve().parent / "pages.mjs"
-BLOCK = '<script id="scene" type="application/json">'
 TOLERANCE = 1e-6
 # Poses of the three.js scene: X_WE of every entity, X_WL of every link, and where each shape is drawn.
 READ = """({
@@ -34,7 +23,7 @@ def set_positions(entity, positions):
 
 
 def matrix_of(pose):
-    """Column by column, as three.js has it."""
+    """A matrix in column-major order, as in three.js."""
     x, y, z = pose["position"]
     w, i, j, k = (pose["orientation"][key] for key in "wxyz")
     return [1 - 2 * (j * j + k * k), 2 * (i * j + k * w), 2 * (i * k - j * w), 0,
@@ -43,7 +32,7 @@ def matrix_of(pose):
 
 
 def joint_configurations(model, count, seed):
-    """Positions of the joints of a page's model, at random within their limits."""
+    """Random positions, within their limits, for the joints of a model in a page."""
     rng = random.Random(seed)
     configurations = []
     for _ in range(count):
@@ -57,17 +46,13 @@ def joint_configurations(model, count, seed):
     return configurations
 
 
-class ViewerTest(reader.ReaderTest):
+class ViewerTest(BrowserTest):
     @classmethod
     def setUpClass(cls):
-        for what, is_there in (("chromium", shutil.which("chromium")), ("node", shutil.which("node")),
-                               ("the npm package puppeteer-core", (reader.NODE_MODULES / "puppeteer-core").is_dir()),
-                               ("the npm package axe-core", (reader.NODE_MODULES / "axe-core").is_dir())):
-            if not is_there:
-                cls.skipTest(cls, f"{what} is not installed")
+        super().setUpClass()
         done = subprocess.run([cli.TOOL, "--format", "html", cli.FIXTURES / "models/arm/urdf/arm.urdf"], check=False,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8")
-        if done.returncode == 2 and "this build has no viewer: run scripts/setup" in done.stderr:
+        if done.returncode == 2 and "this build has no viewer: run scripts/viewer" in done.stderr:
             cls.skipTest(cls, "this build has no viewer")
 
     def page(self, scene, name="page.html", code=0):
@@ -76,32 +61,15 @@ class ViewerTest(reader.ReaderTest):
         return self.folder / name
 
     def data(self, page):
-        """The scene in the page, and how much of the page it is not."""
-        text = page.read_text()
-        self.assertEqual(text.count(BLOCK), 1)
-        head, rest = text.split(BLOCK)
-        block, tail = rest.split("</script>", 1)
-        return json.loads(block), len(head) + len(tail)
+        return self.data_in(page, "scene")
 
     def flat(self, scene):
         done = self.run_tool(scene, "--links", "--quiet", "--allow-outside", "--force")
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
-    def browse(self, *jobs):
-        """What the steps of the jobs gave. The pages are silent, and ask for nothing."""
-        jobs = [{**job, "page": str(job["page"])} for job in jobs]
-        done = subprocess.run(["node", PAGES, reader.NODE_MODULES, shutil.which("chromium")], input=json.dumps(jobs),
-                              capture_output=True, encoding="utf-8", timeout=3000, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        answers = json.loads(done.stdout)
-        for job, answer in zip(jobs, answers):
-            if not job.get("is_hostile"):
-                self.assertEqual((answer["addresses"], answer["errors"]), ([], []), job["page"])
-        return answers
-
     def posed(self, urdf, configurations):
-        """A scene of the robot in each of the configurations, as smurfs-flatten computes it."""
+        """The flat JSON of a scene with the robot in each of the configurations."""
         self.write("posed/robot.urdf", urdf)
         self.write("posed/robot.smurf", "modelname: robot\nfiles: [robot.urdf, poses.yml]\n")
         self.write("posed/poses.yml", json.dumps({"poses": [{"name": f"p{i}", "joints": positions or {"none": 0}}
@@ -116,7 +84,7 @@ class ViewerTest(reader.ReaderTest):
         self.assertLessEqual(gap, TOLERANCE * size, f"{what}: {found} is not {expected}")
 
     def assert_poses(self, read, data, instances, whose):
-        """What READ gave, against the flat JSON: `instances`, by the entities of the page."""
+        """Compares what READ returned with the flat JSON; `instances` are in the order of the page's entities."""
         worlds = {}
         for index, instance in enumerate(instances):
             if instance is None:

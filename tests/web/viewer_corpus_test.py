@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Real robots and random nested scenes stand in the page where the flat JSON says, however their joints are.
+"""In the page, real robots and random nested scenes have the poses of the flat JSON, at random joint positions.
 
 Usage: viewer_corpus_test.py TOOL BUILD
 """
@@ -16,7 +16,7 @@ SMALL = {"width": 320, "height": 240}
 
 class CorpusTest(viewer.ViewerTest):
     def robots(self, count):
-        """URDFs that can be written with warnings at most, of as many repositories as there are."""
+        """URDFs that smurfs-flatten writes without an error, from as many repositories as possible."""
         files = sorted(CORPUS.glob("urdf/**/*.urdf"), key=lambda path: random.Random(str(path.relative_to(CORPUS))).random())
         for path in files:
             if count == 0:

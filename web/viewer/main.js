@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page: reads the scene, shows it, and joins picture, tree, sliders and keys.
-import { byId, counted, element } from "./dom.js";
+// Reads the scene, shows it, and connects picture, tree, sliders and keys.
+import { byId, counted, element } from "../common/dom.js";
+import { fromHash, toHash } from "./address.js";
 import { Motion } from "./motion.js";
 import { Overlays } from "./overlays.js";
-import { Joints, massOf, showFacts } from "./panel.js";
+import { Joints, massOf, short, showFacts } from "./panel.js";
 import { readScene } from "./scene.js";
 import { Layer, Shapes } from "./shapes.js";
 import { Stage } from "./stage.js";
 import { Tree } from "./tree.js";
+
+const kWriteDelay = 300; // ms
+/** The page of a report shows the picture alone, beside its list. */
+const isInFrame = window.parent !== window;
 
 function tell(text) {
   byId("message").textContent = text;
@@ -77,7 +82,11 @@ class Viewer {
     this.stage.setGround(all, this.scene.entities.length === 1);
     this.overlays = new Overlays(this.scene, this.motion, this.stage, this.sizes());
     this.stage.fit(all);
-    this.stage.onPick((solid) => this.select(solid?.entity, solid?.link));
+    this.stage.onLook(() => this.writeHashSoon());
+    this.stage.onPick((solid, point) => {
+      if (this.measured) this.measure(point);
+      else this.select(solid?.entity, solid?.link);
+    });
     this.layers = [
       [
         "visuals",
@@ -89,12 +98,14 @@ class Viewer {
       ["frames", "Frames", "a", (on) => (this.overlays.lines.visible = on)],
       ["axes", "Joint axes", "j", (on) => (this.overlays.axisLines.visible = on)],
       ["masses", "Centres of mass", "m", (on) => (this.overlays.balls.visible = on)],
+      ["inertias", "Inertias", "i", (on) => (this.overlays.ellipsoids.visible = on)],
       ["names", "Names", "n", (on) => this.showNames(on)],
       ["ground", "Grid", "g", (on) => (this.stage.grid.visible = on)],
+      ["ruler", "Measure", "d", (on) => this.startMeasuring(on)],
     ];
   }
 
-  /** Of each entity, from one end to the other. */
+  /** The diagonal of each entity's bounding box. */
   sizes() {
     const whole = this.stage ? this.shapes.boxAround() : null;
     const byEntity = new Map();
@@ -104,17 +115,9 @@ class Viewer {
     }
     const length = (box) => (box.isEmpty() ? 0 : box.min.distanceTo(box.max));
     return this.scene.entities.map((_, index) => {
-      const own = byEntity.has(index) ? length(this.boxOf(byEntity.get(index))) : 0;
+      const own = byEntity.has(index) ? length(this.shapes.boxAround(byEntity.get(index))) : 0;
       return own || length(whole) / 10 || 1;
     });
-  }
-
-  boxOf(solids) {
-    const all = this.shapes.solids;
-    this.shapes.solids = [...solids];
-    const box = this.shapes.boxAround();
-    this.shapes.solids = all;
-    return box;
   }
 
   setUpTools() {
@@ -158,7 +161,28 @@ class Viewer {
     event.preventDefault();
   }
 
-  /** Of the links of the selected entity, or of all entities. */
+  startMeasuring(isOn) {
+    if (isOn || this.measured) tell(isOn ? "Click two points to measure their distance." : "");
+    this.measured = isOn ? [] : undefined;
+    this.overlays.setRuler();
+  }
+
+  measure(point) {
+    if (!point) return;
+    if (this.measured.length === 2) this.measured = [];
+    this.measured.push(point);
+    const [from, to] = this.measured;
+    this.overlays.setRuler(from, to);
+    this.stage.draw();
+    const along = to && to.clone().sub(from);
+    tell(
+      to
+        ? `${short(along.length())} m: ${["x", "y", "z"].map((axis) => `${axis} ${short(along[axis])}`).join(", ")}`
+        : "Click the second point.",
+    );
+  }
+
+  /** Shows the names of the selected entity's links, or those of all entities. */
   showNames(on = this.namesAreOn) {
     this.namesAreOn = on;
     const { entities } = this.scene;
@@ -176,6 +200,7 @@ class Viewer {
     this.overlays?.move();
     this.stage?.draw();
     showFacts(this.scene, this.motion, this.selected);
+    this.writeHashSoon();
   }
 
   isSelected(solid) {
@@ -194,30 +219,48 @@ class Viewer {
     this.writeHash();
   }
 
-  /** The selected thing in view, or everything. */
+  /** Brings the selected thing into view, or the whole scene. */
   fit() {
     if (!this.stage) return;
-    const chosen = this.selected ? this.shapes.boxAround((solid) => this.isSelected(solid)) : null;
+    const chosen = this.selected
+      ? this.shapes.boxAround(this.shapes.solids.filter((solid) => this.isSelected(solid)))
+      : null;
     this.stage.fit(chosen && !chosen.isEmpty() ? chosen : this.shapes.boxAround(), this.stage.direction());
+    this.writeHashSoon();
+  }
+
+  /** Selects a thing, and shows it with what is around it. */
+  goTo(entity, link) {
+    this.select(entity, link);
+    if (!this.stage) return;
+    const box = this.shapes.boxAround(this.shapes.solids.filter((solid) => this.isSelected(solid)));
+    if (box.isEmpty()) return void this.fit();
+    const all = this.shapes.boxAround();
+    const margin = Math.max(box.min.distanceTo(box.max), all.min.distanceTo(all.max) / 10);
+    this.stage.fit(box.expandByScalar(margin).intersect(all), this.stage.direction());
   }
 
   writeHash() {
-    const { entity, link } = this.selected ?? {};
-    const words = new URLSearchParams();
-    if (entity !== undefined) words.set("entity", this.scene.entities[entity].path);
-    if (link !== undefined) words.set("link", this.scene.entities[entity].model.links[link].name);
-    history.replaceState(null, "", `#${words}`);
+    clearTimeout(this.writing);
+    if (isInFrame) return; // it has no address of its own
+    history.replaceState(null, "", toHash(this.scene, this.motion, this.selected, this.stage?.view()));
+  }
+
+  /** Browsers limit how often the address may change. */
+  writeHashSoon() {
+    clearTimeout(this.writing);
+    this.writing = setTimeout(() => this.writeHash(), kWriteDelay);
   }
 
   readHash() {
-    const words = new URLSearchParams(location.hash.slice(1));
-    const entity = this.scene.entities.findIndex(({ path }) => path === words.get("entity"));
-    if (entity < 0) return;
-    const link = this.scene.entities[entity].model?.links.findIndex(({ name }) => name === words.get("link"));
-    this.select(entity, link >= 0 ? link : undefined);
+    const { entity, link, positions, camera } = fromHash(this.scene, location.hash);
+    for (const [moved, values] of positions) this.joints.set(moved, values);
+    if (camera) this.stage?.look(camera);
+    if (entity !== undefined) this.select(entity, link);
   }
 }
 
+document.documentElement.classList.toggle("in-frame", isInFrame);
 const scene = readScene(byId("scene").textContent);
 window.smurfViewer = new Viewer(scene);
 document.documentElement.dataset.ready = "true";

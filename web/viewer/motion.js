@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where everything is: forward kinematics as libsmurf/src/link/kinematics.cpp has it, in double precision.
+// Forward kinematics in double precision, as in libsmurf/src/link/kinematics.cpp.
 import { Matrix4, Quaternion, Vector3 } from "three";
 
 const kLongestChain = 64; // of joints that mimic joints that mimic
@@ -13,7 +13,7 @@ export function toMatrix(pose) {
 
 export const isMovable = (joint) => joint.axis !== undefined;
 
-/** Of a joint; what mimics follows its leader unless it is told where to be. */
+/** The position of a joint. A mimic joint follows its leader unless `positions` has a value for it. */
 export function positionOf(model, joint, positions) {
   let factor = 1;
   let sum = 0;
@@ -57,13 +57,13 @@ export class Motion {
     this.update();
   }
 
-  /** Of a joint of an entity, by index. */
+  /** The position of a joint; both arguments are indices. */
   position(entity, joint) {
     const { model } = this.scene.entities[entity];
     return positionOf(model, model.joints[joint], this.positions[entity]);
   }
 
-  /** Of all entities, since they may stand on each other's links. */
+  /** Moves all entities, because one may be fixed to a link of another. */
   update() {
     for (const index of this.scene.order) {
       const entity = this.scene.entities[index];
@@ -84,7 +84,7 @@ export class Motion {
     }
   }
 
-  /** X_WJ: of a joint at zero, by index. */
+  /** X_WJ of a joint at position zero; both arguments are indices. */
   frameOf(entity, joint) {
     const { model } = this.scene.entities[entity];
     return this.links[entity][model.joints[joint].parent].clone().multiply(this.joints.get(model)[joint]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn over the shapes: frames, joint axes, centres of mass and names.
+// Draws frames, joint axes, centres of mass, inertias, names and a measured distance over the shapes.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -13,7 +13,8 @@ import {
   Vector3,
 } from "three";
 
-import { element } from "./dom.js";
+import { element } from "../common/dom.js";
+import { ellipsoidOf } from "./inertia.js";
 import { isMovable, toMatrix } from "./motion.js";
 import { paint } from "./shading.js";
 
@@ -24,9 +25,11 @@ const kAxisColors = [
 ];
 const kJointColor = [0.75, 0.2, 0.85];
 const kMassColor = new Color(0.94, 0.63, 0);
+const kInertiaColor = new Color(0.45, 0.3, 0.85);
+const kRulerColor = [0.95, 0.1, 0.45];
 const kMostNames = 150;
 
-/** Lines of which the ends move: `count` times the same colours. */
+/** `count` groups of lines in the same colours; their ends can be moved. */
 function linesOf(count, colors) {
   const geometry = new BufferGeometry();
   const points = new BufferAttribute(new Float32Array(count * colors.length * 3), 3).setUsage(
@@ -46,6 +49,15 @@ function linesOf(count, colors) {
   return lines;
 }
 
+function instancesOf(places, color, look) {
+  const instances = new InstancedMesh(new SphereGeometry(1, 16, 12), paint("UNLIT", look), places.length);
+  places.forEach((_, index) => instances.setColorAt(index, color));
+  instances.frustumCulled = false;
+  instances.visible = false;
+  instances.renderOrder = 1;
+  return instances;
+}
+
 export class Overlays {
   constructor(scene, motion, stage, sizes) {
     this.motion = motion;
@@ -54,19 +66,17 @@ export class Overlays {
     this.frames = []; // {entity, link}, also of entities without links
     this.axes = []; // {entity, joint}
     this.masses = []; // {entity, link, local}
+    this.inertias = []; // {entity, link, local}: what makes the ellipsoid of a unit sphere
     scene.entities.forEach((entity, index) => this.add(entity, index));
     this.lines = linesOf(
       this.frames.length,
       kAxisColors.flatMap((color) => [color, color]),
     );
     this.axisLines = linesOf(this.axes.length, [kJointColor, kJointColor]);
-    const look = paint("UNLIT", { opacity: 0.85, depthTest: false });
-    this.balls = new InstancedMesh(new SphereGeometry(1, 16, 8), look, this.masses.length);
-    this.masses.forEach((_, index) => this.balls.setColorAt(index, kMassColor));
-    this.balls.frustumCulled = false;
-    this.balls.visible = false;
-    this.balls.renderOrder = 1;
-    stage.scene.add(this.lines, this.axisLines, this.balls);
+    this.balls = instancesOf(this.masses, kMassColor, { opacity: 0.85, depthTest: false });
+    this.ellipsoids = instancesOf(this.inertias, kInertiaColor, { opacity: 0.35, depthTest: false });
+    this.ruler = linesOf(1, [kRulerColor, kRulerColor]);
+    stage.scene.add(this.lines, this.axisLines, this.balls, this.ellipsoids, this.ruler);
     this.labels = element("div", { class: "labels", "aria-hidden": "true" });
     stage.host.append(this.labels);
     this.named = []; // [name, X_W]
@@ -80,8 +90,10 @@ export class Overlays {
     if (!model?.order.length) this.frames.push({ entity: index });
     for (const link of model?.order ?? []) {
       this.frames.push({ entity: index, link });
-      const { mass, com } = model.links[link];
+      const { mass, com, inertia } = model.links[link];
       if (mass) this.masses.push({ entity: index, link, local: toMatrix(com) });
+      const ellipsoid = mass && inertia && ellipsoidOf(mass, inertia);
+      if (ellipsoid) this.inertias.push({ entity: index, link, local: toMatrix(com).multiply(ellipsoid) });
     }
     model?.joints.forEach((joint, at) => {
       const child = model.links[joint.child];
@@ -104,6 +116,20 @@ export class Overlays {
       this.balls.setMatrixAt(index, ball);
     });
     this.balls.instanceMatrix.needsUpdate = true;
+    this.inertias.forEach((inertia, index) => {
+      this.ellipsoids.setMatrixAt(index, ball.multiplyMatrices(this.worldOf(inertia), inertia.local));
+    });
+    this.ellipsoids.instanceMatrix.needsUpdate = true;
+  }
+
+  /** Shows a line between two points of the world; without them, none. */
+  setRuler(from, to) {
+    this.ruler.visible = Boolean(to);
+    if (!to) return;
+    const points = this.ruler.geometry.getAttribute("position");
+    points.setXYZ(0, ...from);
+    points.setXYZ(1, ...to);
+    points.needsUpdate = true;
   }
 
   moveFrames() {
@@ -135,14 +161,14 @@ export class Overlays {
     points.needsUpdate = true;
   }
 
-  /** Those of entities, or the links of one. */
+  /** `named`: [[name, function that returns the world pose]...]. */
   setNames(named) {
     this.named = named.slice(0, kMostNames);
     this.labels.replaceChildren(...this.named.map(([name]) => element("span", {}, name)));
     this.stage.draw();
   }
 
-  /** A name that would lie on another one is left out. */
+  /** Leaves out a name that would cover another one. */
   placeNames() {
     const taken = [];
     const size = this.named.map((_, index) => this.labels.children[index].offsetWidth);

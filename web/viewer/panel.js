@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of the selected thing, and the sliders of its joints.
+// Shows facts about the selected thing, and sliders for its joints.
 import { Euler } from "three";
 
-import { byId, counted, element, short } from "./dom.js";
+import { byId, counted, element } from "../common/dom.js";
+import { ellipsoidOf } from "./inertia.js";
 import { isMovable } from "./motion.js";
 
 const kMoments = ["xx", "xy", "xz", "yy", "yz", "zz"];
 const kMostSliders = 100; // at first: thousands take seconds to lay out
 const kDegrees = 180 / Math.PI;
+
+/** 1234.5678 as "1234.57": as many digits as people read. */
+export function short(value) {
+  if (value === 0 || !Number.isFinite(value)) return String(value ?? "unknown");
+  if (Math.abs(value) < 5e-7) return "0";
+  return String(Number(value.toPrecision(Math.abs(value) < 1e4 ? 5 : 7)));
+}
 
 export const massOf = (links) => links.reduce((sum, link) => sum + (link.mass ?? 0), 0);
 
@@ -17,7 +25,7 @@ function linksBelow(model, link) {
   return below.map((at) => model.links[at]);
 }
 
-/** [[word, value]...] of a pose in the world. */
+/** [[term, value]...] for a pose in the world. */
 function poseFacts(matrix) {
   if (!matrix) return [["World pose", "not known"]];
   const { elements } = matrix;
@@ -64,6 +72,8 @@ function linkFacts(entity, link, matrix) {
   facts.push(...poseFacts(matrix), ...jointFacts(model, model.joints[joint]));
   if (inertia)
     facts.push(["Inertia, kg m²", inertia.map((value, at) => `${kMoments[at]} ${short(value)}`).join(", ")]);
+  if (mass && inertia && !ellipsoidOf(mass, inertia))
+    facts.push(["Its ellipsoid", "none: no body has such moments"]);
   facts.push(["Shapes", `${counted(visuals.length, "visual")}, ${counted(collisions.length, "collision")}`]);
   const names = [...visuals, ...collisions].map((shape) => shape.name).filter(Boolean);
   if (names.length > 0) facts.push(["Names of shapes", names.join(", ")]);
@@ -94,7 +104,7 @@ function entityFacts(entity, matrix, entities) {
   return facts;
 }
 
-/** `selected`: {entity, link}, by index; the link may be absent, or all of it. */
+/** `selected`: {entity, link} by index. It may lack the link, or be undefined. */
 export function showFacts(scene, motion, selected) {
   const host = byId("facts");
   if (!selected) {
@@ -116,7 +126,7 @@ export function showFacts(scene, motion, selected) {
   );
 }
 
-/** What a slider covers; a joint without limits gets a turn, or a metre each way. */
+/** The range of a slider. A joint without limits gets half a turn, or one metre, each way. */
 export function spanOf(joint) {
   const free = joint.type === "prismatic" ? 1 : Math.PI;
   const isFree = joint.type === "continuous" || (joint.lower === undefined && joint.upper === undefined);
@@ -201,21 +211,25 @@ export class Joints {
   moveBy(joint, value) {
     const positions = new Map(this.motion.positions[this.entity]);
     positions.set(joint.name, value);
-    this.motion.set(this.entity, positions);
-    this.take("");
-    this.update();
-    this.onMove();
+    this.set(this.entity, positions);
   }
 
-  take(name) {
-    this.taken.set(this.entity, name);
-    byId("poses").value = name;
+  /** Moves the joints of an entity, whether it is shown or not. */
+  set(entity, positions) {
+    this.motion.set(entity, positions);
+    this.taken.set(entity, "");
+    if (entity === this.entity) {
+      byId("poses").value = "";
+      this.update();
+    }
+    this.onMove();
   }
 
   takePose(name) {
     const poses = { start: this.scene.entities[this.entity].start, zero: new Map() };
     this.motion.set(this.entity, poses[name] ?? this.model.poses[name].positions);
-    this.take(name);
+    this.taken.set(this.entity, name);
+    byId("poses").value = name;
     this.update();
     this.onMove();
   }

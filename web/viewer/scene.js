@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scene of the page, as smurfs-flatten wrote it (libsmurf/src/write/scene_html.cpp). Units are m, rad and kg.
+// Reads the scene that smurfs-flatten wrote into the page (libsmurf/src/write/scene_html.cpp). Units are m, rad and kg.
 //
 // scene: name of its file
-// models: [{name, file, links, joints, poses}]
+// models: [{name, file, links, joints, poses, devices}]
 //   links: [{name, joint: the one above, unplaced, mass, com: pose, inertia: [xx, xy, xz, yy, yz, zz], visuals, collisions}]
 //   joints: [{name, type, parent, child: links, pose, axis, lower, upper, effort, velocity, damping, friction,
 //     leader: the joint that it mimics, multiplier, offset}]
 //   poses: [{name, positions}]
+//   devices: [{kind: motor or sensor, name, link: that it moves or is on}]
 // entities: [{path, type, model, pose: in the world, anchored: to the world, anchor or parent: {entity, link, pose},
 //   positions, shapes}]
 // meshes: [{file, points: float32, indices: uint16, or uint32 when wide}], both in base64
@@ -25,7 +26,7 @@ function bytesOf(base64) {
   return bytes.buffer;
 }
 
-/** Names come from files: a plain object would confuse "constructor" with its own members. */
+/** Names come from files, and a plain object has members of its own, such as "constructor". */
 const toMap = (positions) => new Map(Object.entries(positions));
 
 function addTree(model) {
@@ -39,7 +40,7 @@ function addTree(model) {
   for (const index of model.order) model.order.push(...model.links[index].children);
 }
 
-/** A circle of anchors is cut: its members stay where they are. */
+/** Entities after what they are fixed to. A cycle of anchors is cut, and its entities do not move along. */
 function orderOf(entities) {
   const order = [];
   const state = new Uint8Array(entities.length); // 1: on the way, 2: in the order

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How instances are painted. The materials of three.js can do far more; where the processor is the graphics card, they
-// take seconds to compile and several times as long to draw.
+// A small shader for instances. Without a graphics card, the materials of three.js take seconds to compile and several
+// times as long to draw.
 import { DoubleSide, FrontSide, ShaderMaterial } from "three";
 
 const kVertex = `
@@ -22,8 +22,8 @@ void main() {
   gl_Position = projectionMatrix * point;
 }`;
 
-// The light is over the left shoulder, wherever one looks from, and bent around what it shines on. Colours are those of
-// the screen throughout.
+// The light comes from above and behind the viewer's left shoulder, and also brightens what faces away from it. Colours
+// are not converted: they are sRGB from the scene to the screen.
 const kFragment = `
 uniform float opacity;
 varying vec3 color;
@@ -46,7 +46,7 @@ void main() {
   gl_FragColor = vec4(color * light, opacity);
 }`;
 
-/** `look`: "SMOOTH", "FLAT" (no normals are needed) or "UNLIT". */
+/** `look`: "SMOOTH", "FLAT" (needs no normals) or "UNLIT". */
 export function paint(look, { opacity = 1, isThin = false, ...rest } = {}) {
   return new ShaderMaterial({
     vertexShader: kVertex,

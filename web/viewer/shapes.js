@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All shapes of a scene in few draw calls: those with the same triangles are instances of one mesh.
+// Draws all shapes of a scene in few draw calls: shapes with the same triangles are instances of one mesh.
 import {
   Box3,
   BoxGeometry,
@@ -25,15 +25,15 @@ const kGroundColor = [0.55, 0.55, 0.52, 0.35];
 const kUnseenColor = [0.6, 0.6, 0.62, 0.16];
 const kCollisionColor = [0.95, 0.45, 0.05, 1];
 const kSelected = new Color(0, 0.75, 0.85);
-const kTurn = Math.PI / 2; // the round solids of three.js lie along y, those of URDF along z
+const kTurn = Math.PI / 2; // the axis of a cylinder is y in three.js and z in URDF
 
-/** Into how many sides round things fall. Wires of fine triangles hide what is behind them. */
+/** The number of sides of round shapes. A wire frame with many sides would hide what is behind it. */
 function aroundOf(scene) {
   const links = scene.entities.reduce((sum, { model }) => sum + (model?.order.length ?? 1), 0);
   return { visuals: links <= 100 ? 32 : links <= 500 ? 20 : 12, collisions: 12 };
 }
 
-/** {key, make, scale, center}: triangles under a name, and how they are scaled and placed in the shape's frame. */
+/** {key, make, scale, center}: the triangles that `make` returns, and their scale and centre in the shape's frame. */
 function solidOf(shape, meshes, around) {
   const round = (key, make, scale) => ({ key: `${key} ${around}`, make: () => make().rotateX(kTurn), scale });
   if (shape.box) return { key: "box", make: () => new BoxGeometry(), scale: shape.box };
@@ -79,13 +79,13 @@ function colorOf(shape, layer) {
 
 function materialOf(layer, opacity, solid) {
   if (layer === Layer.collisions) return paint("UNLIT", { opacity, wireframe: true });
-  // A mirrored mesh is inside out. What is solid lies behind the wires of a collision with the same surface.
+  // A mirrored mesh is inside out. The offset keeps the wires of a collision visible on a visual of the same surface.
   const isThin = solid.flat || solid.key === "plane";
   const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
   return paint(solid.flat ? "FLAT" : "SMOOTH", { opacity, isThin, ...behind });
 }
 
-/** Planes, and heightmaps, of which only the box is known. */
+/** A plane, or a heightmap, which is shown as its bounding box. */
 const isGround = ({ shape, layer, link }) =>
   shape.plane !== undefined || (layer === Layer.unseen && link === undefined);
 
@@ -143,7 +143,7 @@ export class Shapes {
     return link === undefined ? this.motion.entities[entity] : this.motion.links[entity][link];
   }
 
-  /** To where the links are now. */
+  /** Moves all shapes to where their links are now. */
   move() {
     const matrix = new Matrix4();
     for (const solid of this.solids) {
@@ -163,7 +163,7 @@ export class Shapes {
     return this.solids.some((solid) => solid.layer === layer);
   }
 
-  /** What is within `chosen(solid)` gets another colour, the rest its own. */
+  /** Gives the shapes for which `chosen(solid)` is true another colour, and all others their own. */
   paint(chosen) {
     const mixed = new Color();
     for (const solid of this.solids) {
@@ -174,14 +174,13 @@ export class Shapes {
     for (const { mesh } of this.batches.values()) mesh.instanceColor.needsUpdate = true;
   }
 
-  /** Around all shapes that `chosen` takes; the ground only when there is nothing else. */
-  boxAround(chosen = () => true) {
+  /** Encloses these shapes. The ground is left out unless there is nothing else. */
+  boxAround(solids = this.solids) {
     const all = new Box3();
     const ground = new Box3();
     const box = new Box3();
     const matrix = new Matrix4();
-    for (const solid of this.solids) {
-      if (!chosen(solid)) continue;
+    for (const solid of solids) {
       const geometry = this.geometries.get(solid.batch.solid.key);
       if (!geometry.boundingBox) geometry.computeBoundingBox();
       box.copy(geometry.boundingBox).applyMatrix4(matrix.multiplyMatrices(this.worldOf(solid), solid.local));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture: camera, light, ground and what is under the pointer. Drawn when something changes, and only then.
+// The picture: camera, ground, and what is under the pointer. It is drawn only when something changes.
 import {
   Box3,
   GridHelper,
@@ -15,18 +15,18 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
-import { element } from "./dom.js";
-import { Sharpness } from "./sharpness.js";
+import { element } from "../common/dom.js";
 
 const kDragged = 5; // pixels that a click may move
+const kFarthest = 1e9; // m
 
-/** 1, 2 or 5 times a power of ten. */
+/** The largest length of at most `length` that is 1, 2 or 5 times a power of ten. */
 function roundStep(length) {
   const power = 10 ** Math.floor(Math.log10(length));
   return [5, 2, 1].map((factor) => factor * power).find((step) => step <= length) ?? power;
 }
 
-/** Smooth edges only where there is a graphics card: without one they double the time of a picture. */
+/** With smooth edges where there is a graphics card; without one, they double the time to draw. */
 function makeCanvas() {
   const make = (antialias) => {
     const canvas = element("canvas");
@@ -54,10 +54,13 @@ export class Stage {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener("change", () => this.draw());
-    this.controls.addEventListener("start", () => (this.fitted = null));
+    this.controls.addEventListener("start", () => (this.isHeld = true));
+    this.controls.addEventListener("end", () => (this.isHeld = false));
+    this.controls.addEventListener("change", () => {
+      if (this.isHeld) this.fitted = null; // a click alone changes nothing
+      this.draw();
+    });
     this.afterDraw = [];
-    this.sharpness = new Sharpness(() => this.resize());
     this.radius = 1;
     new ResizeObserver(() => this.resize()).observe(host);
     this.resize();
@@ -66,7 +69,7 @@ export class Stage {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(this.sharpness.ratio());
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -74,19 +77,18 @@ export class Stage {
     this.draw();
   }
 
-  /** Before the next picture of the screen, once. */
+  /** Draws once, with the next frame of the screen. */
   draw() {
     if (this.isAsked) return;
     this.isAsked = true;
     requestAnimationFrame(() => {
       this.isAsked = false;
-      this.sharpness.onPicture();
       this.renderer.render(this.scene, this.camera);
       for (const follow of this.afterDraw) follow();
     });
   }
 
-  /** Around a box; where the world's xy plane is, or below the box when a model is alone in its world. */
+  /** Puts the grid around a box, in the xy plane of the world, or below the box. */
   setGround(box, isBelow) {
     const size = box.isEmpty() ? 2 : Math.max(box.max.x - box.min.x, box.max.y - box.min.y, 0.2);
     const step = roundStep(size / 4);
@@ -103,7 +105,7 @@ export class Stage {
     this.scene.add(this.grid);
   }
 
-  /** The whole box in view, from where one looks now, or from the front right above. */
+  /** Brings a whole box into view. `from` points from the box to the camera. */
   fit(box, from = new Vector3(1, -1.5, 0.9)) {
     this.fitted = box; // until somebody turns it
     const around = box.isEmpty() ? new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 1)) : box;
@@ -114,18 +116,46 @@ export class Stage {
     const distance = (0.96 * this.radius) / Math.sin(narrow);
     this.controls.target.copy(sphere.center);
     this.camera.position.copy(sphere.center).addScaledVector(from.clone().normalize(), distance);
+    this.setDepths(distance);
+    this.controls.update();
+    this.draw();
+  }
+
+  /** Position and target of the camera in metres, as six numbers; undefined while the view is fitted. */
+  view() {
+    return this.fitted ? undefined : [...this.camera.position, ...this.controls.target];
+  }
+
+  /** Shows what view() has returned. */
+  look(view) {
+    const [position, target] = [new Vector3().fromArray(view), new Vector3().fromArray(view, 3)];
+    const distance = position.distanceTo(target);
+    if (!(distance > 0 && distance < kFarthest)) return;
+    this.fitted = null;
+    this.camera.position.copy(position);
+    this.controls.target.copy(target);
+    this.setDepths(distance);
+    this.controls.update();
+    this.draw();
+  }
+
+  /** Calls back when somebody has turned, moved or zoomed the view. */
+  onLook(callback) {
+    this.looked = callback;
+    this.controls.addEventListener("end", callback);
+  }
+
+  setDepths(distance) {
     this.camera.near = distance / 500;
     this.camera.far = 200 * distance;
     this.camera.updateProjectionMatrix();
-    this.controls.update();
-    this.draw();
   }
 
   direction() {
     return this.camera.position.clone().sub(this.controls.target);
   }
 
-  /** Radians around the target, and a factor of the distance. */
+  /** Moves the camera around its target by two angles in radians, and scales its distance. */
   turn(around, up, zoom = 1) {
     this.fitted = null;
     const { target } = this.controls;
@@ -138,21 +168,23 @@ export class Stage {
     this.camera.position.set(target.x + turned.z, target.y + turned.x, target.z + turned.y);
     this.controls.update();
     this.draw();
+    this.looked?.();
   }
 
-  /** Calls back with the solid that is clicked, or with nothing. */
+  /** Calls back with the solid that is clicked and the point in the world, or with nothing. */
   onPick(callback) {
     let down = null;
     this.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
     this.canvas.addEventListener("pointerup", (event) => {
       const moved = down ? Math.hypot(event.clientX - down[0], event.clientY - down[1]) : Infinity;
-      if (event.button === 0 && moved < kDragged) callback(this.solidAt(event));
+      if (event.button === 0 && moved < kDragged) callback(...this.hitAt(event));
     });
   }
 
-  solidAt({ clientX, clientY }) {
+  hitAt({ clientX, clientY }) {
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
     const ray = new Raycaster();
+    this.camera.updateMatrixWorld(); // it may have moved since the last picture
     ray.setFromCamera(
       new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height),
       this.camera,
@@ -161,10 +193,10 @@ export class Stage {
     const hits = ray.intersectObjects(meshes, false);
     const hit =
       hits.find(({ object, instanceId }) => !object.userData.solids[instanceId].shape.plane) ?? hits[0];
-    return hit?.object.userData.solids[hit.instanceId];
+    return hit ? [hit.object.userData.solids[hit.instanceId], hit.point] : [];
   }
 
-  /** Where a point of the world is on the page, in pixels of the picture; null behind the camera. */
+  /** The place of a world point in pixels of the picture; null behind the camera. */
   toPage(point) {
     const seen = point.clone().project(this.camera);
     if (seen.z > 1 || seen.z < -1) return null;

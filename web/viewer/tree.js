@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Entities and their links as a tree, as ARIA has trees: arrows move and open, Enter selects.
-import { element } from "./dom.js";
+// Shows entities and their links as an ARIA tree: arrows move and open, Enter selects.
+import { element } from "../common/dom.js";
 
 const kOpenAtOnce = 60; // rows
 const kDeepest = 60; // groups in groups: browsers do not lay out thousands of them
@@ -37,7 +37,7 @@ export class Tree {
     );
   }
 
-  /** A node: its row, and beside it the group of the rows below. */
+  /** A node with its row; the group of rows below is added when it is opened. */
   row(name, note, entity, link, children, level) {
     const row = element(
       "div",
@@ -56,7 +56,7 @@ export class Tree {
     return element("div", { role: "none", class: "node" }, row);
   }
 
-  /** Rows of links are made when they are first seen. */
+  /** Opens or closes a row. Its links get rows when it is opened for the first time. */
   open(row, isOpen, isDeep = false) {
     if (row.below.length === 0) return;
     row.nodes ??= this.addBelow(row);
@@ -86,7 +86,7 @@ export class Tree {
     return nodes;
   }
 
-  /** Rows below that lie beside theirs are closed with it. */
+  /** As open(), for a row at the greatest depth, whose rows below are its siblings on the page. */
   openBeside(row, isOpen) {
     const rows = [row];
     for (const each of rows) {
@@ -104,13 +104,15 @@ export class Tree {
     if (entity === undefined) return;
     if (link !== undefined) this.reveal(entity, link);
     this.selected = this.rows.get(Tree.key(entity, link));
-    this.selected?.setAttribute("aria-selected", "true");
+    if (!this.selected) return;
+    this.selected.setAttribute("aria-selected", "true");
     this.focusable(this.selected);
-    this.selected?.scrollIntoView({ block: "nearest" });
+    this.selected.scrollIntoView({ block: "nearest" });
   }
 
   reveal(entity, link) {
     const { model } = this.scene.entities[entity];
+    if (model.links[link].unplaced) return; // it has no row, and may be in a ring
     const way = [];
     for (let at = link; at !== undefined; at = model.joints[model.links[at].joint]?.parent) way.unshift(at);
     this.open(this.rows.get(Tree.key(entity)), true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A page that shows the scene in a browser: the viewer of web/viewer around the scene as JSON. What
-// the members of the JSON are, web/viewer/scene.js says, which reads them.
+// A page that shows the scene in a browser: the viewer of web/viewer with the scene as JSON in it.
+// web/viewer/scene.js, which reads the JSON, documents its members.
 #include <map>
 #include <set>
 
@@ -27,7 +27,7 @@ class ViewerData {
         meshes_(scene),
         json_(scene.most_bytes) {}
 
-  /// None when it is too large.
+  /// None when the JSON is too large.
   std::optional<std::string> run() {
     json_.begin_object(Layout::block);
     json_.key("scene");
@@ -97,6 +97,7 @@ class ViewerData {
     }
     json_.end();
     add_joint_poses(model);
+    add_motors_and_sensors(model);
     json_.end();
   }
 
@@ -198,6 +199,39 @@ class ViewerData {
     json_.end();
   }
 
+  void add_motors_and_sensors(const LinkedModel& model) {
+    json_.key("devices");
+    json_.begin_list(Layout::block);
+    for (const Motor& motor : model.annotations.motors) {
+      add_device("motor", motor.name, child_of(model, motor.joint));
+    }
+    for (const Sensor& sensor : model.annotations.sensors) {
+      std::optional<std::uint32_t> link;
+      if (sensor.link) link = model.link_names.find(*sensor.link);
+      add_device("sensor", sensor.name, link ? link : child_of(model, sensor.joint));
+    }
+    json_.end();
+  }
+
+  /// The link that a joint moves.
+  static std::optional<std::uint32_t> child_of(const LinkedModel& model,
+                                               const Field<std::string>& joint) {
+    const auto index = joint ? model.joint_names.find(*joint) : std::nullopt;
+    const auto child = index ? model.tree.joint_child[*index] : std::nullopt;
+    return child ? std::optional(static_cast<std::uint32_t>(to_size(*child))) : std::nullopt;
+  }
+
+  void add_device(std::string_view kind, const Field<std::string>& name,
+                  const std::optional<std::uint32_t>& link) {
+    if (!name || !link) return;
+    json_.begin_object();
+    json_.key("kind");
+    json_.text(kind);
+    add_name(name);
+    add_index("link", *link);
+    json_.end();
+  }
+
   void add_positions(const JointPositions& positions) {
     json_.key("positions");
     json_.begin_object();
@@ -239,7 +273,7 @@ class ViewerData {
     json_.end();
   }
 
-  /// The link that an entity moves with: that of its anchor, else that of its parent.
+  /// The link that an entity moves with: its anchor's, else its parent's.
   void add_support(std::size_t index) {
     const Instance& here = scene_.scene.instances[index];
     for (const Attachment* attachment : {&here.placement.anchor, &here.placement.parent}) {
@@ -261,7 +295,7 @@ class ViewerData {
     }
   }
 
-  /// `around`: the box that is shown of a mesh without triangles.
+  /// `around` is the box that is shown for a mesh that could not be read.
   void add_solid(const LinkShape& shape, const std::optional<Box>& around) {
     if (shape.X_LS != Pose{}) add_pose("pose", shape.X_LS);
     if (shape.color) {
@@ -326,32 +360,19 @@ class ViewerData {
   ViewerMeshes meshes_;
   LinkFrames frames_;
   JsonPrinter json_;
-  /// How many shapes, by file and reason.
+  /// The number of shapes that are not shown, by file and reason.
   std::map<std::pair<std::string, std::string>, std::size_t> unseen_;
 };
 
 std::string write(const SceneExport& scene) {
   const std::optional<std::string> data = ViewerData(scene).run();
   if (!data) return std::string(scene.most_bytes + 1, ' ');
-  const ViewerPage page = viewer_page();
-  std::string text;
-  for (const std::string_view piece : page.head) text += piece;
-  // Nothing in it ends the block of data, or begins a comment or another block.
-  for (const char c : *data) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  for (const std::string_view piece : page.tail) text += piece;
-  return text;
+  return page_around(viewer_page(), *data);
 }
 
 std::string_view obstacle() {
   if (!viewer_page().head.empty()) return {};
-  return "this build has no viewer: run scripts/setup --readers and scripts/viewer, and build "
-         "again";
+  return "this build has no viewer: run scripts/viewer in the sources, and build again";
 }
 
 }  // namespace

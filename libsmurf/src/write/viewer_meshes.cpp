@@ -8,7 +8,7 @@
 
 namespace smurf {
 
-/// Three numbers of four bytes, and an index of two, in base64.
+/// The bytes of a point (three floats) and of an index (at least two bytes), in base64.
 constexpr PreviewMeshes::Cost kCost{16, 2};
 
 ViewerMeshes::ViewerMeshes(const SceneExport& scene) : files_(scene, kCost) {}

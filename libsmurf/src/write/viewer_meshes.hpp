@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The meshes of the page that shows a scene: each is written once, for all of its shapes.
+// The meshes of a page that shows a scene. Each is written once, however many shapes use it.
 #pragma once
 
 #include "write/json_printer.hpp"
@@ -17,10 +17,10 @@ class ViewerMeshes {
   /// `scene` must outlive this.
   explicit ViewerMeshes(const SceneExport& scene);
 
-  /// `place` of the shape that asks.
+  /// `place` is that of the shape that uses the file.
   const Known& find(const std::string& file, Span place);
 
-  /// A list with every mesh that was found.
+  /// Prints a list of all meshes that were found.
   void print(JsonPrinter& json) const;
 
  private:

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page of web/viewer, as scripts/viewer made it, in a build that found it.
+// The page that scripts/viewer made of web/viewer, if it was there when this was built.
 #pragma once
 
-#include <span>
-#include <string_view>
+#include "base/embedded_page.hpp"
 
 namespace smurf {
 
-/// What stands before and after the data of a scene, in pieces that every compiler takes.
-struct ViewerPage {
-  std::span<const std::string_view> head, tail;
-};
-
-/// Empty when there was no page to build in.
-ViewerPage viewer_page();
+/// Empty in a build without the page.
+EmbeddedPage viewer_page();
 
 }  // namespace smurf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elements of the page. Text is only ever set as text: names in models may look like markup.
+// Makes elements of the page. Names in models may look like markup, so text is only set as text.
 
 export function element(name, attributes = {}, ...children) {
   const made = document.createElement(name);
@@ -14,11 +14,12 @@ export function element(name, attributes = {}, ...children) {
 
 export const byId = (id) => document.getElementById(id);
 
-/** 1234.5678 as "1234.57": as many digits as people read. */
-export function short(value) {
-  if (value === 0 || !Number.isFinite(value)) return String(value ?? "unknown");
-  if (Math.abs(value) < 5e-7) return "0";
-  return String(Number(value.toPrecision(Math.abs(value) < 1e4 ? 5 : 7)));
-}
-
 export const counted = (number, thing) => `${number.toLocaleString("en")} ${thing}${number === 1 ? "" : "s"}`;
+
+/** Text in which names are between backticks. */
+export function prose(text) {
+  return text.split(/(`[^`]+`)/).map((part) => {
+    const isName = part.length > 2 && part.startsWith("`") && part.endsWith("`");
+    return isName ? element("code", {}, part.slice(1, -1)) : part;
+  });
+}
