@@ -28,7 +28,7 @@ def lint_jobs(roots):
     yield from (("smurf-lint", ["--format=full", str(path.relative_to(FIXTURES))], FIXTURES)
                 for kind in ("models", "scenes") for path in sorted((FIXTURES / kind).iterdir()))
     yield from (("smurf-lint", [f"--format={kind}", "models"], FIXTURES)
-                for kind in ("concise", "sarif", "github", "gitlab", "junit"))
+                for kind in ("concise", "sarif", "github", "gitlab", "junit", "html"))
     yield from (("smurf-lint", arguments, FIXTURES) for arguments in (
         ["--help"], ["--version"], ["--list-rules"], ["--list-rules=json"], ["--explain=SML1422"], ["--no-such-option"],
         ["no/such/path"], ["--target=all", "models"], ["--statistics", "models"], ["--diff", "rules"]))

@@ -9,7 +9,7 @@
 namespace smurf::tools {
 namespace {
 
-/// Which rules most findings are of, when they are many.
+/// A table of the most frequent rules, when there are many findings.
 std::string most_frequent(const Results& results, const TextStyle& style) {
   constexpr std::size_t kMany = 50;
   constexpr std::size_t kRules = 10;
@@ -18,7 +18,7 @@ std::string most_frequent(const Results& results, const TextStyle& style) {
          "\n";
 }
 
-/// Tells that less severe findings are not shown.
+/// A line that says that less severe findings are not shown.
 std::string hidden(const Results& results) {
   const Severity least = results.overview.least;
   const std::size_t infos = results.summary.infos;
@@ -27,7 +27,7 @@ std::string hidden(const Results& results) {
          " not shown; --min-severity info shows " + (infos == 1 ? "it" : "them") + "\n";
 }
 
-/// Where to read more about the worst finding.
+/// A line that says where to read more about the worst finding.
 std::string pointer_to_page(const Results& results) {
   const auto worst = std::max_element(
       results.diagnostics.begin(), results.diagnostics.end(),
@@ -37,7 +37,7 @@ std::string pointer_to_page(const Results& results) {
          rule_address(*worst->rule, kHomepage) + "\n";
 }
 
-/// With the summary and the verdicts of the targets; the only format that ends with them.
+/// The format for people, which ends with a summary and the verdicts of the targets.
 std::string full(const Results& results, const TextStyle& style) {
   std::string out;
   if (results.counts_only) {
@@ -86,7 +86,14 @@ std::string junit(const Results& results, const TextStyle&) {
                       results.least_failure);
 }
 
-/// What a log is read with: GitHub turns its own lines into marks in the changed files.
+std::string html(const Results& results, const TextStyle&) {
+  const std::string picture = results.picture ? results.picture() : "";
+  return render_html(results.diagnostics, results.sources, results.summary,
+                     {results.tool, kVersion}, results.targets,
+                     {.remarks = results.remarks, .picture = picture});
+}
+
+/// The format for the log of a CI run: GitHub shows lines in its own format as marks in the files.
 std::string automatic(const Results& results, const TextStyle& style) {
   const char* variable = std::getenv("GITHUB_ACTIONS");
   const bool is_github = variable != nullptr && std::string_view(variable) == "true";
@@ -101,6 +108,7 @@ constexpr ReportFormat kFormats[] = {
     {"github", "annotations of a workflow", github},
     {"gitlab", "a code quality report", gitlab},
     {"junit", "test cases, one per file", junit},
+    {"html", "a page for a browser, to search and filter", html},
     {"auto", "github in a GitHub workflow, otherwise full (the default)", automatic},
 };
 

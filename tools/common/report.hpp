@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reports: the formats, where they go, and the verdict that becomes the exit code.
+// Reports: their formats and files, and the exit code.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace smurf::tools {
 
-/// The contents of a report. Owns nothing.
+/// The contents of a report, as views.
 struct Results {
   std::span<const Diagnostic> diagnostics;  ///< finished: sorted, without repetitions
   const SourceMap& sources;
@@ -23,10 +24,11 @@ struct Results {
   std::string_view tool;
   std::string remarks{};       ///< for people: lines after the summary
   bool quiet = false;          ///< no summary
-  bool counts_only = false;    ///< for people: how often each rule, instead of every finding
+  bool counts_only = false;    ///< for people: the number of findings of each rule, no findings
   OverviewOptions overview{};  ///< for people
   std::optional<Severity> least_failure =
-      Severity::error;  ///< for JUnit: what decides the exit code
+      Severity::error;                     ///< for JUnit: the threshold of the exit code
+  std::function<std::string()> picture{};  ///< for a page: PageParts::picture
 };
 
 struct ReportFormat {
@@ -35,27 +37,27 @@ struct ReportFormat {
   std::string (*render)(const Results& results, const TextStyle& style);
 };
 std::span<const ReportFormat> report_formats();
-/// Null when there is none of that name.
+/// Null when there is no such format.
 const ReportFormat* find_report_format(std::string_view name);
 
 struct ReportRequest {
   const ReportFormat* format = nullptr;
-  std::string file;  ///< "": where the tool's reports go; "-": standard output
+  std::string file;  ///< "": the tool's default; "-": standard output
 };
 
-/// "FORMAT" or "FORMAT=FILE", appended.
+/// Appends "FORMAT" or "FORMAT=FILE".
 Setter append_report(std::vector<ReportRequest>& requests);
 std::vector<std::string_view> report_format_names();
-/// Names the formats, for --help.
+/// The names of the formats, for --help.
 std::string_view report_option_help();
 
-/// `--fail-on` and what goes with it.
+/// `--fail-on` and `--max-warnings`.
 struct Threshold {
   std::optional<Severity> fail_on = Severity::error;  ///< none: never
   std::optional<int> max_warnings;
   bool exit_zero = false;
 };
-/// The least severity that ends a run with kFindings; none when nothing does.
+/// The least severity that ends a run with kFindings; none with `--fail-on never`.
 std::optional<Severity> least_failure(const Summary& summary, const Threshold& threshold);
 /// kDone or kFindings.
 ExitCode judge(const Summary& summary, const Threshold& threshold);

@@ -145,8 +145,14 @@ class Numbering {
   std::map<std::string_view, int> known_;
 };
 
+/// A byte order mark at its start is written as it is: programs that apply the patch look for it.
 void add_line(std::string& text, char mark, std::string_view line) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   text += mark;
+  if (line.starts_with(kByteOrderMark)) {
+    text += kByteOrderMark;
+    line.remove_prefix(kByteOrderMark.size());
+  }
   text += render::escape_lines(line);
   if (!text.ends_with('\n')) text += "\n\\ No newline at end of file\n";
 }

@@ -16,6 +16,7 @@
 #include "smurf-lint/explain.hpp"
 #include "smurf-lint/fix.hpp"
 #include "smurf-lint/options.hpp"
+#include "smurf-lint/picture.hpp"
 #include "smurf-lint/rename.hpp"
 #include "smurf-lint/settings.hpp"
 #include "smurf-lint/show_config.hpp"
@@ -74,18 +75,18 @@ OverviewOptions overview(const LintOptions& options, const Threshold& threshold)
 /// A report, and what it points into.
 struct Checked {
   const Report& report;
-  const SourceMap& sources;
+  Session& session;
 };
 
 /// `place` is where reports without a file of their own go.
-ExitCode write_reports(const LintOptions& options, const std::string& place, const Checked& checked,
-                       std::string remarks) {
+ExitCode write_reports(const LintOptions& options, const LintPlan& plan, const std::string& place,
+                       const Checked& checked, std::string remarks) {
   const Report& report = checked.report;
   const RunSettings settings = merge_run(report.wishes, options);
   // The failure has been reported; "no findings" would hide it.
   const bool is_nothing = report.summary.files == 0 && !report.problems.empty();
   const Results results{.diagnostics = report.diagnostics,
-                        .sources = checked.sources,
+                        .sources = checked.session.sources(),
                         .summary = report.summary,
                         .targets = report.targets,
                         .tool = kTool,
@@ -93,7 +94,11 @@ ExitCode write_reports(const LintOptions& options, const std::string& place, con
                         .quiet = options.quiet || is_nothing,
                         .counts_only = options.statistics,
                         .overview = overview(options, settings.threshold),
-                        .least_failure = least_failure(report.summary, settings.threshold)};
+                        .least_failure = least_failure(report.summary, settings.threshold),
+                        .picture = [&] {
+                          if (report.diagnostics.empty()) return std::string();
+                          return picture_of(options, plan, checked.session);
+                        }};
   ExitCode code = kDone;
   for (const ReportRequest& request : settings.reports) {
     const std::string& file = request.file.empty() ? place : request.file;
@@ -110,7 +115,7 @@ ExitCode report(const LintOptions& options, const LintPlan& plan, const Checked&
   const bool is_taken = is_changing && !plan.standard_input.empty() && options.output.empty();
   const std::string place = is_taken ? "/dev/stderr" : options.output;
   const ExitCode written =
-      write_reports(options, place, checked, fix_remarks(fixed, checked.report.diagnostics));
+      write_reports(options, plan, place, checked, fix_remarks(fixed, checked.report.diagnostics));
   if (written != kDone) return written;
   return judge(checked.report.summary, merge_run(checked.report.wishes, options).threshold);
 }
@@ -131,12 +136,12 @@ bool write_all(const LintOptions& options, const LintPlan& plan, const Session& 
          write_output(kTool, "-", session.files().read(input, options.limits.file_bytes).text);
 }
 
-ExitCode give_out(const LintOptions& options, const LintPlan& plan, const Session& session,
+ExitCode give_out(const LintOptions& options, const LintPlan& plan, Session& session,
                   const Fixed& fixed) {
   if (options.diff) return show_diff(options, fixed.changes);
   if (!write_all(options, plan, session, fixed.changes)) return kFailed;
   if (options.fix_only) return kDone;
-  return report(options, plan, {fixed.report, session.sources()}, fixed.count);
+  return report(options, plan, {fixed.report, session}, fixed.count);
 }
 
 ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session, Report found,
@@ -156,12 +161,12 @@ ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session,
 }
 
 /// `found` are the findings in the renamed files.
-ExitCode rename(const LintOptions& options, const LintPlan& plan, const Session& session,
+ExitCode rename(const LintOptions& options, const LintPlan& plan, Session& session,
                 const Changes& changes, const Report& found) {
   if (options.diff) return show_diff(options, changes);
   if (!write_all(options, plan, session, changes)) return kFailed;
   if (options.fix_only) return kDone;
-  return report(options, plan, {found, session.sources()}, 0);
+  return report(options, plan, {found, session}, 0);
 }
 
 /// Where the baseline is written. A configuration that came with the files does not decide that;
@@ -314,7 +319,7 @@ ExitCode run(const LintOptions& options) {
   if (renamed) return rename(options, plan, session, *renamed, found);
   const ExitCode code = options.fix || options.fix_only || options.diff
                             ? fix(options, plan, session, std::move(found), check)
-                            : report(options, plan, {found, session.sources()}, 0);
+                            : report(options, plan, {found, session}, 0);
   return !plan.problems.empty() ? kFailed : code;
 }
 

@@ -364,6 +364,8 @@ Command lint_command(LintOptions& options) {
        "Check a file for the programs that will load it:"},
       {"smurf-lint --format full --format json=report.json arm.smurf",
        "Write a report for programs beside the one for people:"},
+      {"smurf-lint --format full --format html=report.html arm.smurf",
+       "Write a page to send to whoever repairs the robot:"},
       {"smurf-lint --ignore SML19 --severity unknown-joint=warning arm.smurf",
        "Skip the rules about portability, and lower the severity of one rule:"},
       {"xacro arm.urdf.xacro | smurf-lint --stdin-filename urdf/arm.urdf -",

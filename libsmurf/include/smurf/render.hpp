@@ -110,6 +110,17 @@ std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceM
 std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          const ToolName& tool, std::optional<Severity> least_failure);
 
+/// What render_html() shows beside the findings.
+struct PageParts {
+  std::string_view remarks{};  ///< lines for people
+  std::string_view picture{};  ///< what the scene format html wrote of the files; may be empty
+};
+/// A page for a browser, without network: all findings with their lines, rules and fixes, to search
+/// and filter.
+std::string render_html(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                        const Summary& summary, const ToolName& tool,
+                        std::span<const TargetVerdict> targets, const PageParts& parts);
+
 /// The address of the page of a rule.
 std::string rule_address(const Rule& rule, std::string_view homepage);
 /// The page of one rule, for `--explain`.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The JSON report and the JSON rule list.
-#include "render/json_text.hpp"
-#include "smurf/render.hpp"
+#include "render/report_json.hpp"
 
 namespace smurf {
 namespace {
@@ -32,26 +31,6 @@ Json to_json(const Fix& fix, const SourceMap& sources) {
   return {{"applicability", is_safe ? "safe" : "unsafe"}, {"edits", std::move(edits)}};
 }
 
-Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
-  Json json;
-  json["id"] = text(diagnostic.rule->id);
-  json["name"] = text(diagnostic.rule->name);
-  json["severity"] = text(to_string(diagnostic.severity));
-  json["message"] = diagnostic.message;
-  add_place(json, diagnostic.span, sources);
-  if (!diagnostic.pointer.empty()) json["pointer"] = diagnostic.pointer;
-  if (!diagnostic.help_text.empty()) json["help"] = diagnostic.help_text;
-  if (!diagnostic.notes.empty()) json["notes"] = diagnostic.notes;
-  for (const Label& label : diagnostic.labels) {
-    Json place;
-    add_place(place, label.span, sources);
-    place["message"] = label.message;
-    json["labels"].push_back(std::move(place));
-  }
-  if (!diagnostic.fixes.empty()) json["fix"] = to_json(diagnostic.fixes.front(), sources);
-  return json;
-}
-
 Json to_json(const TargetVerdict& target, const SourceMap& sources) {
   Json json = {{"verdict", text(to_string(target.answer()))},
                {"refusals", target.refusals},
@@ -72,9 +51,30 @@ Json to_json(const TargetVerdict& target, const SourceMap& sources) {
 
 }  // namespace
 
-std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
-                        const Summary& summary, const ToolName& tool,
-                        std::span<const TargetVerdict> targets) {
+namespace render {
+
+Json diagnostic_json(const Diagnostic& diagnostic, const SourceMap& sources) {
+  Json json;
+  json["id"] = text(diagnostic.rule->id);
+  json["name"] = text(diagnostic.rule->name);
+  json["severity"] = text(to_string(diagnostic.severity));
+  json["message"] = diagnostic.message;
+  add_place(json, diagnostic.span, sources);
+  if (!diagnostic.pointer.empty()) json["pointer"] = diagnostic.pointer;
+  if (!diagnostic.help_text.empty()) json["help"] = diagnostic.help_text;
+  if (!diagnostic.notes.empty()) json["notes"] = diagnostic.notes;
+  for (const Label& label : diagnostic.labels) {
+    Json place;
+    add_place(place, label.span, sources);
+    place["message"] = label.message;
+    json["labels"].push_back(std::move(place));
+  }
+  if (!diagnostic.fixes.empty()) json["fix"] = to_json(diagnostic.fixes.front(), sources);
+  return json;
+}
+
+Json report_json(const SourceMap& sources, const Summary& summary, const ToolName& tool,
+                 std::span<const TargetVerdict> targets) {
   Json report;
   report["schema_version"] = "1.0";
   report["tool"] = {{"name", text(tool.name)}, {"version", text(tool.version)}};
@@ -87,8 +87,43 @@ std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap
   for (const TargetVerdict& target : targets) {
     report["targets"][std::string(target.reader->name)] = to_json(target, sources);
   }
-  return dump_with_list(report, "diagnostics", 1, diagnostics,
-                        [&](const Diagnostic& one) { return to_json(one, sources); });
+  return report;
+}
+
+Json rule_json(const Rule& rule) {
+  Json entry = {{"id", text(rule.id)},
+                {"name", text(rule.name)},
+                {"severity", text(to_string(rule.severity))},
+                {"needs_target", rule.needs_target},
+                {"summary", text(rule.summary)},
+                {"why", text(rule.why)},
+                {"remedy", text(rule.remedy)},
+                {"sources", sources_of(rule)},
+                {"former", Json::array()}};
+  for (const std::string_view former : rule.former) entry["former"].push_back(text(former));
+  for (const Fact* fact : facts_about(rule)) {
+    entry["readers"].push_back({{"reader", text(fact->reader->name)},
+                                {"where", text(fact->where)},
+                                {"effect", text(to_string(fact->effect))},
+                                {"makes", text(fact->makes)},
+                                {"evidence", evidence_of(*fact)}});
+  }
+  if (const Tolerance& tolerance = rule.tolerance; !tolerance.meaning.empty()) {
+    entry["tolerance"] = {{"value", tolerance.value},
+                          {"unit", text(tolerance.unit)},
+                          {"meaning", text(tolerance.meaning)}};
+  }
+  return entry;
+}
+
+}  // namespace render
+
+std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
+                        const Summary& summary, const ToolName& tool,
+                        std::span<const TargetVerdict> targets) {
+  return dump_with_list(
+      render::report_json(sources, summary, tool, targets), "diagnostics", 1, diagnostics,
+      [&](const Diagnostic& one) { return render::diagnostic_json(one, sources); });
 }
 
 std::string render_losses_json(std::span<const Diagnostic> losses, const SourceMap& sources,
@@ -108,29 +143,7 @@ std::string render_losses_json(std::span<const Diagnostic> losses, const SourceM
 
 std::string render_rule_list_json(std::span<const Rule* const> rules) {
   Json list = Json::array();
-  for (const Rule* rule : rules) {
-    Json entry = {{"id", text(rule->id)},
-                  {"name", text(rule->name)},
-                  {"severity", text(to_string(rule->severity))},
-                  {"needs_target", rule->needs_target},
-                  {"summary", text(rule->summary)},
-                  {"why", text(rule->why)},
-                  {"remedy", text(rule->remedy)},
-                  {"sources", sources_of(*rule)}};
-    for (const Fact* fact : facts_about(*rule)) {
-      entry["readers"].push_back({{"reader", text(fact->reader->name)},
-                                  {"where", text(fact->where)},
-                                  {"effect", text(to_string(fact->effect))},
-                                  {"makes", text(fact->makes)},
-                                  {"evidence", evidence_of(*fact)}});
-    }
-    if (const Tolerance& tolerance = rule->tolerance; !tolerance.meaning.empty()) {
-      entry["tolerance"] = {{"value", tolerance.value},
-                            {"unit", text(tolerance.unit)},
-                            {"meaning", text(tolerance.meaning)}};
-    }
-    list.push_back(std::move(entry));
-  }
+  for (const Rule* rule : rules) list.push_back(render::rule_json(*rule));
   return dump(list);
 }
 

@@ -22,17 +22,17 @@ using Json = nlohmann::ordered_json;
 inline void append(std::string& out, const Json& json, std::size_t indent) {
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
   std::size_t copied = 0;
-  for (std::size_t at = 0; (at = text.find_first_of("\n\x7F\xC2", at)) != std::string::npos;) {
-    const utf8::CodePoint point = utf8::decode(std::string_view(text).substr(at));
+  for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '\n') {
       out.append(text, copied, at + 1 - copied).append(indent, ' ');
       copied = at + 1;
-    } else if (utf8::is_control(point.value)) {
+    } else if (text[at] == '\x7F' || text[at] == '\xC2') {
+      const utf8::CodePoint point = utf8::decode(std::string_view(text).substr(at));
+      if (!utf8::is_control(point.value)) continue;
       out.append(text, copied, at - copied);
       utf8::append_escape(out, point.value);
       copied = at + point.size;
     }
-    at += point.size;
   }
   out.append(text, copied);
 }

@@ -84,6 +84,25 @@ std::string escape_lines(std::string_view text) {
   return out;
 }
 
+std::string visible_lines(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const utf8::CodePoint point = utf8::decode(text);
+    const bool is_space = point.value == '\t' || point.value == '\n';
+    const bool is_carriage_return = text.starts_with("\r\n");
+    const bool is_inside = point.size == 1 && utf8::is_continuation(text.front());
+    const bool is_hidden = is_unsafe(point.value) || is_byte_order_mark(point.value);
+    if (is_space || !(is_hidden || point.value == 0xFFFD)) {
+      out += text.substr(0, point.size);
+    } else if (!is_carriage_return && !is_inside) {
+      out += kReplacement;
+    }
+    text.remove_prefix(point.size);
+  }
+  return out;
+}
+
 std::size_t width_of(std::string_view text) {
   std::size_t width = 0;
   while (!text.empty()) {

@@ -29,6 +29,10 @@ std::string escape(std::string_view text);
 /// Lines as escape() has them; tabs and line ends, of either kind, stay.
 std::string escape_lines(std::string_view text);
 
+/// Text of a source for a browser, in which columns are those of SourceMap::position(): a character
+/// for each that begins, U+FFFD for the same as in a terminal. Tabs and line ends stay.
+std::string visible_lines(std::string_view text);
+
 /// Columns of text that went through escape().
 std::size_t width_of(std::string_view text);
 

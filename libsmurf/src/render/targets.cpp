@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What each target does with the files, for people.
+#include "render/targets.hpp"
+
 #include <algorithm>
 
-#include "render/paint.hpp"
 #include "render/printable.hpp"
 #include "render/wrap.hpp"
 #include "smurf/render.hpp"
@@ -29,20 +30,6 @@ std::string count_of(const TargetVerdict& target) {
   return text + ")";
 }
 
-std::string verdict_of(const TargetVerdict& target, const Painter& paint) {
-  switch (target.answer()) {
-  case Answer::takes: return "loads";
-  case Answer::loses: return paint(Ink::warning, "loads, with losses" + count_of(target));
-  case Answer::refuses: return paint(Ink::error, "fails to load" + count_of(target));
-  case Answer::unknown: break;
-  }
-  std::string rules;
-  for (const Rule* rule : target.unknown_rules) {
-    rules += (rules.empty() ? ": " : ", ") + std::string(rule->id);
-  }
-  return paint(Ink::warning, "not known" + count_of(target)) + rules;
-}
-
 /// The worst of what the reader makes of the files.
 std::string reason_of(const TargetVerdict& target, const SourceMap& sources) {
   std::string place;
@@ -58,6 +45,20 @@ std::string reason_of(const TargetVerdict& target, const SourceMap& sources) {
 
 }  // namespace
 
+std::string render::verdict_of(const TargetVerdict& target, const Painter& paint) {
+  switch (target.answer()) {
+  case Answer::takes: return "loads";
+  case Answer::loses: return paint(Ink::warning, "loads, with losses" + count_of(target));
+  case Answer::refuses: return paint(Ink::error, "fails to load" + count_of(target));
+  case Answer::unknown: break;
+  }
+  std::string rules;
+  for (const Rule* rule : target.unknown_rules) {
+    rules += (rules.empty() ? ": " : ", ") + std::string(rule->id);
+  }
+  return paint(Ink::warning, "not known" + count_of(target)) + rules;
+}
+
 std::string render_targets(std::span<const TargetVerdict> targets, const SourceMap& sources,
                            const TextStyle& style) {
   const Painter paint(style.color);
@@ -69,7 +70,7 @@ std::string render_targets(std::span<const TargetVerdict> targets, const SourceM
   for (const TargetVerdict& target : targets) {
     const std::string_view name = target.reader->name;
     out += paint(Ink::strong, name) + std::string(indent - name.size(), ' ') +
-           verdict_of(target, paint) + "\n";
+           render::verdict_of(target, paint) + "\n";
     if (target.fact != nullptr) out += render::wrap(reason_of(target, sources), indent, kColumns);
   }
   return out;

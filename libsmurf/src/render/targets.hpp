@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The verdict on a target, for people.
+#pragma once
+
+#include <string>
+
+#include "render/paint.hpp"
+#include "smurf/readers.hpp"
+
+namespace smurf::render {
+
+/// "fails to load (2, 1 in the baseline)"
+std::string verdict_of(const TargetVerdict& target, const Painter& paint);
+
+}  // namespace smurf::render

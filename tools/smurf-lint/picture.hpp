@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The robot or scene that was checked, as the page of findings shows it.
+#pragma once
+
+#include <string>
+
+#include "smurf-lint/options.hpp"
+#include "smurf-lint/plan.hpp"
+#include "smurf/check.hpp"
+
+namespace smurf::tools {
+
+/// The page of `smurfs-flatten --format html`; "" when the plan has more than one robot or scene,
+/// when nobody knows where its parts are, and when this build has no viewer.
+std::string picture_of(const LintOptions& options, const LintPlan& plan, Session& session);
+
+}  // namespace smurf::tools

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One finding with everything that helps to repair it.
+import { element, prose } from "../common/dom.js";
+import { diff, excerpt } from "./excerpt.js";
+
+export const placeOf = ({ file, line, column }) => (file ? `${file}:${line}:${column}` : "");
+
+const severityOf = (severity) => element("span", { class: `severity ${severity}` }, severity);
+
+/** The lines of a place, or why there are none. */
+function linesAt(place, marks, sources) {
+  if (!place.file) return undefined;
+  const lines = sources.of(place.source);
+  if (lines.has(place.line)) return excerpt(lines, marks);
+  const why = sources.isLeftOut(place.source)
+    ? "The lines of this file are not in the page, which would be too large with them. Open the file at this place."
+    : "There are no lines to show: the file is empty or could not be read.";
+  return element("p", { class: "soft" }, why);
+}
+
+function source(place, pointer, lines) {
+  return element(
+    "figure",
+    {},
+    element(
+      "figcaption",
+      {},
+      element("span", { class: "place" }, placeOf(place)),
+      pointer ? element("span", { class: "pointer" }, pointer) : undefined,
+    ),
+    lines,
+  );
+}
+
+/** The main source, and those of labels in other files. */
+function figures(finding, sources) {
+  if (!finding.file) return [];
+  const labels = finding.labels ?? [];
+  const hasLines = sources.of(finding.source).has(finding.line);
+  const isBeside = (label) => hasLines && label.source === finding.source;
+  const marks = [
+    { ...finding, text: finding.caret ?? "", kind: finding.severity },
+    ...labels.filter(isBeside).map((label) => ({ ...label, text: label.message, kind: "other" })),
+  ];
+  const elsewhere = labels
+    .filter((label) => !isBeside(label))
+    .map((label) => [
+      element("p", { class: "remark" }, element("b", {}, "note"), " ", ...prose(label.message)),
+      label.file
+        ? source(label, "", linesAt(label, [{ ...label, text: "", kind: "other" }], sources))
+        : undefined,
+    ]);
+  return [source(finding, finding.pointer, linesAt(finding, marks, sources)), ...elsewhere.flat()];
+}
+
+function fixOf({ is_safe: isSafe, hunks }, file) {
+  const kind = isSafe ? "Safe fix" : "Unsafe fix";
+  const meaning = isSafe
+    ? "it keeps the meaning of the file in every program that loads it"
+    : "it may change the meaning of the file; read it before you apply it";
+  const parts = hunks.flatMap((hunk) => [
+    hunk.file === file ? undefined : element("p", { class: "remark" }, `${hunk.file}:`),
+    hunk.before === hunk.after
+      ? element("p", { class: "soft" }, `Line ${hunk.line}: only characters that are not visible change.`)
+      : diff(hunk),
+    hunk.is_cut
+      ? element("p", { class: "soft" }, "The fix goes on; smurf-lint --diff shows all of it.")
+      : undefined,
+  ]);
+  return element(
+    "details",
+    { class: "fix", open: true },
+    element("summary", {}, element("b", { class: isSafe ? "safe" : "unsafe" }, kind), `: ${meaning}`),
+    ...parts.filter((part) => part !== undefined),
+  );
+}
+
+function toleranceOf({ value, unit, meaning }, id) {
+  const amount = unit ? `${value} ${unit}` : `${value}`;
+  return `${amount}: ${meaning}. The configuration can set another: \`tolerances: {${id}: ${value}}\`.`;
+}
+
+function explanation(rule) {
+  const parts = [element("p", {}, ...prose(rule.summary))];
+  const add = (title, ...content) => parts.push(element("h4", {}, title), ...content);
+  if (rule.why) add("Why it matters", element("p", {}, ...prose(rule.why)));
+  if (rule.facts) {
+    const facts = rule.facts.map(({ text, evidence }) =>
+      element(
+        "li",
+        {},
+        ...prose(text),
+        evidence ? element("span", { class: "soft" }, ` (${evidence})`) : undefined,
+      ),
+    );
+    add("What programs make of it", element("ul", {}, ...facts));
+  }
+  add("What to do", element("p", {}, ...prose(rule.remedy)));
+  if (rule.tolerance) add("Tolerance", element("p", {}, ...prose(toleranceOf(rule.tolerance, rule.id))));
+  return parts;
+}
+
+/** Made when it is first opened: a page may have thousands of them. */
+function explanationOf(rule) {
+  const details = element(
+    "details",
+    { class: "why" },
+    element("summary", {}, `About ${rule.id} ${rule.name}`),
+  );
+  const fill = () => details.append(...explanation(rule));
+  details.addEventListener("toggle", fill, { once: true });
+  return details;
+}
+
+/** Buttons at the right of the title: the rule, and the picture where there is one. */
+function tools(finding, { onRule, onPicture }) {
+  const attributes = { type: "button", class: "rule", title: "Show the findings of this rule only" };
+  const rule = element(
+    "button",
+    { ...attributes, onclick: () => onRule(finding.id) },
+    `${finding.id} ${finding.name}`,
+  );
+  const picture =
+    onPicture && element("button", { type: "button", class: "pictured", onclick: onPicture }, "Show in 3D");
+  return element("div", { class: "tools" }, rule, picture);
+}
+
+export function card(finding, report, actions) {
+  const title = `title-${finding.number}`;
+  const remarks = [
+    ...(finding.notes ?? []).map((note) => ["note", note]),
+    ...(finding.help ? [["help", finding.help]] : []),
+  ].map(([kind, text]) => element("p", { class: "remark" }, element("b", {}, kind), " ", ...prose(text)));
+  return element(
+    "article",
+    {
+      class: `finding ${finding.severity}`,
+      id: `finding-${finding.number}`,
+      tabindex: "-1",
+      "aria-labelledby": title,
+    },
+    element(
+      "div",
+      { class: "head" },
+      element("h3", { id: title }, severityOf(finding.severity), " ", ...prose(finding.message)),
+      tools(finding, actions),
+    ),
+    ...figures(finding, report.sources),
+    ...remarks,
+    finding.fix?.hunks.length > 0 ? fixOf(finding.fix, finding.file) : undefined,
+    explanationOf(report.rules[finding.id]),
+  );
+}
