@@ -4,7 +4,8 @@
 // that and the largest. Ends with 1 when the world is not loaded or becomes unstable.
 #include <cmath>
 #include <cstdio>
-#include <mujoco/mujoco.h>
+
+#include "mujoco_world.hpp"
 
 namespace {
 
@@ -23,13 +24,10 @@ double travel(const mjModel* model, mjData* data, int actuator, double command) 
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  char error[1000] = "";
-  mjModel* model = mj_loadXML(argv[1], nullptr, error, sizeof error);
-  if (model == nullptr || model->nkey == 0) {
-    std::fprintf(stderr, "%s\n", error);
-    return 1;
-  }
-  mjData* data = mj_makeData(model);
+  const smurf::tests::MujocoWorld world = smurf::tests::load_mujoco(argv[1]);
+  mjModel* model = world.model.get();
+  mjData* data = world.data.get();
+  if (model == nullptr || model->nkey == 0) return 1;
   for (int i = 0; i < model->ngeom; ++i) {
     const char* name = mj_id2name(model, mjOBJ_GEOM, i);
     std::printf("geom\t%s\t%d\t%d\t%g\n", name != nullptr ? name : "", model->geom_group[i],

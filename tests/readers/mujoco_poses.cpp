@@ -3,17 +3,15 @@
 // ("name x y z qw qx qy qz") and takes 100 steps. Fails when a position is no number then.
 #include <cmath>
 #include <cstdio>
-#include <mujoco/mujoco.h>
+
+#include "mujoco_world.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  char error[1000] = "";
-  mjModel* model = mj_loadXML(argv[1], nullptr, error, sizeof error);
-  if (model == nullptr) {
-    std::fprintf(stderr, "%s\n", error);
-    return 1;
-  }
-  mjData* data = mj_makeData(model);
+  const smurf::tests::MujocoWorld world = smurf::tests::load_mujoco(argv[1]);
+  mjModel* model = world.model.get();
+  mjData* data = world.data.get();
+  if (model == nullptr) return 1;
   if (model->nkey > 0) mj_resetDataKeyframe(model, data, 0);
   mj_forward(model, data);
   for (int i = 1; i < model->nbody; ++i) {

@@ -1,35 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""gltf and usda: previews, read by the validator of glTF and by an own small reader of USD."""
+"""gltf and usda: what they show, read by the validator of glTF and by a small reader of USD."""
 import base64
 import json
 import math
 import pathlib
 import re
 import struct
+import subprocess
 
 import reader
+import usd_physics_test
+from frames import compose, rotate
+from usd_stage import Stage
 
 HERE = pathlib.Path(__file__).resolve().parent
-
-
-def multiply(a, b):
-    """Quaternions w, x, y, z."""
-    w, x, y, z = a
-    v, i, j, k = b
-    return [w * v - x * i - y * j - z * k, w * i + x * v + y * k - z * j,
-            w * j - x * k + y * v + z * i, w * k + x * j - y * i + z * v]
-
-
-def compose(a, b):
-    """Of two poses: position, then quaternion."""
-    (p, q), (r, s) = a, b
-    turned = multiply(multiply(q, [0, *r]), [q[0], -q[1], -q[2], -q[3]])[1:]
-    return [x + y for x, y in zip(p, turned)], multiply(q, s)
-
-
-def rotate(q, v):
-    w, x, y, z = q
-    return multiply(multiply(q, [0, *v]), [w, -x, -y, -z])[1:]
 
 
 def bounds(points):
@@ -219,53 +203,26 @@ class Gltf(PreviewTest):
 
 
 class Usda(PreviewTest):
-    PRIM = re.compile(r'(?:def (\w+)|(class)) "(\w+)"(?: \(references = <(.*)>\))?$')
-    NUMBERS = re.compile(r"\((.*)\)$")
-
-    def prims(self, scene):
-        """Path of the prim -> its type and attributes; fails where braces or prims do not fit."""
-        lines = self.write_scene(scene, "usda").read_text().splitlines()
-        self.assertEqual(lines[0], "#usda 1.0")
-        prims, path = {}, []
-        for line in map(str.strip, lines[lines.index(")") + 1:]):
-            if match := self.PRIM.match(line):
-                path.append(match[3])
-                self.assertNotIn("/".join(path), prims)
-                prims["/".join(path)] = {"type": match[1] or match[2], "references": match[4]}
-            elif line == "}":
-                path.pop()
-            elif line and line != "{":
-                name, value = line.split(" = ", 1)
-                prims["/".join(path)][name.split()[-1]] = value
-        self.assertEqual(path, [])
-        return prims
-
-    def pose(self, prim):
-        self.assertTrue(prim["xformOpOrder"].startswith(
-            '["xformOp:translate", "xformOp:orient"'), prim)
-        return tuple(list(map(float, self.NUMBERS.match(prim[key])[1].split(", ")))
-                     for key in ("xformOp:translate", "xformOp:orient"))
+    def stage(self, scene):
+        return Stage(self.write_scene(scene, "usda").read_text())
 
     def test_prims_stand_where_the_links_do(self):
         for scene in reader.SCENES.values():
-            prims, poses = self.prims(scene), {}
-            for path, prim in prims.items():
-                if "smurf:path" in prim:
-                    poses[json.loads(prim["smurf:path"]), ""] = self.pose(prim)
-                elif "smurf:link" in prim:
-                    entity = prims[path.rsplit("/", 1)[0]]
-                    poses[json.loads(entity["smurf:path"]), json.loads(prim["smurf:link"])] = \
-                        compose(self.pose(entity), self.pose(prim))
+            stage = self.stage(scene)
+            poses = {key: stage.pose(path) for key, path in stage.links().items()}
+            poses |= {(json.loads(prim["smurf:path"]), ""): stage.pose(path)
+                      for path, prim in stage.prims.items() if "smurf:path" in prim}
             self.assert_all(poses, scene)
 
     def test_meshes_fill_the_box_of_their_files(self):
         visuals = self.write_meshes()
-        prims = self.prims("meshes.smurfs")
+        stage = self.stage("meshes.smurfs")
+        prims = stage.prims
         numbers = re.compile(r"[-+.\de]+")
         for entity in "ab":
             for index, (_, scale) in enumerate(visuals):
                 shape = prims[f"World/{entity}/l/shape_{index + 1}"]
-                mesh = prims[shape["references"][1:]]
+                mesh = prims[shape["references"]]
                 self.assertEqual((shape["type"], mesh["type"]), ("Mesh", "Mesh"))
                 values = [float(n) for n in numbers.findall(mesh["points"])]
                 points = list(zip(values[::3], values[1::3], values[2::3]))
@@ -276,16 +233,33 @@ class Usda(PreviewTest):
                 self.assertEqual((len(indices), sorted(set(indices))), (12, [0, 1, 2, 3]))
                 size = [float(n) for n in
                         numbers.findall(shape.get("xformOp:scale", "(1, 1, 1)"))]
-                p, q = compose(compose(self.pose(prims[f"World/{entity}"]),
-                                       self.pose(prims[f"World/{entity}/l"])), self.pose(shape))
+                p, q = stage.pose(f"World/{entity}/l/shape_{index + 1}")
                 placed = [[a + b for a, b in zip(p, rotate(q, [c * s for c, s in zip(v, size)]))]
                           for v in points]
                 self.assert_bounds(bounds(placed), self.expected_bounds(entity, index, scale))
         self.assertEqual(prims["Meshes"]["type"], "class")
         self.assertNotIn("World/a/l/shape_5", prims)  # the COLLADA file
 
+    @reader.needs_npm("tinyusdz")
+    def test_another_reader_checks_the_types(self):
+        self.write_meshes()
+        for name, text in usd_physics_test.FILES.items():
+            self.write(name, text)
+        files = []
+        for scene in [*reader.SCENES.values(), "meshes.smurfs", "kinds.smurfs", "zoo.smurfs", "lit.smurfs"]:
+            files.append(self.folder / f"{len(files)}.usda")
+            self.write_scene(scene, "usda").rename(files[-1])
+        self.read_with("node", HERE / "usd_parse.mjs", reader.NODE_MODULES, *files)
+        for damage in ("float physics:lowerLimit = (1, 2)", 'quatf physics:localRot0 = "x"'):
+            name = damage.split(" = ")[0]
+            text = files[-3].read_text()
+            self.write("damaged.usda", re.sub(f"{name} = .*", damage, text, count=1))
+            done = subprocess.run(["node", HERE / "usd_parse.mjs", reader.NODE_MODULES, "damaged.usda"], cwd=self.folder,
+                                  capture_output=True, check=False)
+            self.assertEqual(done.returncode, 1)
+
     def test_world_and_shapes(self):
-        prims = self.prims(reader.SCENES["showcase"])
+        prims = self.stage(reader.SCENES["showcase"]).prims
         self.assertEqual(prims["World"]["type"], "Xform")
         kinds = {prim["type"] for prim in prims.values()}
         self.assertLessEqual({"Cube", "Sphere", "Cylinder"}, kinds)

@@ -5,16 +5,10 @@
 #include <set>
 
 #include "base/path.hpp"
-#include "smurf/check.hpp"
+#include "common/mesh_source.hpp"
 
 namespace smurf::tools {
 namespace {
-
-/// Files of an archive go by the name that the archive was given.
-std::string known_name(const std::string& absolute, const std::string& current,
-                       const FileReader& files) {
-  return files.is_file(absolute) ? absolute : path::relative(absolute, current);
-}
 
 class Redirection {
  public:
@@ -69,30 +63,6 @@ AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
     }
   }
   return redirection.take();
-}
-
-MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
-                       const FileReader& files, const Limits& limits) {
-  std::map<std::string, std::string> origins;  // of copies that are not there yet
-  for (const AssetCopy& copy : copies) {
-    origins.emplace(path::join(options.current_folder, copy.to()), copy.from);
-  }
-  const std::string output = path::join(options.current_folder, options.output_folder);
-  const auto origin = [=, current = options.current_folder, &files](const std::string& file) {
-    const std::string absolute = path::normalize(path::join(output, file));
-    const auto copy = origins.find(absolute);
-    return copy != origins.end() ? copy->second : known_name(absolute, current, files);
-  };
-  return {.triangles =
-              [=, &files, &limits](const std::string& file) {
-                return read_triangles_of(origin(file), files, limits);
-              },
-          .identity =
-              [=, &files](const std::string& file) {  // the name tells how it is read
-                const std::string from = origin(file);
-                return path::to_lower(path::extension(from)) + files.identity(from);
-              },
-          .most_bytes = limits.scene_bytes};
 }
 
 }  // namespace smurf::tools

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The files that a result names: copied by --copy-assets, shown by previews.
+// The files that a result names, copied by --copy-assets.
 #pragma once
 
 #include <string>
@@ -7,8 +7,6 @@
 #include "common/asset_copies.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/flatten.hpp"
-#include "smurf/limits.hpp"
-#include "smurf/write_scene.hpp"
 
 namespace smurf::tools {
 
@@ -16,10 +14,5 @@ namespace smurf::tools {
 /// model. Files that do not exist keep their names. Nothing is copied yet.
 AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files);
-
-/// Where previews get triangles from; what is a copy is read where it comes from. `files` and
-/// `limits` must outlive the result.
-MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
-                       const FileReader& files, const Limits& limits);
 
 }  // namespace smurf::tools

@@ -8,6 +8,7 @@
 #include "base/rules.hpp"
 #include "common/converter.hpp"
 #include "common/file_set.hpp"
+#include "common/mesh_source.hpp"
 #include "common/process.hpp"
 #include "render/printable.hpp"
 #include "smurf/dialect.hpp"

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 namespace smurf {
 namespace {
@@ -27,6 +28,19 @@ bool repair(Eigen::Vector3d& moments, double least) {
   return is_changed;
 }
 
+/// `moments` of the columns of `axes`, in a frame of their own.
+LinkInertial principal(const LinkInertial& mass, const Eigen::Vector3d& moments,
+                       Eigen::Matrix3d axes) {
+  if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
+  const Eigen::Quaterniond q(axes);
+  LinkInertial result{.mass = mass.mass, .X_LC = mass.X_LC};
+  result.X_LC.orientation = {q.w(), q.x(), q.y(), q.z()};
+  result.ixx = moments[0];
+  result.iyy = moments[1];
+  result.izz = moments[2];
+  return result;
+}
+
 }  // namespace
 
 std::array<double, 6> tensor_in_link(const LinkInertial& mass) {
@@ -40,15 +54,19 @@ BodyInertia body_inertia(const LinkInertial& mass, double least, double least_in
   const bool is_large = mass.mass >= least && moments[0] > least_in_tensor;
   if (is_large && moments[2] <= moments[0] + moments[1]) return {mass, false, false};
   const bool is_changed = repair(moments, least) || mass.mass < least;
-  Eigen::Matrix3d axes = solver.eigenvectors();
-  if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
-  const Eigen::Quaterniond q(axes);
-  LinkInertial principal{.mass = std::max(mass.mass, least), .X_LC = mass.X_LC};
-  principal.X_LC.orientation = {q.w(), q.x(), q.y(), q.z()};
-  principal.ixx = moments[0];
-  principal.iyy = moments[1];
-  principal.izz = moments[2];
-  return {principal, true, is_changed};
+  LinkInertial result = principal(mass, moments, solver.eigenvectors());
+  result.mass = std::max(mass.mass, least);
+  return {result, true, is_changed};
+}
+
+BodyInertia principal_inertia(const LinkInertial& mass, double least) {
+  const bool is_diagonal = mass.ixy == 0 && mass.ixz == 0 && mass.iyz == 0;
+  if (is_diagonal && std::min({mass.ixx, mass.iyy, mass.izz}) >= least) return {mass, true, false};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor_of(mass));
+  if (solver.eigenvalues()[0] >= least) {
+    return {principal(mass, solver.eigenvalues(), solver.eigenvectors()), true, false};
+  }
+  return body_inertia(mass, least, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace smurf

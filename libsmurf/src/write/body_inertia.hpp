@@ -19,6 +19,9 @@ struct BodyInertia {
 /// moments up to `least_in_tensor`, it is given by principal moments.
 BodyInertia body_inertia(const LinkInertial& mass, double least, double least_in_tensor);
 
+/// The same by its principal moments always, for readers that only refuse moments below `least`.
+BodyInertia principal_inertia(const LinkInertial& mass, double least);
+
 /// R I R^T: the tensor in the axes of the link; xx, yy, zz, xy, xz, yz.
 std::array<double, 6> tensor_in_link(const LinkInertial& mass);
 

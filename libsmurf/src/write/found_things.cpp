@@ -8,6 +8,7 @@
 #include "convert/passes.hpp"
 #include "write/gazebo_elements.hpp"
 #include "write/joint_drives.hpp"
+#include "write/mujoco_sensors.hpp"
 #include "write/scene_parts.hpp"
 
 namespace smurf::things {
@@ -31,11 +32,16 @@ std::string name_of(xml::View element) {
   return std::string(name != nullptr ? name->value() : element.name());
 }
 
+/// Formats that have what moves joints.
+bool has_drives(SceneColumn column) {
+  return column == SceneColumn::mjcf || column == SceneColumn::usda;
+}
+
 Found drivers(const LinkedModel& model, SceneColumn column, std::string_view element) {
   Found found;
   if (!model.robot) return found;
   std::set<xml::ElementId> written;
-  if (column == SceneColumn::mjcf) {
+  if (has_drives(column)) {
     for (const JointDrive& drive : joint_drives(model)) written.insert(drive.element);
   }
   for (const xml::ElementId id : model.robot->extensions) {
@@ -48,7 +54,7 @@ Found drivers(const LinkedModel& model, SceneColumn column, std::string_view ele
 
 /// Keys of an entry of a section other than those that the format expresses.
 Found other_keys(const LinkedModel& model, const Annotation& entry,
-                 std::initializer_list<std::string_view> said) {
+                 const std::vector<std::string_view>& said) {
   Found found;
   const yaml::Document* document = model.document(entry.span.source);
   if (document == nullptr) return found;
@@ -102,9 +108,10 @@ Found movable_joints(const LinkedModel& model, SceneColumn) {
   });
 }
 
-Found textures(const LinkedModel& model, SceneColumn) {
+Found textures(const LinkedModel& model, SceneColumn column) {
   Found found;
   for (const MeshReference& reference : model.meshes) {
+    if (column == SceneColumn::mjcf && is_texture_of_mujoco(reference)) continue;
     if (reference.is_texture) found.push_back({reference.span, reference.filename});
   }
   return found;
@@ -125,6 +132,13 @@ Found velocities(const LinkedModel& model, SceneColumn) {
   return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
     if (!joint.limit || !joint.limit->velocity) return std::nullopt;
     return joint.limit->velocity.span;
+  });
+}
+
+Found joint_frictions(const LinkedModel& model, SceneColumn) {
+  return joints_with(model, [](const urdf::Joint& joint) -> std::optional<Span> {
+    if (!joint.dynamics || joint.dynamics->friction.value_or(0) == 0) return std::nullopt;
+    return joint.dynamics->friction.span;
   });
 }
 
@@ -159,9 +173,36 @@ Found ros2_controls(const LinkedModel& model, SceneColumn column) {
   return drivers(model, column, "ros2_control");
 }
 
+namespace {
+
+/// What is in <gazebo> but for sensors of MuJoCo, and what is in those that MuJoCo has not.
+Found other_than_sensors(const LinkedModel& model) {
+  Found found;
+  std::set<xml::ElementId> written;
+  for (const MujocoSensor& sensor : mujoco_sensors(model)) written.insert(sensor.element);
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() != "gazebo") continue;
+    for (const xml::View child : gazebo) {
+      if (!written.contains(child.id())) {
+        found.push_back({child.name_span(), name_of(child)});
+        continue;
+      }
+      for (const xml::View setting : unsaid_by_mujoco(child)) {
+        found.push_back(
+            {setting.name_span(), std::string(setting.name()) + " of " + name_of(child)});
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
 Found gazebo_elements(const LinkedModel& model, SceneColumn column) {
   Found found;
   if (!model.robot) return found;
+  if (column == SceneColumn::mjcf) return other_than_sensors(model);
   const bool is_sdf = column == SceneColumn::sdf || column == SceneColumn::sdf16;
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View gazebo(model.robot->document, id);
@@ -186,7 +227,7 @@ Found other_extensions(const LinkedModel& model, SceneColumn) {
 }
 
 Found motors(const LinkedModel& model, SceneColumn column) {
-  if (column != SceneColumn::mjcf) return entries<&Annotations::motors>(model, column);
+  if (!has_drives(column)) return entries<&Annotations::motors>(model, column);
   Found found;
   for (const Motor* motor : idle_motors(model)) {
     found.push_back({motor->span, motor->name.value_or({})});
@@ -194,35 +235,53 @@ Found motors(const LinkedModel& model, SceneColumn column) {
   return found;
 }
 
-Found motor_keys(const LinkedModel& model, SceneColumn) {
+Found motor_keys(const LinkedModel& model, SceneColumn column) {
+  std::vector<std::string_view> said{"name",        "joint",     "type",        "p",
+                                     "maxSpeed",    "maxEffort", "mimic_motor", "mimic_multiplier",
+                                     "mimic_offset"};
+  if (column == SceneColumn::mjcf) {
+    said.insert(said.end(), {"minValue", "maxValue", "minPosition", "maxPosition"});
+  }
   Found found;
   for (const Motor& motor : model.annotations.motors) {
-    append(found, other_keys(model, motor,
-                             {"name", "joint", "type", "p", "maxSpeed", "maxEffort", "minValue",
-                              "maxValue", "minPosition", "maxPosition", "mimic_motor",
-                              "mimic_multiplier", "mimic_offset"}));
+    append(found, other_keys(model, motor, said));
   }
   return found;
 }
 
 Found sensors(const LinkedModel& model, SceneColumn column) {
-  if (column != SceneColumn::sdf) return entries<&Annotations::sensors>(model, column);
+  std::set<const Sensor*> written;
+  if (column == SceneColumn::mjcf) {
+    for (const MujocoSensor& sensor : mujoco_sensors(model)) written.insert(sensor.annotation);
+  } else if (column == SceneColumn::sdf) {
+    for (const Sensor& sensor : model.annotations.sensors) {
+      const bool is_known = !passes::gazebo_type(sensor).empty() && sensor.name &&
+                            !passes::gazebo_carrier(model, sensor).empty();
+      if (is_known) written.insert(&sensor);
+    }
+  }
   Found found;
   for (const Sensor& sensor : model.annotations.sensors) {
-    const bool is_known = !passes::gazebo_type(sensor).empty() && sensor.name &&
-                          !passes::gazebo_carrier(model, sensor).empty();
-    if (!is_known) found.push_back({sensor.span, sensor.name.value_or({})});
+    if (!written.contains(&sensor)) found.push_back({sensor.span, sensor.name.value_or({})});
   }
   return found;
 }
 
-Found sensor_keys(const LinkedModel& model, SceneColumn) {
+Found sensor_keys(const LinkedModel& model, SceneColumn column) {
   Found found;
-  for (const Sensor& sensor : model.annotations.sensors) {
-    if (passes::gazebo_type(sensor).empty()) continue;
+  const auto add = [&](const Sensor& sensor, auto is_said) {
     for (FoundThing& key : other_keys(model, sensor, {})) {
-      if (!passes::gazebo_says(sensor, key.name)) found.push_back(std::move(key));
+      if (!is_said(sensor, key.name)) found.push_back(std::move(key));
     }
+  };
+  if (column == SceneColumn::mjcf) {
+    for (const MujocoSensor& sensor : mujoco_sensors(model)) {
+      if (sensor.annotation != nullptr) add(*sensor.annotation, is_said_by_mujoco);
+    }
+    return found;
+  }
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (!passes::gazebo_type(sensor).empty()) add(sensor, passes::gazebo_says);
   }
   return found;
 }
@@ -235,6 +294,8 @@ Found collision_settings(const LinkedModel& model, SceneColumn column) {
              other_keys(model, entry, {"name", "link", "bitmask", "cfriction1", "cfriction2"}));
     } else if (column == SceneColumn::mjcf) {
       append(found, other_keys(model, entry, {"name", "link", "bitmask", "cfriction1"}));
+    } else if (column == SceneColumn::usda) {
+      append(found, other_keys(model, entry, {"name", "link", "cfriction1"}));
     } else {
       found.push_back({entry.span, entry.name.value_or({})});
     }
@@ -270,6 +331,19 @@ Found ambient_lights(const SceneExport& scene, SceneColumn) {
   return found;
 }
 
+Found light_details(const SceneExport& scene, SceneColumn) {
+  Found found;
+  for (const Light* light : world_lights(scene)) {
+    const std::string name = light->name.value_or({});
+    for (const auto* number : {&light->constant_attenuation, &light->linear_attenuation,
+                               &light->quadratic_attenuation}) {
+      if (number->written) found.push_back({number->span, name});
+    }
+    if (light->specular) found.push_back({light->specular.span, name});
+  }
+  return found;
+}
+
 Found start_positions(const SceneExport& scene, SceneColumn) {
   Found found;
   const auto is_bent = [](const auto& joint) { return joint.second != 0; };
@@ -284,14 +358,15 @@ Found start_positions(const SceneExport& scene, SceneColumn) {
 }
 
 Found entity_keys(const SceneExport& scene, SceneColumn column) {
-  const bool keeps_contacts = column == SceneColumn::sdf || column == SceneColumn::mjcf;
+  const bool has_masks = column == SceneColumn::sdf || column == SceneColumn::mjcf;
   const auto is_said = [&](std::string_view key) {
     constexpr std::string_view kSaid[] = {"geometry", "extend",   "mass",    "movable",
                                           "material", "length",   "width",   "height",
                                           "t_width",  "t_height", "t_scale", "t_srcname"};
     if (ranges::contains(kSaid, key)) return true;
-    return keeps_contacts && (key == "coll_bitmask" || key == "bitmask" || key == "cfriction1" ||
-                              (key == "cfriction2" && column == SceneColumn::sdf));
+    if (key == "cfriction1") return has_masks || column == SceneColumn::usda;
+    if (key == "cfriction2") return column == SceneColumn::sdf;
+    return has_masks && (key == "coll_bitmask" || key == "bitmask");
   };
   Found found;
   for (std::size_t i = 0; i < scene.flat.instances.size(); ++i) {

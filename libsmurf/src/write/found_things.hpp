@@ -13,17 +13,19 @@ using Found = std::vector<FoundThing>;
 Found masses(const LinkedModel& model, SceneColumn);
 Found collision_shapes(const LinkedModel& model, SceneColumn);
 Found movable_joints(const LinkedModel& model, SceneColumn);
-Found textures(const LinkedModel& model, SceneColumn);
+/// In MJCF those that MuJoCo does not read.
+Found textures(const LinkedModel& model, SceneColumn column);
 /// In MJCF those of joints that nothing drives.
 Found efforts(const LinkedModel& model, SceneColumn column);
 Found velocities(const LinkedModel& model, SceneColumn);
+Found joint_frictions(const LinkedModel& model, SceneColumn);
 Found safety_controllers(const LinkedModel& model, SceneColumn);
 Found calibrations(const LinkedModel& model, SceneColumn);
 Found newer_limits(const LinkedModel& model, SceneColumn);
-/// In MJCF those that drive no joint there.
+/// In MJCF and USD those that drive no joint there.
 Found transmissions(const LinkedModel& model, SceneColumn column);
 Found ros2_controls(const LinkedModel& model, SceneColumn column);
-/// In SDF those that Gazebo does not convert.
+/// In SDF those that Gazebo does not convert, in MJCF all but sensors.
 Found gazebo_elements(const LinkedModel& model, SceneColumn column);
 Found other_extensions(const LinkedModel& model, SceneColumn);
 
@@ -37,15 +39,15 @@ Found entries(const LinkedModel& model, SceneColumn) {
   }
   return found;
 }
-/// In MJCF those that move no joint.
+/// In MJCF and USD those that move no joint.
 Found motors(const LinkedModel& model, SceneColumn column);
-/// Keys that an actuator of MuJoCo does not have.
-Found motor_keys(const LinkedModel& model, SceneColumn);
-/// In SDF those without a counterpart in Gazebo.
+/// Keys that an actuator of MuJoCo, or a drive of USD, does not have.
+Found motor_keys(const LinkedModel& model, SceneColumn column);
+/// In SDF and MJCF those without a counterpart there.
 Found sensors(const LinkedModel& model, SceneColumn column);
-/// Keys that a sensor of Gazebo does not have.
-Found sensor_keys(const LinkedModel& model, SceneColumn);
-/// In SDF and MJCF keys, elsewhere entries.
+/// Keys that a sensor of Gazebo, or of MuJoCo, does not have.
+Found sensor_keys(const LinkedModel& model, SceneColumn column);
+/// In SDF, MJCF and USD keys, elsewhere entries.
 Found collision_settings(const LinkedModel& model, SceneColumn column);
 Found other_sections(const LinkedModel& model, SceneColumn);
 
@@ -53,6 +55,7 @@ Found other_sections(const LinkedModel& model, SceneColumn);
 Found no_gravity(const SceneExport& scene, SceneColumn);
 Found no_step(const SceneExport& scene, SceneColumn);
 Found ambient_lights(const SceneExport& scene, SceneColumn);
+Found light_details(const SceneExport& scene, SceneColumn);
 /// Of joints that do not start at zero.
 Found start_positions(const SceneExport& scene, SceneColumn);
 /// Keys of entities with a shape of their own that the format ignores.

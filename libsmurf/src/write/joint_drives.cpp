@@ -125,6 +125,11 @@ std::vector<JointDrive> joint_drives(const LinkedModel& model) {
   return model.robot ? DriveReader(model).read() : std::vector<JointDrive>();
 }
 
+double speed_gain(const JointDrive& drive) {
+  constexpr double kWithoutLimits = 100;
+  return drive.effort && drive.speed ? 10 * *drive.effort / *drive.speed : kWithoutLimits;
+}
+
 std::vector<DrivenFollower> driven_followers(const LinkedModel& model) {
   std::vector<DrivenFollower> followers;
   if (!model.robot) return followers;

@@ -27,6 +27,10 @@ struct JointDrive {
 /// One a joint, of joints with one axis that do not follow another, in the model's order.
 std::vector<JointDrive> joint_drives(const LinkedModel& model);
 
+/// How strongly a motor resists a wrong speed, N m s/rad or N s/m. MARS's motors reach their speed
+/// within a step; these give all they have when they are a tenth of the largest speed off.
+double speed_gain(const JointDrive& drive);
+
 /// A motor that makes its joint follow that of another.
 struct DrivenFollower {
   const urdf::Joint* joint = nullptr;

@@ -6,13 +6,6 @@
 namespace smurf {
 namespace {
 
-/// How strongly a motor resists a wrong speed, N m s/rad or N s/m. MARS's motors reach their speed
-/// within a step; these give all they have when they are a tenth of the largest speed off.
-double speed_gain(const JointDrive& drive) {
-  constexpr double kWithoutLimits = 100;
-  return drive.effort && drive.speed ? 10 * *drive.effort / *drive.speed : kWithoutLimits;
-}
-
 std::string around_zero(double most) { return join_numbers({-most, most}); }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/path.hpp"
+
 namespace smurf {
 namespace {
 
@@ -71,6 +73,11 @@ std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedMo
   if (material == nullptr || !material->texture) return std::nullopt;
   const auto known = flat.resources.find(*material->texture);
   return known != flat.resources.end() ? known->second : *material->texture;
+}
+
+bool is_texture_of_mujoco(const MeshReference& reference) {
+  return reference.is_texture && reference.exists &&
+         path::to_lower(path::extension(reference.filename)) == ".png";
 }
 
 Rgba linear_color(const Rgba& color) {

@@ -21,6 +21,9 @@ std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& mode
 std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
                                       const FlatModel& flat);
 
+/// MuJoCo reads PNG files.
+bool is_texture_of_mujoco(const MeshReference& reference);
+
 /// A colour in glTF and USD: amounts of light, where URDF and SMURF have values for a screen
 /// (sRGB). Within 0..1; the alpha stays.
 Rgba linear_color(const Rgba& color);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh files of a preview: each is read once, and all together have a limit.
+// The mesh files of a preview. Each is read once; a limit applies to all of them together.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace smurf {
 
 class PreviewMeshes {
  public:
-  /// What a format needs at least for one point and for one index of a triangle.
+  /// The least bytes that a format needs for a point and for an index of a triangle.
   struct Cost {
     std::uint64_t point_bytes, index_bytes;
   };

@@ -102,11 +102,14 @@ void SceneLosses::of_model(const LinkedModel& model) {
   const auto add = [](std::string& text, const std::string& more) {
     text += (text.empty() ? "" : ", ") + more;
   };
+  // Whoever reads the URDF finds no annotations, as with the directives of Drake.
+  const bool is_named = is_referred_to(model);
+  const SceneColumn column = is_named ? SceneColumn::dmd : column_;
   for (const SceneThing& thing : scene_things()) {
-    const Fate fate = fate_of(thing.cells[to_size(column_)]);
+    const Fate fate = fate_of(thing.cells[to_size(column)]);
     if (fate == Fate::kept || thing.in_model == nullptr) continue;
-    if (thing.of == ThingOf::urdf && is_referred_to(model)) continue;
-    const std::vector<FoundThing> found = thing.in_model(model, column_);
+    if (thing.of == ThingOf::urdf && is_named) continue;
+    const std::vector<FoundThing> found = thing.in_model(model, column);
     if (found.empty()) continue;
     if (thing.of == ThingOf::annotation) {
       add(annotations, counted(found.size(), thing.title));

@@ -7,15 +7,15 @@
 
 #include "base/numbers.hpp"
 #include "base/unique_names.hpp"
-#include "write/mjcf_actuators.hpp"
 #include "write/mjcf_attach.hpp"
+#include "write/mjcf_sensors.hpp"
 
 namespace smurf {
 namespace {
 
-class MjcfWriter : MjcfActuators {
+class MjcfWriter : MjcfSensors {
  public:
-  using MjcfActuators::MjcfActuators;
+  using MjcfSensors::MjcfSensors;
 
   std::string run() {
     find_children();
@@ -30,6 +30,7 @@ class MjcfWriter : MjcfActuators {
     xml_.close();
     add_equalities();
     add_actuators();
+    add_sensors();
     add_keyframe();
     return finish();
   }
@@ -63,11 +64,17 @@ class MjcfWriter : MjcfActuators {
       const LinkedModel& model = scene_.scene.models[m];
       if (!model.robot) continue;
       existing_.clear();
+      std::set<std::string> textures;
       for (const MeshReference& reference : model.meshes) {
         if (reference.exists) existing_.insert(reference.filename);
+        if (is_texture_of_mujoco(reference)) textures.insert(file_of(reference, m));
       }
       for (const urdf::Link& link : model.robot->links) {
-        for (const urdf::Visual& visual : link.visuals) add_mesh(m, visual.geometry, visual.span);
+        for (const urdf::Visual& visual : link.visuals) {
+          add_mesh(m, visual.geometry, visual.span);
+          const auto texture = texture_of(visual, model, scene_.flat.models[m]);
+          if (texture && textures.contains(*texture)) declare_texture(*texture);
+        }
         for (const urdf::Collision& shape : link.collisions)
           add_mesh(m, shape.geometry, shape.span);
       }
@@ -75,6 +82,20 @@ class MjcfWriter : MjcfActuators {
     add_meshes_of_entities();
     add_heightmaps();
     xml_.close();
+  }
+
+  /// As texture_of() names it.
+  std::string file_of(const MeshReference& reference, std::size_t model) const {
+    const auto& resources = scene_.flat.models[model].resources;
+    const auto known = resources.find(reference.filename);
+    return known != resources.end() ? known->second : std::string(reference.filename);
+  }
+
+  void declare_texture(const std::string& file) {
+    const std::string name = "texture_" + std::to_string(textures_.size());
+    if (!textures_.emplace(file, name).second) return;
+    xml_.empty("texture", {{"name", name}, {"type", "2d"}, {"file", file}});
+    xml_.empty("material", {{"name", name}, {"texture", name}});
   }
 
   void add_mesh(std::size_t model, const urdf::Geometry& geometry, Span span) {
@@ -169,6 +190,7 @@ class MjcfWriter : MjcfActuators {
     }
     if (mass) add_inertial(*mass, moves, written.span, link_name(model, link));
     add_geoms(i, model, written);
+    add_mounts(i, link);
   }
 
   /// False when the joint does not move.
@@ -219,7 +241,15 @@ class MjcfWriter : MjcfActuators {
       if (!geom) continue;
       is_shown = true;
       add_name(*geom, i, visual.name);
-      add_geom(std::move(*geom), urdf::to_pose(visual.origin), color_of(visual, model), {});
+      std::optional<Rgba> color = color_of(visual, model);
+      const auto texture = texture_of(visual, model, flat_model);
+      if (const auto known = texture ? textures_.find(*texture) : textures_.end();
+          known != textures_.end()) {
+        geom->emplace_back("material", known->second);
+        // Colours are multiplied with those of the picture.
+        if (!color) color = Rgba{1, 1, 1, 1};
+      }
+      add_geom(std::move(*geom), urdf::to_pose(visual.origin), color, {});
     }
     for (const urdf::Collision& collision : link.collisions) {
       const auto geometry = to_flat(collision.geometry, flat_model);
@@ -270,6 +300,7 @@ class MjcfWriter : MjcfActuators {
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
   std::map<const LinkedModel*, CollisionContacts> contacts_;
   UniqueNames geom_names_;
+  std::map<std::string, std::string> textures_;    ///< file -> name of its material
   std::unordered_set<std::string_view> existing_;  ///< names of the model's meshes that are there
   std::set<const urdf::Joint*> reported_;
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;

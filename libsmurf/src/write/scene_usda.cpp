@@ -1,74 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenUSD as text, a preview: an Xform an entity, in it an Xform a link, in it its shapes.
+// OpenUSD as text: an Xform an entity, in it an Xform a link, in it its shapes; and UsdPhysics.
 #include <algorithm>
-#include <cmath>
 #include <map>
 
-#include "base/exact_math.hpp"
-#include "base/floating.hpp"
-#include "base/misread.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/unique_names.hpp"
-#include "base/utf8.hpp"
+#include "write/contacts.hpp"
 #include "write/placed_shapes.hpp"
 #include "write/preview_meshes.hpp"
-#include "write/scene_losses.hpp"
-#include "write/scene_parts.hpp"
+#include "write/usd_lights.hpp"
+#include "write/usd_physics.hpp"
 
 namespace smurf {
 namespace {
 
-std::string tuple(std::initializer_list<double> values) {
-  std::string text = "(";
-  for (const double value : values) text += (text.size() > 1 ? ", " : "") + format_number(value);
-  return text + ")";
-}
-
-/// The shortest text that reads back as the same number of single precision.
-std::string tuple(const std::array<float, 3>& point) {
-  std::string text = "(";
-  for (const float coordinate : point) {
-    text += (text.size() > 1 ? ", " : "") + shortest(coordinate);
-  }
-  return text + ")";
-}
-
-std::string tuple(const Vector3& vector) { return tuple({vector[0], vector[1], vector[2]}); }
-
-/// A byte as three octal digits: after an `x` USD would take any number of them.
-void append_octal(std::string& out, char byte) {
-  const auto value = static_cast<unsigned char>(byte);
-  out += '\\';
-  for (const unsigned shift : {6U, 3U, 0U}) out += static_cast<char>('0' + (value >> shift & 7U));
-}
-
-/// USD knows the escapes of C strings. Characters that are misread are written byte by byte.
-std::string quoted(std::string_view text) {
-  const std::string clean = utf8::replace_controls(text);
-  std::string out = "\"";
-  for (std::size_t at = 0; at < clean.size();) {
-    const utf8::CodePoint point = utf8::decode(std::string_view(clean).substr(at));
-    const std::string_view character = std::string_view(clean).substr(at, point.size);
-    switch (point.value) {
-    case '\n': out += "\\n"; break;
-    case '\t': out += "\\t"; break;
-    case '"':
-    case '\\': out += '\\'; [[fallthrough]];
-    default:
-      if (is_misread(clean, at, point.value)) {
-        for (const char byte : character) append_octal(out, byte);
-      } else {
-        out += character;
-      }
-    }
-    at += point.size;
-  }
-  return out + "\"";
-}
-
 /// "(0, 0, 0), ", and "0, " with a third of the "3, " that counts the corners.
 constexpr PreviewMeshes::Cost kCost{11, 4};
+
+std::vector<std::string> schemas_of_body() { return {"PhysicsRigidBodyAPI", "PhysicsMassAPI"}; }
 
 class UsdaWriter {
  public:
@@ -76,90 +26,46 @@ class UsdaWriter {
       : scene_(scene),
         losses_(scene, SceneColumn::usda, "USD"),
         names_(safe_names(scene.flat)),
+        text_(scene.most_bytes),
+        physics_(scene, names_, losses_, text_),
         files_(scene, kCost) {}
 
   std::string run() {
-    line("#usda 1.0");
-    line("(");
-    line("    defaultPrim = \"World\"");
-    line("    metersPerUnit = 1");
-    line("    upAxis = \"Z\"");
-    line(")");
-    line("");
-    add_physics();
-    open("Xform", "World");
+    text_.line("#usda 1.0");
+    text_.line("(");
+    text_.line("    defaultPrim = \"World\"");
+    text_.line("    kilogramsPerUnit = 1");
+    text_.line("    metersPerUnit = 1");
+    text_.line("    upAxis = \"Z\"");
+    text_.line(")");
+    text_.line("");
+    physics_.add_scene();
+    text_.open("Xform", "World");
     for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) {
-      if (scene_.flat.instances[i].X_WE) add_instance(i);
+      if (!scene_.flat.instances[i].X_WE) continue;
+      if (robot_of(scene_.scene, i) != nullptr) {
+        add_robot(i);
+      } else {
+        add_other(i);
+      }
     }
-    close();
+    UniqueNames taken;
+    for (const std::string& name : names_) taken.take(name);
+    add_usd_lights(scene_, taken.add("lights"), text_);
+    text_.close();
     add_meshes();
     losses_.table();
-    return std::move(out_);
+    return text_.take();
   }
 
  private:
-  void line(std::string_view text) {
-    if (!text.empty()) out_.append(4 * depth_, ' ');
-    out_ += text;
-    out_ += '\n';
-  }
-
-  void open(std::string_view type, std::string_view name, std::string_view metadata = {}) {
-    line("def " + std::string(type) + " \"" + std::string(name) + "\"" +
-         (metadata.empty() ? "" : " (" + std::string(metadata) + ")"));
-    line("{");
-    ++depth_;
-  }
-
-  void close() {
-    --depth_;
-    line("}");
-  }
-
-  void add_pose(const Pose& pose, const Vector3& scale = {1, 1, 1}) {
-    const Quaternion& q = pose.orientation;
-    line("double3 xformOp:translate = " + tuple(pose.position));
-    line("quatd xformOp:orient = " + tuple({q.w, q.x, q.y, q.z}));
-    const bool is_scaled = scale != Vector3{1, 1, 1};
-    if (is_scaled) line("double3 xformOp:scale = " + tuple(scale));
-    line("uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"" +
-         std::string(is_scaled ? ", \"xformOp:scale\"]" : "]"));
-  }
-
-  void add_physics() {
-    if (!scene_.flat.physics.gravity) return;
-    const Vector3& g = *scene_.flat.physics.gravity;
-    const double magnitude = hypotenuse(g[0], g[1], g[2]);
-    open("PhysicsScene", "Physics");
-    if (magnitude > 0) {
-      line("vector3f physics:gravityDirection = " +
-           tuple({g[0] / magnitude, g[1] / magnitude, g[2] / magnitude}));
-    }
-    line("float physics:gravityMagnitude = " + format_number(magnitude));
-    close();
-  }
-
-  void add_instance(std::size_t index) {
+  void open_entity(std::size_t index, const std::vector<std::string>& schemas) {
     const FlatInstance& instance = scene_.flat.instances[index];
-    open("Xform", names_[index]);
-    add_pose(*instance.X_WE);
-    line("custom string smurf:path = " + quoted(instance.path));
-    line("custom string smurf:type = " + quoted(instance.type));
-    line("custom string smurf:anchor = " + quoted(anchor(instance)));
-    UniqueNames taken;
-    for (const ShownLink& link : shown_links(scene_, index, frames_)) {
-      if (instance.model) {
-        open("Xform", unique(link.name, taken));
-        add_pose(link.X_EL);
-        line("custom string smurf:link = " + quoted(link.name));
-      }
-      std::size_t number = 0;
-      for (const LinkShape& shape : link.shapes) {
-        add_shape(shape, "shape_" + std::to_string(++number));
-      }
-      if (instance.model) close();
-    }
-    close();
+    text_.open("Xform", names_[index], schemas);
+    text_.pose(*instance.X_WE);
+    text_.line("custom string smurf:path = " + UsdaText::quoted(instance.path));
+    text_.line("custom string smurf:type = " + UsdaText::quoted(instance.type));
+    text_.line("custom string smurf:anchor = " + UsdaText::quoted(anchor(instance)));
   }
 
   static std::string anchor(const FlatInstance& instance) {
@@ -171,49 +77,175 @@ class UsdaWriter {
     return instance.anchor.instance + "::" + instance.anchor.link;
   }
 
-  /// A prim's name, not yet used by its siblings.
-  static std::string unique(std::string_view link, UniqueNames& taken) {
-    return taken.add(safe_name(link));
+  void add_robot(std::size_t index) {
+    const UsdLayout& layout = physics_.layout_of(index);
+    open_entity(index, physics_.schemas_of_robot(index));
+    materials_ = "/World/" + names_[index] + "/" + layout.materials;
+    const auto& X_EL = frames_.of(scene_.scene, scene_.scene.instances[index]);
+    for (std::size_t link = 0; link < layout.links.size() && !text_.is_full(); ++link) {
+      if (!layout.is_body(link)) continue;
+      open_link(index, link, *X_EL[link], schemas_of_body());
+      physics_.add_mass(index, link);
+      add_shapes(index, link);
+      for (const std::size_t frame : layout.frames[link]) {
+        open_link(index, frame, layout.links[frame]->X_BL, {});
+        add_shapes(index, frame);
+        text_.close();
+      }
+      text_.close();
+    }
+    physics_.add_joints(index, frames_);
+    add_materials(layout.materials);
+    text_.close();
   }
 
-  void add_shape(const LinkShape& shape, const std::string& name) {
+  void open_link(std::size_t index, std::size_t link, const Pose& pose,
+                 const std::vector<std::string>& schemas) {
+    text_.open("Xform", path::file_name(physics_.layout_of(index).links[link]->path), schemas);
+    text_.pose(pose);
+    const urdf::Link& written = robot_of(scene_.scene, index)->robot->links[link];
+    text_.line("custom string smurf:link = " + UsdaText::quoted(written.name.value_or({})));
+  }
+
+  /// The collisions are shown when there are no visuals.
+  void add_shapes(std::size_t index, std::size_t link) {
+    const LinkedModel& model = *robot_of(scene_.scene, index);
+    const urdf::Link& written = model.robot->links[link];
+    const FlatModel& flat = scene_.flat.models[*scene_.flat.instances[index].model];
+    std::size_t number = 0;
+    const auto add = [&](const auto& part, Solid solid, const std::optional<Rgba>& color) {
+      auto geometry = to_flat(part.geometry, flat);
+      if (!geometry) return;
+      solid.prim += std::to_string(++number);
+      solid.name = part.name.value_or({});
+      add_shape({urdf::to_pose(part.origin), std::move(*geometry), color, part.span}, solid);
+    };
+    for (const urdf::Visual& visual : written.visuals) add(visual, {}, color_of(visual, model));
+    const bool is_shown = written.visuals.empty();
+    number = 0;
+    for (const urdf::Collision& collision : written.collisions) {
+      Solid solid{.prim = is_shown ? "shape_" : "collision_", .collides = true};
+      solid.is_shown = is_shown;
+      solid.friction = contacts_of(model).of(collision, written).friction1;
+      add(collision, std::move(solid), std::nullopt);
+    }
+  }
+
+  const CollisionContacts& contacts_of(const LinkedModel& model) {
+    return contacts_.try_emplace(&model, model).first->second;
+  }
+
+  /// What is no model: a body, or what does not move.
+  void add_other(std::size_t index) {
+    const FlatInstance& instance = scene_.flat.instances[index];
+    const bool moves = physics_.is_body(index);
+    open_entity(index, moves ? schemas_of_body() : std::vector<std::string>());
+    materials_ = "/World/" + names_[index] + "/materials";
+    if (moves) physics_.add_mass(index);
+    const Span place = place_of(scene_.scene.entity(scene_.scene.instances[index]));
+    std::size_t number = 0;
+    for (const FlatShape& shape : instance.shapes) {
+      Solid solid{.prim = "shape_" + std::to_string(++number), .collides = true};
+      solid.moves = moves;
+      solid.name = shape.name;
+      solid.friction = smurf::contacts_of(instance.properties).friction1;
+      add_shape({shape.X_ES, shape.geometry, shape.color, place}, solid);
+    }
+    physics_.add_joints(index, frames_);
+    add_materials("materials");
+    text_.close();
+  }
+
+  /// Those that shapes of the entity are bound to.
+  void add_materials(const std::string& scope) {
+    if (frictions_.empty()) return;
+    text_.open("Scope", scope);
+    for (const auto& [friction, name] : frictions_) {
+      text_.open("Material", name, {"PhysicsMaterialAPI"});
+      text_.line("float physics:staticFriction = " + format_number(friction));
+      text_.line("float physics:dynamicFriction = " + format_number(friction));
+      text_.close();
+    }
+    text_.close();
+    frictions_.clear();
+  }
+
+  /// How a shape is written.
+  struct Solid {
+    std::string prim = "shape_";
+    std::string name = {};  ///< as the model has it
+    bool collides = false;
+    bool is_shown = true;
+    bool moves = true;
+    std::optional<double> friction = {};
+  };
+
+  void add_shape(const LinkShape& shape, const Solid& solid) {
+    if (text_.is_full()) return;
     Vector3 scale{1, 1, 1};
+    std::vector<std::string> schemas;
+    if (solid.collides) schemas.emplace_back("PhysicsCollisionAPI");
+    if (solid.friction) schemas.emplace_back("MaterialBindingAPI");
     if (const auto* box = std::get_if<FlatBox>(&shape.geometry)) {
-      open("Cube", name);
-      line("double size = 1");
+      text_.open("Cube", solid.prim, schemas);
+      text_.line("double size = 1");
       scale = box->size;
     } else if (const auto* sphere = std::get_if<FlatSphere>(&shape.geometry)) {
-      open("Sphere", name);
-      line("double radius = " + format_number(sphere->radius));
+      text_.open("Sphere", solid.prim, schemas);
+      text_.line("double radius = " + format_number(sphere->radius));
     } else if (const auto* cylinder = std::get_if<FlatCylinder>(&shape.geometry)) {
-      open_round("Cylinder", name, cylinder->radius, cylinder->length);
+      open_round("Cylinder", solid.prim, schemas, cylinder->radius, cylinder->length);
     } else if (const auto* capsule = std::get_if<FlatCapsule>(&shape.geometry)) {
-      open_round("Capsule", name, capsule->radius, capsule->length);
+      open_round("Capsule", solid.prim, schemas, capsule->radius, capsule->length);
     } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
-      open("Plane", name);
-      line("uniform token axis = \"Z\"");
-      line("double length = " + format_number(plane->width));  // USD's length is along y
-      line("double width = " + format_number(plane->length));
+      text_.open("Plane", solid.prim, schemas);
+      text_.line("uniform token axis = \"Z\"");
+      text_.line("double length = " + format_number(plane->width));  // USD's length is along y
+      text_.line("double width = " + format_number(plane->length));
     } else if (const Mesh* mesh = mesh_of(shape)) {
-      open("Mesh", name, "references = </Meshes/" + mesh->name + ">");
+      if (solid.collides) schemas.emplace_back("PhysicsMeshCollisionAPI");
+      text_.open("Mesh", solid.prim, schemas, "/Meshes/" + mesh->name);
+      if (solid.collides) add_approximation(solid);
       scale = std::get<FlatMesh>(shape.geometry).scale;
     } else {
       return;
     }
-    add_pose(shape.X_LS, scale);
-    if (shape.color) {
-      const Rgba c = linear_color(*shape.color);
-      line("color3f[] primvars:displayColor = [" + tuple({c[0], c[1], c[2]}) + "]");
-      if (c[3] < 1) line("float[] primvars:displayOpacity = [" + format_number(c[3]) + "]");
+    text_.pose(shape.X_LS, scale);
+    if (!solid.name.empty()) {
+      text_.line("custom string smurf:name = " + UsdaText::quoted(solid.name));
     }
-    close();
+    if (!solid.is_shown) text_.line("uniform token purpose = \"guide\"");
+    if (solid.friction) bind_friction(*solid.friction);
+    if (shape.color) add_color(*shape.color);
+    text_.close();
   }
 
-  void open_round(std::string_view type, const std::string& name, double radius, double height) {
-    open(type, name);
-    line("uniform token axis = \"Z\"");
-    line("double radius = " + format_number(radius));
-    line("double height = " + format_number(height));
+  /// PhysX has no moving bodies of triangles.
+  void add_approximation(const Solid& solid) {
+    text_.line("uniform token physics:approximation = \"" +
+               std::string(solid.moves ? "convexHull" : "none") + "\"");
+  }
+
+  void bind_friction(double friction) {
+    std::string& name = frictions_[friction];
+    if (name.empty()) name = "friction_" + std::to_string(frictions_.size());
+    text_.line("rel material:binding:physics = <" + materials_ + "/" + name + ">");
+  }
+
+  void add_color(const Rgba& color) {
+    const Rgba c = linear_color(color);
+    text_.line("color3f[] primvars:displayColor = [" + UsdaText::tuple({c[0], c[1], c[2]}) + "]");
+    if (c[3] < 1) {
+      text_.line("float[] primvars:displayOpacity = [" + format_number(c[3]) + "]");
+    }
+  }
+
+  void open_round(std::string_view type, const std::string& name,
+                  const std::vector<std::string>& schemas, double radius, double height) {
+    text_.open(type, name, schemas);
+    text_.line("uniform token axis = \"Z\"");
+    text_.line("double radius = " + format_number(radius));
+    text_.line("double height = " + format_number(height));
   }
 
   /// A file that shapes refer to.
@@ -249,7 +281,7 @@ class UsdaWriter {
     std::array<float, 3> low = triangles.points.front();
     std::array<float, 3> high = low;
     for (const std::array<float, 3>& point : triangles.points) {
-      append(points, tuple(point));
+      append(points, UsdaText::tuple(point));
       for (std::size_t i = 0; i < 3; ++i) {
         low[i] = std::min(low[i], point[i]);
         high[i] = std::max(high[i], point[i]);
@@ -261,8 +293,9 @@ class UsdaWriter {
       if (i % 3 == 0) append(counts, "3");
       append(indices, std::to_string(triangles.indices[i]));
     }
-    const std::string extent = "float3[] extent = [" + tuple(low) + ", " + tuple(high) + "]";
-    return {unique(path::stem(file), mesh_names_),
+    const std::string extent =
+        "float3[] extent = [" + UsdaText::tuple(low) + ", " + UsdaText::tuple(high) + "]";
+    return {mesh_names_.add(safe_name(path::stem(file))),
             extent + "\n" + points + "]\n" + counts + "]\n" + indices + "]\n",
             {}};
   }
@@ -270,29 +303,30 @@ class UsdaWriter {
   /// What shapes refer to stands beside the world, so that it is not seen by itself.
   void add_meshes() {
     if (mesh_names_.empty()) return;
-    line("class \"Meshes\"");
-    line("{");
-    ++depth_;
+    text_.open_class("Meshes");
     for (const Mesh& mesh : meshes_) {
       if (!mesh.why_none.empty()) continue;
-      open("Mesh", mesh.name);
-      line("uniform token subdivisionScheme = \"none\"");
+      text_.open("Mesh", mesh.name);
+      text_.line("uniform token subdivisionScheme = \"none\"");
       for (std::size_t begin = 0; begin < mesh.text.size();) {
         const std::size_t end = mesh.text.find('\n', begin);
-        line(std::string_view(mesh.text).substr(begin, end - begin));
+        text_.line(std::string_view(mesh.text).substr(begin, end - begin));
         begin = end + 1;
       }
-      close();
+      text_.close();
     }
-    close();
+    text_.close();
   }
 
   const SceneExport& scene_;
   SceneLosses losses_;
   std::vector<std::string> names_;
   LinkFrames frames_;
-  std::string out_;
-  std::size_t depth_ = 0;
+  UsdaText text_;
+  UsdPhysics physics_;
+  std::map<const LinkedModel*, CollisionContacts> contacts_;
+  std::string materials_;                    ///< path of the scope of the entity
+  std::map<double, std::string> frictions_;  ///< in it: names, by value
   PreviewMeshes files_;
   std::vector<Mesh> meshes_;
   std::map<std::string, std::size_t> mesh_of_file_;
@@ -303,7 +337,7 @@ class UsdaWriter {
 
 extern constinit const SceneFormat scene_usda{
     .name = "usda",
-    .help = "an OpenUSD preview with the shapes of the models",
+    .help = "an OpenUSD stage with UsdPhysics, for Isaac Sim",
     .write = [](const SceneExport& scene) { return UsdaWriter(scene).run(); },
     .repeats_models = true};
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sensors of a MuJoCo world: cameras and sites in bodies, and what is measured.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "base/unique_names.hpp"
+#include "write/mjcf_actuators.hpp"
+#include "write/mujoco_sensors.hpp"
+
+namespace smurf {
+
+class MjcfSensors : protected MjcfActuators {
+ public:
+  using MjcfActuators::MjcfActuators;
+
+ protected:
+  /// Inside the body of a link.
+  void add_mounts(std::size_t instance, std::size_t link);
+  /// <sensor>
+  void add_sensors();
+
+ private:
+  struct OfModel {
+    std::vector<MujocoSensor> sensors;
+    std::multimap<std::size_t, std::size_t> by_link;
+  };
+
+  const OfModel& sensors_of(const LinkedModel& model);
+  void add_reading(std::size_t instance, const MujocoSensor& sensor, const MujocoReading& reading);
+
+  std::map<const LinkedModel*, OfModel> of_model_;
+  UniqueNames sensor_names_;
+  bool is_open_ = false;
+};
+
+}  // namespace smurf

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/mujoco_sensors.hpp"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "base/exact_math.hpp"
+#include "base/numbers.hpp"
+#include "base/ranges.hpp"
+#include "base/unique_names.hpp"
+#include "convert/import.hpp"
+#include "convert/passes.hpp"
+#include "convert/sensor_pose.hpp"
+#include "write/joint_drives.hpp"
+
+namespace smurf {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180;
+/// Cameras of Gazebo and MARS look along x, with z up (MARS CameraSensor.cpp, preGraphicsUpdate());
+/// those of MuJoCo along -z, with y up.
+const Quaternion kCameraAxes{0.5, 0.5, -0.5, -0.5};
+/// Single rays of Gazebo and MARS go along x (MARS RaySensor.cpp), those of MuJoCo along z.
+const Quaternion kRayAxes{std::numbers::sqrt2 / 2, 0, std::numbers::sqrt2 / 2, 0};
+
+Pose with_axes(const Pose& pose, const Quaternion& axes) { return pose * Pose{{}, axes}; }
+
+/// Vertical opening of a picture, all in degrees; none when it is not one.
+std::optional<double> vertical(double horizontal, double width, double height) {
+  if (!(horizontal > 0) || !(horizontal < 180) || !(width > 0) || !(height > 0)) {
+    return std::nullopt;
+  }
+  const auto [sine, cosine] = sine_cosine(horizontal * kRadians / 2);
+  const double degrees = 2 * arc_tangent(sine * height, cosine * width) / kRadians;
+  return degrees > 0 && degrees < 180 ? std::optional<double>(degrees) : std::nullopt;
+}
+
+/// The numbers of an annotation.
+class Keys {
+ public:
+  explicit Keys(yaml::View keys) : keys_(keys) {}
+
+  std::optional<double> find(std::string_view key) const {
+    const yaml::View value = keys_.find(key);
+    return value ? value.number() : std::nullopt;
+  }
+  double number(std::string_view key, double fallback) const {
+    return find(key).value_or(fallback);
+  }
+  double part(std::string_view key, std::string_view component, double fallback) const {
+    const yaml::View mapping = keys_.find(key);
+    return mapping && mapping.is_mapping() ? Keys(mapping).number(component, fallback) : fallback;
+  }
+  Pose pose() const {
+    constexpr std::string_view kAt = "position_offset";
+    constexpr std::string_view kTurned = "orientation_offset";
+    Pose pose{{part(kAt, "x", 0), part(kAt, "y", 0), part(kAt, "z", 0)}, {}};
+    const yaml::View turned = keys_.find(kTurned);
+    if (turned && turned.is_mapping() && turned.find("roll")) {
+      pose.orientation = from_rpy_degrees(
+          {part(kTurned, "roll", 0), part(kTurned, "pitch", 0), part(kTurned, "yaw", 0)});
+      return pose;
+    }
+    const Quaternion q{part(kTurned, "w", 1), part(kTurned, "x", 0), part(kTurned, "y", 0),
+                       part(kTurned, "z", 0)};
+    if (norm(q) > 0) pose.orientation = normalized(q);
+    return pose;
+  }
+
+ private:
+  yaml::View keys_;
+};
+
+double number_in(xml::View element, std::string_view child, double fallback) {
+  return element ? parse_number(import::child_text(element, child)).value_or(fallback) : fallback;
+}
+
+class SensorReader {
+ public:
+  explicit SensorReader(const LinkedModel& model) : model_(model) {
+    find_links();
+    for (const JointDrive& drive : joint_drives(model)) motors_.emplace(drive.joint, drive.name);
+  }
+
+  std::vector<MujocoSensor> read() {
+    for (const xml::ElementId id : model_.robot->extensions) {
+      const xml::View gazebo(model_.robot->document, id);
+      if (gazebo.name() != "gazebo") continue;
+      for (const xml::View child : gazebo) {
+        if (child.name() == "sensor") of_gazebo(child, import::attribute_of(gazebo, "reference"));
+      }
+    }
+    for (const Sensor& sensor : model_.annotations.sensors) of_annotation(sensor);
+    return std::move(sensors_);
+  }
+
+ private:
+  /// Those that the root leads to: only they are bodies.
+  void find_links() {
+    is_there_.assign(model_.robot->links.size(), false);
+    if (model_.tree.roots.empty()) return;
+    std::vector<std::size_t> open{to_size(model_.tree.roots.front())};
+    while (!open.empty()) {
+      const std::size_t link = open.back();
+      open.pop_back();
+      is_there_[link] = true;
+      for (const JointIndex joint : model_.tree.child_joints[link]) {
+        open.push_back(to_size(*model_.tree.joint_child[to_size(joint)]));
+      }
+    }
+  }
+
+  std::optional<std::size_t> link(std::string_view name) const {
+    const auto found = model_.link_names.find(name);
+    return found && is_there_[*found] ? std::optional<std::size_t>(*found) : std::nullopt;
+  }
+
+  /// The link that a joint carries.
+  std::optional<std::size_t> link_of_joint(std::string_view name) const {
+    const auto joint = model_.joint_names.find(name);
+    if (!joint || !model_.tree.joint_child[*joint]) return std::nullopt;
+    const std::size_t child = to_size(*model_.tree.joint_child[*joint]);
+    const auto& parent = model_.tree.parent_joint[child];
+    const bool is_its_parent = parent && to_size(*parent) == *joint && is_there_[child];
+    return is_its_parent ? std::optional<std::size_t>(child) : std::nullopt;
+  }
+
+  bool add(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS,
+           std::vector<MujocoReading> readings) {
+    if (!link) return false;
+    sensors_.push_back({names_.add(std::string(name)), link, X_LS, {}, std::move(readings)});
+    return true;
+  }
+
+  bool add_imu(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS) {
+    return add(name, link, X_LS,
+               {{"accelerometer", "site", {}, "/acceleration"},
+                {"gyro", "site", {}, "/angular_velocity"},
+                {"framequat", "objname", {}, "/orientation"}});
+  }
+
+  bool add_wrench(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS) {
+    return add(name, link, X_LS,
+               {{"force", "site", {}, "/force"}, {"torque", "site", {}, "/torque"}});
+  }
+
+  bool add_camera(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS,
+                  std::optional<double> fovy) {
+    if (!fovy || !add(name, link, with_axes(X_LS, kCameraAxes), {})) return false;
+    sensors_.back().fovy = fovy;
+    return true;
+  }
+
+  bool add_ray(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS,
+               double range) {
+    return add(name, link, with_axes(X_LS, kRayAxes),
+               {{"rangefinder", "site", {}, {}, std::isfinite(range) ? range : 0}});
+  }
+
+  void of_gazebo(xml::View sensor, std::string_view reference) {
+    const std::string_view name = import::attribute_of(sensor, "name");
+    if (!name.empty() && is_gazebo_taken(sensor, reference, name)) {
+      sensors_.back().element = sensor.id();
+      known_.insert(name);
+    }
+  }
+
+  bool is_gazebo_taken(xml::View sensor, std::string_view reference, std::string_view name) {
+    const std::string_view type = import::attribute_of(sensor, "type");
+    const Pose X_LS = sensor_pose(sensor);
+    if (type == "imu") return add_imu(name, link(reference), X_LS);
+    if (type == "force_torque") return is_wrench_taken(sensor, reference, name, X_LS);
+    if (type == "camera" || type == "depth" || type == "depth_camera" || type == "rgbd_camera") {
+      const xml::View camera = sensor.child("camera");
+      const xml::View image = camera ? camera.child("image") : xml::View();
+      const double fov = number_in(camera, "horizontal_fov", 1.047);
+      return add_camera(name, link(reference), X_LS,
+                        vertical(fov / kRadians, number_in(image, "width", 320),
+                                 number_in(image, "height", 240)));
+    }
+    if (type == "ray" || type == "gpu_ray" || type == "lidar" || type == "gpu_lidar") {
+      return is_ray_taken(sensor, reference, name, X_LS);
+    }
+    return false;
+  }
+
+  /// What the child of a joint does to the parent; MuJoCo has no other direction.
+  bool is_wrench_taken(xml::View sensor, std::string_view joint, std::string_view name,
+                       const Pose& X_LS) {
+    const xml::View settings = sensor.child("force_torque");
+    const auto text = [&](std::string_view key) {
+      return settings ? import::child_text(settings, key) : std::string_view();
+    };
+    const bool is_usual =
+        text("measure_direction").empty() || text("measure_direction") == "child_to_parent";
+    if (!is_usual || text("frame") == "parent") return false;
+    return add_wrench(name, link_of_joint(joint), text("frame") == "sensor" ? X_LS : Pose{});
+  }
+
+  /// MuJoCo has single rays.
+  bool is_ray_taken(xml::View sensor, std::string_view reference, std::string_view name,
+                    const Pose& X_LS) {
+    for (const char* kind : {"ray", "lidar"}) {
+      const xml::View ray = sensor.child(kind);
+      const xml::View scan = ray ? ray.child("scan") : xml::View();
+      const auto is_single = [&](std::string_view direction) {
+        const xml::View fan = scan ? scan.child(direction) : xml::View();
+        return number_in(fan, "samples", 1) == 1 && number_in(fan, "min_angle", 0) == 0 &&
+               number_in(fan, "max_angle", 0) == 0;
+      };
+      if (!ray || !is_single("horizontal") || !is_single("vertical")) continue;
+      return add_ray(name, link(reference), X_LS, number_in(ray.child("range"), "max", 0));
+    }
+    return false;
+  }
+
+  void of_annotation(const Sensor& sensor) {
+    if (!sensor.name || !sensor.type || known_.contains(*sensor.name)) return;
+    if (is_annotation_taken(sensor)) sensors_.back().annotation = &sensor;
+  }
+
+  bool is_annotation_taken(const Sensor& sensor) {
+    const std::string& type = *sensor.type;
+    if (type == "NodeIMU") {
+      return add_imu(*sensor.name, link(passes::gazebo_carrier(model_, sensor)), {});
+    }
+    if (type == "Joint6DOF") {
+      return add_wrench(*sensor.name, link_of_joint(passes::gazebo_carrier(model_, sensor)), {});
+    }
+    if (type == "CameraSensor" || type == "RaySensor") return is_view_taken(sensor);
+    constexpr std::pair<std::string_view, std::string_view> kOfJoints[] = {
+        {"JointPosition", "jointpos"}, {"JointVelocity", "jointvel"}};
+    for (const auto& [name, element] : kOfJoints) {
+      if (type == name) return is_joint_taken(sensor, element);
+    }
+    if (type == "JointTorque") return is_joint_taken(sensor, "actuatorfrc");
+    constexpr std::pair<std::string_view, std::string_view> kOfLinks[] = {
+        {"NodePosition", "framepos"},
+        {"NodeRotation", "framequat"},
+        {"NodeVelocity", "framelinvel"},
+        {"NodeAngularVelocity", "frameangvel"}};
+    for (const auto& [name, element] : kOfLinks) {
+      if (type == name) return is_frame_taken(sensor, element);
+    }
+    return false;
+  }
+
+  bool is_view_taken(const Sensor& sensor) {
+    const yaml::Document* document = model_.document(sensor.span.source);
+    if (document == nullptr || !sensor.link) return false;
+    const Keys keys(yaml::View(*document, sensor.node));
+    if (*sensor.type == "CameraSensor") {
+      return add_camera(*sensor.name, link(*sensor.link), keys.pose(), fovy_of(keys));
+    }
+    return keys.number("width", 1) == 1 &&
+           add_ray(*sensor.name, link(*sensor.link), {}, keys.number("max_distance", 100));
+  }
+
+  static std::optional<double> fovy_of(const Keys& keys) {
+    for (const char* key : {"opening_angle2", "opening_height"}) {
+      const auto given = keys.find(key);
+      if (given && *given > 0) return *given < 180 ? given : std::nullopt;
+    }
+    return vertical(keys.number("opening_angle", keys.number("opening_width", 90)),
+                    keys.number("width", 640), keys.number("height", 480));
+  }
+
+  static std::vector<std::string> targets(std::initializer_list<const Field<NameList>*> lists) {
+    std::vector<std::string> names;
+    for (const Field<NameList>* list : lists) {
+      for (const Spanned<std::string>& name : list->value_or(NameList{})) {
+        names.push_back(name.value);
+      }
+    }
+    return names;
+  }
+
+  /// All of what is measured has to be there.
+  bool add_readings(const Sensor& sensor, std::vector<MujocoReading> readings) {
+    if (readings.empty()) return false;
+    sensors_.push_back({names_.add(*sensor.name), {}, {}, {}, std::move(readings)});
+    return true;
+  }
+
+  bool is_joint_taken(const Sensor& sensor, std::string_view element) {
+    std::vector<MujocoReading> readings;
+    for (const std::string& name : targets({&sensor.id, &sensor.joints})) {
+      const urdf::Joint* joint = model_.find_joint(name);
+      if (joint == nullptr || !joint->has_one_axis() || !link_of_joint(name)) return false;
+      if (element != "actuatorfrc") {
+        readings.push_back({element, "joint", name, "/" + name});
+      } else if (const auto motor = motors_.find(joint); motor != motors_.end()) {
+        readings.push_back({element, "actuator", motor->second, "/" + name});
+      } else {
+        return false;
+      }
+    }
+    return add_readings(sensor, std::move(readings));
+  }
+
+  bool is_frame_taken(const Sensor& sensor, std::string_view element) {
+    std::vector<MujocoReading> readings;
+    for (const std::string& name : targets({&sensor.id, &sensor.links})) {
+      if (!link(name)) return false;
+      readings.push_back({element, "objname", name, "/" + name});
+    }
+    return add_readings(sensor, std::move(readings));
+  }
+
+  const LinkedModel& model_;
+  std::vector<bool> is_there_;
+  std::map<const urdf::Joint*, std::string> motors_;
+  std::set<std::string_view> known_;
+  UniqueNames names_;
+  std::vector<MujocoSensor> sensors_;
+};
+
+bool is_child_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return ranges::contains(names, name);
+}
+
+}  // namespace
+
+std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model) {
+  return model.robot ? SensorReader(model).read() : std::vector<MujocoSensor>();
+}
+
+std::vector<xml::View> unsaid_by_mujoco(xml::View sensor) {
+  std::vector<xml::View> unsaid;
+  for (const xml::View child : sensor) {
+    if (is_child_of(child.name(), {"pose", "origin", "parent"})) continue;
+    if (!is_child_of(child.name(), {"camera", "ray", "lidar", "imu", "force_torque"})) {
+      unsaid.push_back(child);
+      continue;
+    }
+    for (const xml::View setting : child) {
+      if (is_child_of(setting.name(), {"horizontal_fov", "scan", "measure_direction", "frame"})) {
+        continue;
+      }
+      if (setting.name() == "range" && !setting.child("min") && !setting.child("resolution")) {
+        continue;
+      }
+      unsaid.push_back(setting);
+    }
+  }
+  return unsaid;
+}
+
+bool is_said_by_mujoco(const Sensor& sensor, std::string_view key) {
+  if (is_child_of(key, {"name", "type", "link", "joint", "id", "links", "joints"})) return true;
+  const std::string type = sensor.type.value_or("");
+  if (type == "RaySensor") return is_child_of(key, {"width", "opening_width", "max_distance"});
+  return type == "CameraSensor" &&
+         is_child_of(key, {"opening_width", "opening_height", "opening_angle", "opening_angle2",
+                           "position_offset", "orientation_offset"});
+}
+
+}  // namespace smurf

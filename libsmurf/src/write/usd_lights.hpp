@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The lights of a stage, as UsdLux has them.
+#pragma once
+
+#include <string>
+
+#include "smurf/write_scene.hpp"
+#include "write/usda_text.hpp"
+
+namespace smurf {
+
+/// A scope of this name with all lights of the world; nothing when there are none.
+void add_usd_lights(const SceneExport& scene, const std::string& scope, UsdaText& text);
+
+}  // namespace smurf

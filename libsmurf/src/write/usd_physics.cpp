@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/usd_physics.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/exact_math.hpp"
+#include "base/numbers.hpp"
+#include "base/unique_names.hpp"
+#include "write/body_inertia.hpp"
+
+namespace smurf {
+namespace {
+
+/// USD has angles in degrees, the stiffness of a drive per degree.
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+bool is_linear(const urdf::Joint& joint) { return joint.type == urdf::JointType::prismatic; }
+double unit_of(const urdf::Joint& joint) { return is_linear(joint) ? 1 : kDegrees; }
+
+Vector3 unit_axis(const urdf::Joint& joint) {
+  Vector3 axis = joint.axis.value_or({1, 0, 0});
+  const double length = hypotenuse(axis[0], axis[1], axis[2]);
+  if (!(length > 0) || !std::isfinite(length)) return {1, 0, 0};
+  for (double& component : axis) component /= length;
+  return axis;
+}
+
+/// The shortest rotation of x onto a unit vector.
+Quaternion rotation_of_x(const Vector3& axis) {
+  const auto& [x, y, z] = axis;
+  if (x >= 0) return normalized({1 + x, 0, -z, y});
+  // Of -x onto it, after half a turn about z.
+  return multiply(normalized({1 - x, 0, z, -y}), {0, 0, 0, 1});
+}
+
+/// A frame whose x is the axis of a joint, in that of the joint.
+Pose axis_frame(const urdf::Joint& joint) { return {{}, rotation_of_x(unit_axis(joint))}; }
+
+std::string rel(const std::string& name, const std::string& path) {
+  return "rel " + name + " = <" + path + ">";
+}
+
+using Followers = std::map<const urdf::Joint*, DrivenFollower>;
+
+/// Makes each joint follow the end of its chain of leaders, since PhysX has no chains. In a circle,
+/// leaders stay followers.
+void skip_leaders(Followers& followers) {
+  std::set<const urdf::Joint*> seen;
+  std::set<const urdf::Joint*> done;
+  for (const auto& [joint, follower] : followers) {
+    std::vector<Followers::iterator> chain;
+    for (auto at = followers.find(joint); at != followers.end() && seen.insert(at->first).second;
+         at = followers.find(at->second.leader)) {
+      chain.push_back(at);
+    }
+    while (!chain.empty()) {
+      DrivenFollower& last = chain.back()->second;
+      if (done.contains(last.leader)) {
+        const DrivenFollower& next = followers.at(last.leader);
+        last.offset += last.multiplier * next.offset;
+        last.multiplier *= next.multiplier;
+        last.leader = next.leader;
+      }
+      done.insert(chain.back()->first);
+      chain.pop_back();
+    }
+  }
+}
+
+}  // namespace
+
+const UsdPhysics::Model& UsdPhysics::model_of(std::size_t instance) {
+  const LinkedModel& robot = this->robot(instance);
+  const auto [known, is_new] = models_.try_emplace(&robot);
+  Model& model = known->second;
+  if (!is_new) return model;
+  model.layout = usd_layout(robot);
+  find_joints(robot, model);
+  for (const JointDrive& drive : joint_drives(robot)) model.drives.emplace(drive.joint, drive);
+  find_followers(robot, model);
+  return model;
+}
+
+void UsdPhysics::find_joints(const LinkedModel& robot, Model& model) {
+  const KinematicTree& tree = robot.tree;
+  UniqueNames names;
+  for (std::size_t i = 0; i < robot.robot->joints.size(); ++i) {
+    if (!tree.joint_parent[i] || !tree.joint_child[i]) continue;
+    const std::size_t child = to_size(*tree.joint_child[i]);
+    const bool is_its_parent = tree.parent_joint[child] && to_size(*tree.parent_joint[child]) == i;
+    if (!is_its_parent || !model.layout.is_body(child)) continue;
+    const UsdLink& on = *model.layout.links[to_size(*tree.joint_parent[i])];
+    const urdf::Joint& joint = robot.robot->joints[i];
+    model.index.emplace(&joint, model.joints.size());
+    model.joints.push_back({&joint, on.body, child, on.X_BL * urdf::to_pose(joint.origin),
+                            names.add(safe_name(joint.name.value_or({})))});
+  }
+  model.anchor = names.add("anchor");
+}
+
+void UsdPhysics::find_followers(const LinkedModel& robot, Model& model) {
+  for (const urdf::Joint& joint : robot.robot->joints) {
+    if (!joint.mimic || !joint.has_one_axis()) continue;
+    const urdf::Joint* leader =
+        joint.mimic->joint ? robot.find_joint(*joint.mimic->joint) : nullptr;
+    model.followers.emplace(&joint,
+                            DrivenFollower{&joint, leader, joint.mimic->multiplier.value_or(1),
+                                           joint.mimic->offset.value_or(0)});
+  }
+  for (const DrivenFollower& follower : driven_followers(robot)) {
+    model.followers.emplace(follower.joint, follower);
+  }
+  skip_leaders(model.followers);
+}
+
+void UsdPhysics::number(const std::string& name, double value) {
+  if (std::isfinite(value)) text_.line("float " + name + " = " + format_number(value));
+}
+
+void UsdPhysics::add_scene() {
+  const Vector3 g = scene_.flat.physics.gravity.value_or(kUsualGravity);
+  const double magnitude = hypotenuse(g[0], g[1], g[2]);
+  text_.open("PhysicsScene", "Physics");
+  if (magnitude > 0) {
+    text_.line("vector3f physics:gravityDirection = " +
+               UsdaText::tuple({g[0] / magnitude, g[1] / magnitude, g[2] / magnitude}));
+  }
+  number("physics:gravityMagnitude", magnitude);
+  text_.close();
+}
+
+std::vector<std::string> UsdPhysics::schemas_of_robot(std::size_t instance) {
+  if (model_of(instance).joints.empty()) return {};
+  return {"PhysicsArticulationRootAPI"};
+}
+
+bool UsdPhysics::is_body(std::size_t instance) const {
+  const FlatInstance& flat = scene_.flat.instances[instance];
+  return !flat.shapes.empty() && is_movable(flat) && flat.anchor.kind != Attachment::Kind::world;
+}
+
+void UsdPhysics::add_mass(std::size_t instance, std::size_t link) {
+  const urdf::Link& written = robot(instance).robot->links[link];
+  auto mass = inertial_of(written);
+  if (!mass) {
+    mass = smallest_mass();
+    const bool is_root = link == to_size(robot(instance).tree.roots.front());
+    const bool is_held =
+        is_root && scene_.flat.instances[instance].anchor.kind == Attachment::Kind::world;
+    if (!is_held) losses_.note(kInventedMasses, written.span, written.name.value_or({}));
+  }
+  write_mass(*mass, written.span, written.name.value_or({}));
+}
+
+void UsdPhysics::add_mass(std::size_t instance) {
+  const FlatInstance& flat = scene_.flat.instances[instance];
+  const FlatShape& shape = flat.shapes.front();
+  LinkInertial mass = solid_mass(shape.geometry, mass_of(flat));
+  mass.X_LC = shape.X_ES;
+  write_mass(mass, place_of(scene_.scene.entity(scene_.scene.instances[instance])), flat.path);
+}
+
+void UsdPhysics::write_mass(const LinkInertial& mass, Span span, const std::string& name) {
+  // USD computes moments of 0 from the shapes. This is the least that MJCF has.
+  constexpr double kLeast = 1e-14;
+  const BodyInertia body = principal_inertia(mass, kLeast);
+  if (body.is_changed) losses_.note(kRefusedInertias, span, name);
+  const LinkInertial& given = body.mass;
+  number("physics:mass", given.mass);
+  text_.line("point3f physics:centerOfMass = " + UsdaText::tuple(given.X_LC.position));
+  text_.line("float3 physics:diagonalInertia = " +
+             UsdaText::tuple({given.ixx, given.iyy, given.izz}));
+  text_.line("quatf physics:principalAxes = " + UsdaText::tuple(given.X_LC.orientation));
+}
+
+void UsdPhysics::open_joint(std::string_view type, const std::string& name,
+                            const std::vector<std::string>& schemas, const Ends& ends) {
+  text_.open(type, name, schemas);
+  if (!ends.body0.empty()) text_.line(rel("physics:body0", ends.body0));
+  text_.line(rel("physics:body1", ends.body1));
+  text_.line("point3f physics:localPos0 = " + UsdaText::tuple(ends.X_0J.position));
+  text_.line("quatf physics:localRot0 = " + UsdaText::tuple(ends.X_0J.orientation));
+  text_.line("point3f physics:localPos1 = " + UsdaText::tuple(ends.X_1J.position));
+  text_.line("quatf physics:localRot1 = " + UsdaText::tuple(ends.X_1J.orientation));
+}
+
+std::optional<UsdPhysics::Ends> UsdPhysics::anchor_of(std::size_t i, LinkFrames& frames) {
+  const Instance& instance = scene_.scene.instances[i];
+  const Attachment& anchor = instance.placement.anchor;
+  const bool has_robot = robot_of(scene_.scene, i) != nullptr;
+  if (anchor.kind == Attachment::Kind::none || (!has_robot && !is_body(i))) return std::nullopt;
+  const std::string body1 = has_robot ? path(i, to_size(robot(i).tree.roots.front())) : path(i);
+  if (anchor.kind == Attachment::Kind::world) return Ends{"", *instance.X_WE, body1};
+  const std::optional<std::size_t> link = anchor_link(scene_.scene, i);
+  const std::optional<Pose> X_LE = pose_on_anchor(scene_.scene, i, frames);
+  const std::size_t other = to_size(anchor.instance);
+  if (!link || !X_LE || !layout_of(other).links[*link]) {
+    losses_.anchor(i, "there is no link to attach it to");
+    return std::nullopt;
+  }
+  const UsdLink& on = *layout_of(other).links[*link];
+  return Ends{path(other, on.body), on.X_BL * *X_LE, body1};
+}
+
+void UsdPhysics::add_anchor(std::size_t instance, LinkFrames& frames, const std::string& name) {
+  const std::optional<Ends> ends = anchor_of(instance, frames);
+  if (!ends) return;
+  open_joint("PhysicsFixedJoint", name, {}, *ends);
+  // Two robots are two articulations: this is a joint between them, not of one of them.
+  if (!ends->body0.empty()) text_.line("uniform bool physics:excludeFromArticulation = 1");
+  text_.close();
+}
+
+void UsdPhysics::add_joints(std::size_t instance, LinkFrames& frames) {
+  if (robot_of(scene_.scene, instance) == nullptr) return add_anchor(instance, frames, "anchor");
+  const Model& model = model_of(instance);
+  const bool is_free =
+      scene_.scene.instances[instance].placement.anchor.kind == Attachment::Kind::none;
+  if (is_free && model.joints.empty()) return;
+  text_.open("Scope", model.layout.joints);
+  add_anchor(instance, frames, model.anchor);
+  for (const Joint& joint : model.joints) add_joint(instance, joint);
+  text_.close();
+}
+
+void UsdPhysics::add_joint(std::size_t i, const Joint& joint) {
+  const Ends ends{path(i, joint.body0), joint.X_0J, path(i, joint.body1)};
+  const urdf::Joint& urdf = *joint.urdf;
+  if (urdf.has_one_axis()) {
+    add_axis(i, joint, ends);
+  } else if (urdf.type == urdf::JointType::planar || urdf.type == urdf::JointType::floating) {
+    add_locked(joint, ends);
+  } else {
+    if (urdf.type != urdf::JointType::fixed && reported_.insert(&urdf).second) {
+      losses_.joint(urdf, "fixed");
+    }
+    open_joint("PhysicsFixedJoint", joint.name, {}, ends);
+  }
+  text_.line("custom string smurf:joint = " + UsdaText::quoted(urdf.name.value_or({})));
+  text_.close();
+}
+
+/// A joint that leaves all axes free, but those that it locks: the limits are the wrong way round.
+void UsdPhysics::add_locked(const Joint& joint, Ends ends) {
+  std::vector<std::string> locked;
+  if (joint.urdf->type == urdf::JointType::planar) {
+    ends.X_1J = axis_frame(*joint.urdf);  // x is the normal
+    ends.X_0J = ends.X_0J * ends.X_1J;
+    locked = {"transX", "rotY", "rotZ"};
+  }
+  std::vector<std::string> schemas;
+  for (const std::string& axis : locked) schemas.push_back("PhysicsLimitAPI:" + axis);
+  open_joint("PhysicsJoint", joint.name, schemas, ends);
+  for (const std::string& axis : locked) {
+    number("limit:" + axis + ":physics:low", 1);
+    number("limit:" + axis + ":physics:high", -1);
+  }
+  // Articulations have joints of one axis.
+  text_.line("uniform bool physics:excludeFromArticulation = 1");
+}
+
+void UsdPhysics::add_axis(std::size_t i, const Joint& joint, Ends ends) {
+  const urdf::Joint& urdf = *joint.urdf;
+  const Model& model = model_of(i);
+  ends.X_1J = axis_frame(urdf);
+  ends.X_0J = ends.X_0J * ends.X_1J;
+  const std::string kind = is_linear(urdf) ? "linear" : "angular";
+  const auto found = model.drives.find(&urdf);
+  const JointDrive* drive = found == model.drives.end() ? nullptr : &found->second;
+  const std::optional<DrivenFollower> follower = leader_of(model, urdf);
+  std::vector<std::string> schemas{"PhysicsDriveAPI:" + kind};
+  const double speed = drive != nullptr && drive->speed ? *drive->speed
+                       : urdf.limit                     ? urdf.limit->velocity.value_or(0)
+                                                        : 0;
+  if (speed > 0) schemas.emplace_back("PhysxJointAPI");
+  if (follower) schemas.emplace_back("PhysxMimicJointAPI:rotX");
+  open_joint(is_linear(urdf) ? "PhysicsPrismaticJoint" : "PhysicsRevoluteJoint", joint.name,
+             schemas, ends);
+  text_.line("uniform token physics:axis = \"X\"");
+  add_limits(urdf);
+  add_drive(i, urdf, drive);
+  if (drive != nullptr) {
+    text_.line("custom string smurf:motor = " + UsdaText::quoted(drive->name));
+  }
+  if (speed > 0) number("physxJoint:maxJointVelocity", speed * unit_of(urdf));
+  if (follower) add_leader(i, *follower);
+}
+
+void UsdPhysics::add_limits(const urdf::Joint& joint) {
+  if (joint.type == urdf::JointType::continuous || !joint.limit) return;
+  const double lower = joint.limit->lower.value_or(0);
+  const double upper = joint.limit->upper.value_or(0);
+  if (lower > upper) return;
+  number("physics:lowerLimit", lower * unit_of(joint));
+  number("physics:upperLimit", upper * unit_of(joint));
+}
+
+/// Without a motor, a drive that is only damped.
+void UsdPhysics::add_drive(std::size_t i, const urdf::Joint& joint, const JointDrive* drive) {
+  const double unit = unit_of(joint);
+  const std::string prefix =
+      std::string("drive:") + (is_linear(joint) ? "linear" : "angular") + ":physics:";
+  const bool is_position = drive != nullptr && drive->kind == DriveKind::position;
+  const double kv = drive != nullptr && drive->kind != DriveKind::effort ? speed_gain(*drive) : 0;
+  const double damping = joint.dynamics ? joint.dynamics->damping.value_or(0) : 0;
+  const double effort = drive != nullptr && drive->effort ? *drive->effort
+                        : joint.limit                     ? joint.limit->effort.value_or(0)
+                                                          : 0;
+  text_.line("uniform token " + prefix + "type = \"force\"");
+  number(prefix + "stiffness", is_position ? drive->gain * kv / unit : 0);
+  number(prefix + "damping", (kv + damping) / unit);
+  if (effort > 0) number(prefix + "maxForce", effort);
+  if (!is_position) return;
+  const Instance& instance = scene_.scene.instances[i];
+  const double start = start_position(robot(i), joint, scene_.scene.joint_positions(instance));
+  number(prefix + "targetPosition", start * unit);
+}
+
+/// None, and a finding, when there is nothing to follow.
+std::optional<DrivenFollower> UsdPhysics::leader_of(const Model& model, const urdf::Joint& joint) {
+  const auto found = model.followers.find(&joint);
+  if (found == model.followers.end()) return std::nullopt;
+  const DrivenFollower& follower = found->second;
+  const bool has_end = follower.leader != nullptr && !model.followers.contains(follower.leader);
+  if (has_end && model.index.contains(follower.leader) && follower.leader->has_one_axis() &&
+      is_linear(*follower.leader) == is_linear(joint) && follower.multiplier != 0) {
+    return follower;
+  }
+  if (reported_.insert(&joint).second) {
+    losses_.joint(joint, "free to move, since it has no moving leader of its kind,");
+  }
+  return std::nullopt;
+}
+
+/// PhysX: position + gearing * position of the leader + offset = 0 (PxArticulationMimicJoint.h).
+void UsdPhysics::add_leader(std::size_t i, const DrivenFollower& follower) {
+  const Model& model = model_of(i);
+  const Joint& leader = model.joints[model.index.at(follower.leader)];
+  const std::string prefix = "physxMimicJoint:rotX:";
+  text_.line(
+      rel(prefix + "referenceJoint", path(i) + "/" + model.layout.joints + "/" + leader.name));
+  text_.line("uniform token " + prefix + "referenceJointAxis = \"rotX\"");
+  number(prefix + "gearing", -follower.multiplier);
+  number(prefix + "offset", -follower.offset * unit_of(*follower.joint));
+}
+
+}  // namespace smurf

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What makes a stage move: UsdPhysics and, for what that has no place for, two schemas of PhysX
+// that Isaac Sim reads (PhysxJointAPI, PhysxMimicJointAPI).
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "write/joint_drives.hpp"
+#include "write/scene_losses.hpp"
+#include "write/scene_parts.hpp"
+#include "write/usd_layout.hpp"
+#include "write/usda_text.hpp"
+
+namespace smurf {
+
+class UsdPhysics {
+ public:
+  /// `names` are those of the instances' prims. All of it must outlive this.
+  UsdPhysics(const SceneExport& scene, const std::vector<std::string>& names, SceneLosses& losses,
+             UsdaText& text)
+      : scene_(scene), names_(names), losses_(losses), text_(text) {}
+
+  void add_scene();
+  /// Of an instance with a robot.
+  const UsdLayout& layout_of(std::size_t instance) { return model_of(instance).layout; }
+  /// Schemas of the Xform of an instance with a robot.
+  std::vector<std::string> schemas_of_robot(std::size_t instance);
+  /// Whether something without model is a body.
+  bool is_body(std::size_t instance) const;
+  /// The mass of a body: that of a link, or that of something without model.
+  void add_mass(std::size_t instance, std::size_t link);
+  void add_mass(std::size_t instance);
+  /// A scope with the joints between the bodies of an instance, and its anchor.
+  void add_joints(std::size_t instance, LinkFrames& frames);
+
+ private:
+  /// A joint between two bodies, which are links.
+  struct Joint {
+    const urdf::Joint* urdf = nullptr;
+    std::size_t body0 = 0, body1 = 0;
+    Pose X_0J;  ///< in body0; in body1 it is the origin
+    std::string name;
+  };
+  /// What is the same for all instances of a model.
+  struct Model {
+    UsdLayout layout;
+    std::vector<Joint> joints;
+    std::map<const urdf::Joint*, std::size_t> index;  ///< in `joints`
+    std::string anchor;                               ///< name of the joint that is the anchor
+    std::map<const urdf::Joint*, JointDrive> drives;
+    std::map<const urdf::Joint*, DrivenFollower> followers;
+  };
+  struct Ends {
+    std::string body0;  ///< a path; "": the world
+    Pose X_0J;
+    std::string body1;
+    Pose X_1J = {};
+  };
+
+  const LinkedModel& robot(std::size_t instance) const { return *robot_of(scene_.scene, instance); }
+  std::string path(std::size_t instance) const { return "/World/" + names_[instance]; }
+  std::string path(std::size_t instance, std::size_t link) {
+    return path(instance) + "/" + layout_of(instance).links[link]->path;
+  }
+  const Model& model_of(std::size_t instance);
+  static void find_joints(const LinkedModel& robot, Model& model);
+  static void find_followers(const LinkedModel& robot, Model& model);
+  void write_mass(const LinkInertial& mass, Span span, const std::string& name);
+  void open_joint(std::string_view type, const std::string& name,
+                  const std::vector<std::string>& schemas, const Ends& ends);
+  std::optional<Ends> anchor_of(std::size_t instance, LinkFrames& frames);
+  void add_anchor(std::size_t instance, LinkFrames& frames, const std::string& name);
+  void add_joint(std::size_t instance, const Joint& joint);
+  void add_axis(std::size_t instance, const Joint& joint, Ends ends);
+  void add_limits(const urdf::Joint& joint);
+  void add_drive(std::size_t instance, const urdf::Joint& joint, const JointDrive* drive);
+  void add_leader(std::size_t instance, const DrivenFollower& follower);
+  void add_locked(const Joint& joint, Ends ends);
+  std::optional<DrivenFollower> leader_of(const Model& model, const urdf::Joint& joint);
+  void number(const std::string& name, double value);
+
+  const SceneExport& scene_;
+  const std::vector<std::string>& names_;
+  SceneLosses& losses_;
+  UsdaText& text_;
+  std::map<const LinkedModel*, Model> models_;
+  std::set<const urdf::Joint*> reported_;
+};
+
+}  // namespace smurf

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A model of MuJoCo with its state.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <mujoco/mujoco.h>
+
+namespace smurf::tests {
+
+struct FreeMujoco {
+  void operator()(mjModel* model) const { mj_deleteModel(model); }
+  void operator()(mjData* data) const { mj_deleteData(data); }
+};
+
+struct MujocoWorld {
+  std::unique_ptr<mjModel, FreeMujoco> model;
+  std::unique_ptr<mjData, FreeMujoco> data;
+};
+
+/// Loads an MJCF. When MuJoCo refuses it, prints why and returns null pointers.
+inline MujocoWorld load_mujoco(const char* path) {
+  char error[1000] = "";
+  MujocoWorld world{
+      std::unique_ptr<mjModel, FreeMujoco>(mj_loadXML(path, nullptr, error, sizeof error)),
+      nullptr};
+  if (world.model == nullptr) {
+    std::fprintf(stderr, "%s\n", error);
+    return world;
+  }
+  world.data.reset(mj_makeData(world.model.get()));
+  return world;
+}
+
+}  // namespace smurf::tests

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""usda of models of the corpus, against their URDFs: every frame, mass, inertia, axis and limit.
+
+Called as usd_corpus_test.py TOOL CORPUS; ends with 77, which CTest shows as skipped, when there is
+no corpus.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+from usd_stage import Robot, Stage, differences
+
+LEAST = 300  # models that are written
+
+
+def run(tool, *arguments):
+    return subprocess.run([tool, *map(str, arguments), "--quiet"], capture_output=True,
+                          encoding="utf-8", errors="replace", timeout=120, check=False)
+
+
+def main():
+    tool, corpus = sys.argv[1], pathlib.Path(sys.argv[2])
+    if not corpus.is_dir():
+        print(f"no corpus at {corpus}")
+        return 77
+    counts, failed = {"models": 0, "links": 0}, 0
+    for model in sorted(corpus.rglob("*.urdf")):
+        done = run(tool, model, "--format", "usda")
+        if done.returncode != 0:
+            continue
+        flat = json.loads(run(tool, model, "--links").stdout)
+        problems = differences(Stage(done.stdout), flat, lambda _: Robot(model))
+        counts["models"] += 1
+        counts["links"] += sum(len(instance["links"]) for instance in flat["instances"])
+        if problems:
+            failed += 1
+            print(f"{model}: {problems[:3]} and {max(0, len(problems) - 3)} more")
+    print(counts, f"{failed} failed")
+    return 1 if failed or counts["models"] < LEAST else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
