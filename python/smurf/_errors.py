@@ -9,7 +9,8 @@ class Error(Exception):
     """
 
     def __init__(self, message="", findings=()):
-        super().__init__(message)
+        # A path may contain an escape sequence of terminals.
+        super().__init__("".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in message))
         self.findings = list(findings)
 
     def __str__(self):

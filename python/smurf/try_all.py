@@ -23,9 +23,10 @@ def try_all(arguments):
         return listed.returncode
     code = 0
     for file in listed.stdout.decode(errors="surrogateescape").splitlines():
-        if file.endswith(ENDINGS[program]):
-            # So smurf-lint writes control characters; another file may have the name that is written.
-            if "\\" in file:
+        if file.lower().endswith(ENDINGS[program]):
+            # smurf-lint shows control characters in names as `\n`, and bytes that are no UTF-8 as U+FFFD; another file may
+            # have just that name.
+            if "\\" in file or "\ufffd" in file:
                 print(f"{program}: cannot tell which file is meant by '{file}': rename it", file=sys.stderr)
                 code = 2
                 continue

@@ -76,14 +76,21 @@ void write_matrix4(const Pose& pose, double* to) {
   to[15] = 1;
 }
 
+py::array_t<double> new_array(const std::vector<py::ssize_t>& shape) {
+  // pybind11 imports numpy for its first array, and would make another thread that asks for an
+  // array meanwhile wait with the lock of Python, which the import needs.
+  py::module_::import("numpy");
+  return py::array_t<double>(shape);
+}
+
 py::array_t<double> to_matrix4(const Pose& pose) {
-  py::array_t<double> matrix({4, 4});
+  py::array_t<double> matrix = new_array({4, 4});
   write_matrix4(pose, matrix.mutable_data());
   return matrix;
 }
 
 py::array_t<double> to_array(const Vector3& vector) {
-  py::array_t<double> array(3);
+  py::array_t<double> array = new_array({3});
   std::memcpy(array.mutable_data(), vector.data(), sizeof(vector));
   return array;
 }

@@ -63,6 +63,8 @@ struct Place {
 };
 Place place_of(Span span, const SourceMap& sources);
 
+/// Filled by the caller. The only place that makes arrays.
+py::array_t<double> new_array(const std::vector<py::ssize_t>& shape);
 /// Homogeneous, row-major: an array of shape (4, 4).
 py::array_t<double> to_matrix4(const Pose& pose);
 void write_matrix4(const Pose& pose, double* to);

@@ -2,6 +2,20 @@
 // smurf._smurf: the library as Python has it. What users see is named in python/smurf/__init__.py.
 #include "common.hpp"
 
+namespace {
+
+/// What is made by this module only. Without it, Python could make objects without a value, which
+/// nothing checks for: cls.__new__(cls).
+void forbid_construction(const pybind11::module_& module) {
+  for (const auto& [name, item] : pybind11::dict(module.attr("__dict__"))) {
+    if (!PyType_Check(item.ptr()) || item.is(module.attr("Session"))) continue;
+    auto* type = reinterpret_cast<PyTypeObject*>(item.ptr());
+    type->tp_new = nullptr;
+  }
+}
+
+}  // namespace
+
 PYBIND11_MODULE(_smurf, module) {
   using namespace smurf::python;
   module.attr("__version__") = SMURF_VERSION;
@@ -12,4 +26,5 @@ PYBIND11_MODULE(_smurf, module) {
   bind_model(module);
   bind_scene(module);
   bind_session(module);
+  forbid_construction(module);
 }

@@ -78,7 +78,7 @@ void bind_parts(py::module_& module) {
             for (const Field<double>* part : {&xx, &xy, &xz, &yy, &yz, &zz}) {
               if (!*part) return py::none();
             }
-            py::array_t<double> matrix({3, 3});
+            py::array_t<double> matrix = new_array({3, 3});
             auto to = matrix.mutable_unchecked<2>();
             to(0, 0) = *xx;
             to(1, 1) = *yy;

@@ -159,7 +159,7 @@ py::array_t<double> stack(const Flat& self, const std::vector<py::ssize_t>& shap
     whole.push_back(length);
     size *= length;
   }
-  py::array_t<double> array(whole);
+  py::array_t<double> array = new_array(whole);
   double* to = array.mutable_data();
   for (const FlatInstance& instance : self.scene->instances) {
     if (instance.X_WE) {
@@ -187,7 +187,7 @@ void write_orientation(const Pose& pose, double* to) {
 py::object to_array_of(const std::optional<Pose>& pose, py::ssize_t size,
                        void (*write)(const Pose&, double*)) {
   if (!pose) return py::none();
-  py::array_t<double> array(size);
+  py::array_t<double> array = new_array({size});
   write(*pose, array.mutable_data());
   return array;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checking and loading. A function with a session of its own lets other threads of Python run.
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "common.hpp"
 #include "smurf/archive_files.hpp"
@@ -16,11 +18,31 @@ constexpr const char* kSettings =
     "`allow_outside` (read what models name wherever it lies), "
     "`jobs`.";
 
+/// Lets other threads of Python run.
+class OthersMayRun {
+ public:
+  OthersMayRun() : state_(PyEval_SaveThread()) {}
+  ~OthersMayRun() {
+    // When Python has ended meanwhile, it unwinds this thread as a C program would. What is on its
+    // stack must not be released without the lock: the thread sleeps until the process is gone.
+    try {
+      PyEval_RestoreThread(state_);
+    } catch (...) {
+      while (true) std::this_thread::sleep_for(std::chrono::hours(1));
+    }
+  }
+  OthersMayRun(const OthersMayRun&) = delete;
+  OthersMayRun& operator=(const OthersMayRun&) = delete;
+
+ private:
+  PyThreadState* state_;
+};
+
 /// Runs with the lock of Python, or without it where nothing else can use the session.
 template <class Run>
 auto run_alone(bool is_shared, const Run& run) {
   if (is_shared) return run();
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   return run();
 }
 
@@ -66,7 +88,8 @@ py::object load_model(const std::shared_ptr<Session>& session, const std::string
   const std::string main = main_file(path, *session);
   const InputKind kind = input_kind(main);
   if (kind == InputKind::scene || kind == InputKind::drawing) {
-    throw py::value_error("'" + path + "' is a scene, which load_scene() loads");
+    throw py::value_error(
+        py::str("{!r} is a scene, which load_scene() loads").format(to_path(path)));
   }
   auto owner = std::make_shared<Owner>(Owner{session, {}, {}, {}});
   run_alone(is_shared, [&] { owner->model.emplace(session->load_model(main, settings)); });
@@ -133,16 +156,18 @@ void bind_session(py::module_& module) {
       .def(py::init<>())
       .def(
           "set_text",
-          [](Session& self, const py::object& path, const py::object& text) {
-            self.set_text(from_path(path),
-                          py::isinstance<py::bytes>(text)
-                              ? std::string(py::reinterpret_borrow<py::bytes>(text))
-                              : from_text(text, "text"));
+          [](const std::shared_ptr<Session>& self, const py::object& path, const py::object& text) {
+            self->set_text(from_path(path),
+                           py::isinstance<py::bytes>(text)
+                               ? std::string(py::reinterpret_borrow<py::bytes>(text))
+                               : from_text(text, "text"));
           },
           py::arg("path"), py::arg("text"), "Puts a str or bytes in the place of a file.")
       .def(
           "clear_text",
-          [](Session& self, const py::object& path) { self.clear_text(from_path(path)); },
+          [](const std::shared_ptr<Session>& self, const py::object& path) {
+            self->clear_text(from_path(path));
+          },
           py::arg("path"), "What is on the disk counts again.")
       .def("check", with_session(kCheck), py::arg("path"), check_doc.c_str())
       .def("load_model", with_session(load_model), py::arg("path"), model_doc.c_str())

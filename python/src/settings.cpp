@@ -111,9 +111,10 @@ const std::map<std::string, Setter>& setters() {
 CheckSettings settings_of(const py::kwargs& keywords) {
   CheckSettings settings;
   for (const auto& [key, value] : keywords) {
-    const auto setter = setters().find(key.cast<std::string>());
+    const std::string name = from_text(key, "the name of an argument");
+    const auto setter = setters().find(name);
     if (setter == setters().end()) {
-      throw py::type_error("there is no argument '" + key.cast<std::string>() + "'");
+      throw py::type_error("there is no argument '" + name + "'");
     }
     if (!value.is_none()) setter->second(settings, value);
   }

@@ -135,7 +135,7 @@ class Hooks:
         mesh.write_text(mesh.read_text() + "# one more line\n")
         done = self.try_commit()
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        self.assertIn("error[SML1202]", done.stdout + done.stderr)
+        self.assertIn("error[SML1201]", done.stdout + done.stderr)
 
     def test_changed_files_only(self):
         config = self.robots / ".pre-commit-config.yaml"
@@ -147,7 +147,7 @@ class Hooks:
         self.git(self.robots, "add", "-A")
         done = self.call(self.robots, "pre-commit", "run", "changed")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        self.assertIn("error[SML1202]", done.stdout)
+        self.assertIn("error[SML1201]", done.stdout)
         self.assertNotIn("ci.yml", done.stdout)
 
     def test_a_mesh_that_is_deleted(self):
@@ -161,7 +161,7 @@ class Hooks:
         self.change("arm/urdf/arm.urdf", '<child link="turret"/>', '<child link="turet"/>')
         done = self.hook("smurf2urdf-check")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        self.assertIn("SML1202", done.stdout)
+        self.assertIn("SML1201", done.stdout)
 
     def test_fixes(self):
         mount = '<joint name="pedestal_mount" type="fixed">'

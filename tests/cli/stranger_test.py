@@ -232,9 +232,29 @@ class Hooks(StrangerTest):
         shutil.copy(self.project / "arm/smurf/arm.smurf", self.project / "arm/smurf/a\\u2028b.smurf")
         self.write("arm/smurf/a\u2028b.smurf", "modelname: [\n")
         self.write(".smurf-lintignore", "a\\\\u2028b.smurf\n")
+        self.converts_not_all()
+
+    def test_a_file_hides_behind_no_replacement(self):
+        """A list of files shows bytes that are no UTF-8 as U+FFFD, which the name of a sound file may contain."""
+        shutil.copytree(FIXTURES / "models/arm", self.project / "arm")
+        shutil.copy(self.project / "arm/smurf/arm.smurf", self.project / "arm/smurf/a\ufffdb.smurf")
+        (self.project / "arm/smurf" / os.fsdecode(b"a\xffb.smurf")).write_text("modelname: [\n")
+        self.converts_not_all()
+
+    def test_endings_in_capitals(self):
+        """smurf-lint takes them for models and scenes too."""
+        self.write("arm.SMURF", "modelname: [\n")
+        self.assertEqual(self.try_all("smurf2urdf").returncode, 1)
+        self.write("cell.Smurfs", "smurfs: [\n")
+        self.assertEqual(self.try_all("smurfs-flatten").returncode, 1)
+
+    def try_all(self, program):
         environment = {**os.environ, "PATH": f"{TOOLS}:{os.environ['PATH']}"}
-        done = subprocess.run([sys.executable, "-I", ROOT / "python/smurf/try_all.py", "smurf2urdf"], cwd=self.project,
+        return subprocess.run([sys.executable, "-I", ROOT / "python/smurf/try_all.py", program], cwd=self.project,
                               env=environment, capture_output=True, text=True, timeout=60, check=False)
+
+    def converts_not_all(self):
+        done = self.try_all("smurf2urdf")
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("cannot tell which file is meant", done.stderr)
 

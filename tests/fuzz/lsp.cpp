@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <random>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -57,7 +58,8 @@ void require(bool is_kept, const char* promise) {
 struct Talk {
   std::size_t answers = 0;
   std::map<std::string, Json> found;  ///< by URI
-  Server server{[this](const Json& message) { take(message); }, [](std::string_view) {}};
+  Server server{[this](std::span<const std::string_view> parts) { take(parts); },
+                [](std::string_view) {}};
   int last_id = 0;
 
   Talk() {
@@ -65,8 +67,10 @@ struct Talk {
     tell("initialized", Json::object());
   }
 
-  void take(const Json& message) {
-    dump(message);
+  void take(std::span<const std::string_view> parts) {
+    std::string text;
+    for (const std::string_view part : parts) text += part;
+    const Json message = Json::parse(text);
     if (message.contains("id") && !message.contains("method")) ++answers;
     if (text_at(message, {"method"}) == "textDocument/publishDiagnostics") {
       found[text_at(message, {"params", "uri"})] = at(message, {"params", "diagnostics"});

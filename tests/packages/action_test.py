@@ -64,6 +64,13 @@ class Action(unittest.TestCase):
         self.assertRegex(self.summary(), r"\n    ros +loads, with losses")
         self.assertIn("SML1604", (self.folder / "work/out.sarif").read_text())
 
+    def test_a_summary_is_of_its_own_step(self):
+        self.assertEqual(self.run_action().returncode, 0)
+        (self.folder / "summary").unlink()
+        done = self.run_action(targets="nothing")
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertFalse((self.folder / "summary").exists())
+
     def test_python_files_of_the_checkout(self):
         work = self.folder / "work"
         (work / "backend").mkdir()

@@ -66,7 +66,7 @@ class Release(unittest.TestCase):
         (project / "scripts").mkdir(parents=True)
         copy_of_project(project)
         shutil.copy(ROOT / "scripts/release", project / "scripts")
-        for name, text in (("setup", "exit 0"), ("static-libraries", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release"),
+        for name, text in (("setup", "exit 0"), ("static-libraries", "exit 0"), ("viewer", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release"),
                            ("wasm", "mkdir -p build/wasm && echo packed >build/wasm/smurf-tools.tgz")):
             (project / "scripts" / name).write_text(f"#!/bin/sh\n{text}\n")
             (project / "scripts" / name).chmod(0o755)

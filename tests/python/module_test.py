@@ -119,6 +119,67 @@ def test_threads():
     assert results == [expected] * 40
 
 
+def run_in_python(program, *arguments):
+    return subprocess.run([sys.executable, "-c", program, *map(str, arguments)], capture_output=True, text=True,
+                          timeout=60)
+
+
+def test_first_arrays_of_threads():
+    """numpy is imported for the first array, while other threads ask for one."""
+    done = run_in_python("""
+import sys, threading, time
+class Slow:
+    def find_spec(self, name, path, target=None):
+        if name.startswith("numpy"): time.sleep(0.001)
+sys.meta_path.insert(0, Slow())
+import smurf
+arm = smurf.load_model(sys.argv[1])
+threads = [threading.Thread(target=arm.forward_kinematics) for _ in range(8)]
+[thread.start() for thread in threads]
+[thread.join() for thread in threads]
+""", inputs.ARM)
+    assert done.returncode == 0, done.stderr
+
+
+def test_end_while_threads_check():
+    """Python ends daemon threads when they ask for its lock."""
+    done = run_in_python("""
+import sys, threading, time, smurf
+def check():
+    while True: smurf.check(sys.argv[1])
+for _ in range(3): threading.Thread(target=check, daemon=True).start()
+time.sleep(0.3)
+""", inputs.ARM)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_objects_without_a_value():
+    """Python can make objects without their constructor; one without a value would crash."""
+    for name in smurf.__all__:
+        cls = getattr(smurf, name)
+        if inspect.isclass(cls) and not issubclass(cls, (Exception, smurf.Session)):
+            for make in (object.__new__, cls.__new__, cls.__base__.__new__):
+                with pytest.raises(TypeError):
+                    make(cls)
+    session = smurf.Session.__new__(smurf.Session)
+    for use in (lambda: session.check("a"), lambda: session.set_text("a", "b"), lambda: session.clear_text("a"),
+                lambda: session.load_model("a")):
+        with pytest.raises((TypeError, RuntimeError)):
+            use()
+
+
+def test_messages_are_plain(tmp_path):
+    name = "a\x1b[31m\u202e\n::error::b"
+    (tmp_path / f"{name}.zsmurf").write_text("no archive")
+    (tmp_path / f"{name}.smurfs").write_text("smurfs: []")
+    with pytest.raises(smurf.Error) as unreadable:
+        smurf.load_model(tmp_path / f"{name}.zsmurf")
+    with pytest.raises(ValueError) as a_scene:
+        smurf.load_model(tmp_path / f"{name}.smurfs")
+    for message in (str(unreadable.value), str(a_scene.value)):
+        assert message.isprintable() and "error::b" in message
+
+
 def test_unreadable(tmp_path):
     for path in (tmp_path / "none.smurf", tmp_path, "", "/dev/null", tmp_path / "no/urdf.urdf"):
         for load in (smurf.check, smurf.load_model, smurf.load_scene):
@@ -139,6 +200,7 @@ def test_unreadable(tmp_path):
     (("a\0b",), {}, ValueError),
     (("a.smurf", "b"), {}, TypeError),
     (("a.smurf",), {"colour": True}, TypeError),
+    (("a.smurf",), {"\ud800": True}, ValueError),
     (("a.smurf",), {"select": "SML99999"}, ValueError),
     (("a.smurf",), {"select": 3}, TypeError),
     (("a.smurf",), {"select": [3]}, TypeError),

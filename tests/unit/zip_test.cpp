@@ -74,6 +74,33 @@ TEST_CASE("names stay inside") {
   }
 }
 
+TEST_CASE("no archive means one thing to one program and another to the next") {
+  CHECK(read_zip(zip({{"a", "1"}, {"./a", "2"}}), at_most(100)).reason == "contains two files 'a'");
+  const std::string sound = zip({{"a.txt", "some text"}, {"b.txt", "more text"}});
+  REQUIRE(read_zip(sound, at_most(100)).reason == "");
+  const std::size_t trailer = sound.find("PK\x05\x06");
+
+  std::string uncounted = sound;
+  uncounted[trailer + 8] = uncounted[trailer + 10] = 1;  // number of files
+  CHECK(read_zip(uncounted, at_most(100)).reason == "is a broken zip archive");
+  CHECK(read_zip(sound + "PK\x05\x06", at_most(100)).reason == "is a broken zip archive");
+  CHECK(read_zip("another archive" + sound, at_most(100)).reason == "is a broken zip archive");
+
+  // Of an entry that claims to be larger, minizip does not compare the checksum.
+  std::string shorter = sound;
+  const std::size_t entry = sound.find("PK\x01\x02");
+  for (const std::size_t header : {sound.find("PK\x03\x04") - 2, entry}) {
+    shorter[header + 16] = static_cast<char>(shorter[header + 16] + 1);  // checksum
+    shorter[header + 24] = 100;                                          // unpacked size
+  }
+  CHECK(read_zip(shorter, at_most(1000)).reason == "is a broken zip archive");
+
+  std::string packed_otherwise = sound;
+  packed_otherwise[entry + 10] = 93;
+  CHECK(read_zip(packed_otherwise, at_most(100)).reason ==
+        "contains the file 'a.txt', which is packed with another method than deflate");
+}
+
 TEST_CASE("broken archives are refused, whatever is broken") {
   CHECK(read_zip("", at_most(100)).reason == "is not a zip archive");
   CHECK(read_zip("PK", at_most(100)).reason == "is not a zip archive");

@@ -82,9 +82,14 @@ class Reader {
     for (; status == UNZ_OK; status = unzGoToNextFile(zip.get())) {
       if (!add_file(zip.get())) return std::move(archive_);
     }
-    if (status != UNZ_END_OF_LIST_OF_FILE) return fail("is a broken zip archive");
+    if (status != UNZ_END_OF_LIST_OF_FILE || !is_whole()) return fail("is a broken zip archive");
     std::sort(archive_.files.begin(), archive_.files.end(),
               [](const ArchivedFile& a, const ArchivedFile& b) { return a.path < b.path; });
+    // Some programs read the first of them, others the last.
+    const auto twice = std::adjacent_find(
+        archive_.files.begin(), archive_.files.end(),
+        [](const ArchivedFile& a, const ArchivedFile& b) { return a.path == b.path; });
+    if (twice != archive_.files.end()) return fail("contains two files '" + twice->path + "'");
     return std::move(archive_);
   }
 
@@ -92,6 +97,13 @@ class Reader {
   Archive fail(std::string reason) {
     archive_ = {{}, std::move(reason)};
     return std::move(archive_);
+  }
+
+  /// Programs that do not rely on the number of files read all before the trailer, which also has
+  /// to be where it says that it is.
+  bool is_whole() const {
+    const std::string_view next = file_.bytes.substr(std::min(after_entry_, file_.bytes.size()));
+    return next.starts_with("PK\x05\x06") || next.starts_with("PK\x06\x06");
   }
 
   bool refuse(std::string reason) {
@@ -106,6 +118,9 @@ class Reader {
         UNZ_OK) {
       return refuse("is a broken zip archive");
     }
+    constexpr std::size_t kHeader = 46;
+    after_entry_ = unzGetOffset64(zip) + kHeader + info.size_filename + info.size_file_extra +
+                   info.size_file_comment;
     if (info.size_filename >= name.size()) return refuse("contains a file with too long a name");
     name.resize(info.size_filename);
     if (name.ends_with('/')) return true;  // a folder
@@ -119,8 +134,15 @@ class Reader {
     if (info.compressed_size > packed_left_) return refuse("contains files that share their bytes");
     packed_left_ -= info.compressed_size;
     if ((info.flag & 1U) != 0) return refuse("is encrypted");
+    // minizip may have been built with bzip2.
+    if (info.compression_method != 0 && info.compression_method != Z_DEFLATED) {
+      return refuse("contains the file '" + name +
+                    "', which is packed with another method than deflate");
+    }
     std::string text;
     if (!read(zip, text)) return false;
+    // minizip has compared the checksum only then.
+    if (text.size() != info.uncompressed_size) return refuse("is a broken zip archive");
     archive_.files.push_back({path::normalize(name), std::move(text)});
     return true;
   }
@@ -143,7 +165,8 @@ class Reader {
 
   Memory file_;
   ArchiveBudget& budget_;
-  std::uint64_t packed_left_;  ///< bytes of the archive that no file has been unpacked from
+  std::uint64_t packed_left_;    ///< bytes of the archive that no file has been unpacked from
+  std::size_t after_entry_ = 0;  ///< where the last entry of the directory ends
   Archive archive_;
 };
 

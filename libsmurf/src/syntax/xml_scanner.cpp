@@ -11,6 +11,7 @@
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 #include "syntax/text_check.hpp"
 #include "syntax/xml_builder.hpp"
 #include "syntax/xml_bytes.hpp"
@@ -56,7 +57,9 @@ class Scanner {
   std::string quoted(Span s) const { return smurf::quoted(slice(s)); }
   bool looking_at(std::string_view word) const { return text_.substr(at_).starts_with(word); }
   void skip_space() {
-    while (at_ < size() && is(text_[at_], blank)) ++at_;
+    std::uint32_t at = at_;
+    while (at < size() && is(text_[at], blank)) ++at;
+    at_ = at;
   }
 
   Diagnostic& malformed(Span place, std::string message) {
@@ -80,11 +83,12 @@ class Scanner {
   }
 
   void markup() {
+    if (looking_at("</")) return end_tag();
+    if (looking_at("<?")) return instruction();
+    if (!looking_at("<!")) return start_tag();
     if (looking_at("<!--")) return comment();
     if (looking_at("<![CDATA[")) return character_section();
     if (looking_at("<!DOCTYPE")) return doctype();
-    if (looking_at("<?")) return instruction();
-    if (looking_at("</")) return end_tag();
     start_tag();
   }
 
@@ -374,7 +378,7 @@ class Scanner {
       return false;
     }
     for (std::size_t i = element.first_attribute; i < tree_.attributes().size(); ++i) {
-      if (tree_.attributes()[i].name() != attribute.name()) continue;
+      if (!is_same(tree_.attributes()[i].name(), attribute.name())) continue;
       well_formed_ = false;
       Diagnostic& diagnostic =
           sink_.report(rules::sml1007_xml_duplicate_attribute, attribute.name_span(),

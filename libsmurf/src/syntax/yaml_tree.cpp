@@ -7,6 +7,7 @@
 
 #include "base/numbers.hpp"
 #include "base/quoted.hpp"
+#include "base/words.hpp"
 #include "smurf/yaml.hpp"
 
 namespace smurf::yaml {
@@ -94,7 +95,7 @@ View View::find(std::string_view key) const {
   if (!*this || !is_mapping()) return {};
   for (NodeId id = value().first_child(); id != kNoNode;) {
     const Node& child = document_->nodes[static_cast<std::size_t>(id)];
-    if (child.key() == key) return {*document_, id};
+    if (is_same(child.key(), key)) return {*document_, id};
     id = child.next_sibling;
   }
   return {};
