@@ -328,6 +328,31 @@ class Git(Diff):
         self.assertIn("error[SML1001]", text)
         self.assertIn("maxEffort 40 -> 50", text)
 
+    def test_names_are_no_options(self):
+        self.write(".gitattributes", "* diff=smurf\n")
+        for name in ("--", "--version", "-q", "--git", "-ostolen.urdf", "--.urdf", "--output=stolen/a.urdf"):
+            self.write(name, ROBOT)
+        self.git("add", ".")
+        self.git("commit", "-qm", "odd names")
+        (self.folder / "stolen").mkdir()
+        self.git("mv", "--", "--output=stolen/a.urdf", "--allow-outside")
+        for name in ("--", "--version", "-q", "--git", "-ostolen.urdf", "--.urdf", "--allow-outside"):
+            self.write(name, ROBOT.replace("0.35", "0.4"))
+        self.git("add", ".")
+        text = self.git("diff", "HEAD")
+        self.assertEqual(list((self.folder / "stolen").iterdir()), [])
+        self.assertFalse((self.folder / "stolen.urdf").exists())
+        headings = [line for line in text.splitlines() if not line.startswith(" ")]
+        self.assertEqual(headings, ["--", "--.urdf", "--output=stolen/a.urdf -> --allow-outside", "--git", "--version",
+                                    "-ostolen.urdf", "-q"])
+
+    def test_git_comes_last_of_the_options(self):
+        git_passes = ("a.urdf", "/dev/null", ".", ".", "a.urdf", "0" * 40, "100644")
+        self.expect(0, "--git", "--", *git_passes)
+        for option in (("--quiet",), ("--tolerance", "1")):
+            self.expect(0, *option, "--git", *git_passes)
+            self.expect(2, "--git", *option, *git_passes)
+
 
 class Plain(Diff):
     def test_names_are_escaped(self):

@@ -7,10 +7,9 @@ diff_cost_test.py FOLDER_OF_TOOLS
 Skips, and says so, without valgrind.
 """
 import pathlib
-import re
-import shutil
-import subprocess
 import sys
+
+import callgrind
 
 LINES = 3000
 MOST = 2.0  # times the instructions of --fix-only
@@ -22,23 +21,12 @@ TEXTS = {
 }
 
 
-def instructions(tool: pathlib.Path, option: str, text: str) -> int:
-    run = subprocess.run(
-        ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", str(tool), option, "--isolated", "-"],
-        input=text, capture_output=True, text=True, timeout=600)
-    if run.returncode not in (0, 1):
-        raise SystemExit(f"ended with {run.returncode}: {run.stderr[-500:]}")
-    return int(re.search(r"Collected : (\d+)", run.stderr).group(1))
-
-
 def main() -> int:
     tool = pathlib.Path(sys.argv[1]).resolve() / "smurf-lint"
-    if shutil.which("valgrind") is None:
-        print("SKIPPED: no valgrind; scripts/setup --dev installs it")
-        return 77
+    callgrind.skip_without_valgrind()
     failed = 0
     for title, text in TEXTS.items():
-        fixed, shown = (instructions(tool, option, text) for option in ("--fix-only", "--diff"))
+        fixed, shown = (callgrind.instructions(tool, option, "--isolated", "-", input=text) for option in ("--fix-only", "--diff"))
         if shown > fixed * MOST:
             print(f"{title}: --diff takes {shown / fixed:.1f} times the instructions of --fix-only")
             failed += 1

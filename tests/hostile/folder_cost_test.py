@@ -130,7 +130,7 @@ def many_scenes_of_one_large_robot(write):
 
 TARGETS = "mars,mars2,envire,phobos,pybullet,ros,gazebo,dart,mujoco,drake"
 REPORTS = tuple(("smurf-lint", "--target", TARGETS, "--format", name, ".")
-                for name in ("full", "json", "sarif", "gitlab", "junit"))
+                for name in ("full", "json", "sarif", "gitlab", "junit", "html"))
 
 
 @folder(*REPORTS)

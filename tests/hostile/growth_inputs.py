@@ -556,3 +556,70 @@ def models_of_a_scene_to_rename_in(n, write):
 @grows(8000, "urdf2smurf", "-q", "--force", "-o", "out", "a.urdf")
 def extensions_on_one_line(n, write):
     write("a.urdf", '<robot name="a"><link name="l"/>' + "".join(f"<x{i}/>" for i in range(n)) + "</robot>")
+
+
+# Pages of findings
+
+
+@grows(300, "smurf-lint", "-q", "--exit-zero", "--target", "mujoco", "--format", "html", "a.urdf")
+def a_page_of_findings_in_one_line(n, write):
+    write("a.urdf", '<robot name="r"><link name="b"/>' + "".join(
+        f'<link name="l{i}"/><joint name="j{i}" type="fixd"><parent link="b"/><child link="l{i}"/></joint>'
+        for i in range(n)) + "</robot>")
+
+
+@grows(300, "smurf-lint", "-q", "--exit-zero", "--format", "html", "a.yml")
+def a_page_of_findings_in_one_section(n, write):
+    write("a.yml", "motors:\n" + "- {nam: 1, joint: 2, type: x, maxSpeed: a, maxEffort: -1}\n" * n)
+
+
+# OpenUSD and the sensors of MuJoCo.
+
+def joints_in_a_row(n, joint, link='<link name="l%d"/>'):
+    return '<robot name="r"><link name="l0"/>' + "".join(
+        link % i + '<joint name="j%d" type="%s"><parent link="l%d"/><child link="l%d"/>%s</joint>' %
+        (i, joint, i - 1, i, f'<mimic joint="j{i - 1}"/>' if joint == "continuous" and i > 1 else "")
+        for i in range(1, n)) + "</robot>"
+
+
+@flattens(400, "--format", "usda")
+def frames_in_one_body_to_usda(n, write):
+    write_scene(write, [ENTITY % (0, "")], joints_in_a_row(n, "fixed"))
+
+
+@flattens(400, "--format", "usda")
+def bodies_in_a_row_to_usda(n, write):
+    write_scene(write, [ENTITY % (0, "")], joints_in_a_row(n, "revolute", '<link name="l%d"><collision><geometry>'
+                                                           '<sphere radius="1"/></geometry></collision></link>'))
+
+
+@flattens(1000, "--format", "usda")
+def followers_in_a_row_to_usda(n, write):
+    write_scene(write, [ENTITY % (0, "")], joints_in_a_row(n, "continuous"))
+
+
+@flattens(400, "--format", "usda")
+def anchors_on_one_robot_to_usda(n, write):
+    write_scene(write, (ENTITY % (i, ', anchor: "e0::b"' if i else "") if i else
+                        "- {name: e0, type: urdf, file: big.urdf}\n" for i in range(n)))
+    write("big.urdf", star(n))
+
+
+@flattens(400, "--format", "mjcf")
+def sensors_of_a_robot_to_mjcf(n, write):
+    write_scene(write, [ENTITY % (0, "")], star(n).replace("</robot>", "".join(
+        f'<gazebo reference="l{i}"><sensor name="s" type="imu"><always_on>1</always_on></sensor></gazebo>'
+        for i in range(n)) + "</robot>"))
+
+
+# Scenes whose entities name parts of one model
+
+
+@grows(400, "smurf-diff", "-q", "a.smurfs", "a.smurfs")
+def joint_pose_of_each_entity(n, write):
+    write("r.urdf", '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent link="a"/>'
+                    '<child link="b"/></joint></robot>')
+    write("p.yml", "poses:\n" + "".join(f"- {{name: p{i}, joints: {{j: 0.1}}}}\n" for i in range(n)))
+    write("a.smurf", "modelname: a\nfiles: [r.urdf, p.yml]\n")
+    write("a.smurfs", "smurfs:\n" + "".join(
+        f"- {{name: e{i}, type: smurf, file: a.smurf, pose: p{i}}}\n" for i in range(n)))

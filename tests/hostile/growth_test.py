@@ -10,12 +10,11 @@ for logarithms only. Skips, and says so, without valgrind.
 import concurrent.futures
 import os
 import pathlib
-import re
-import shutil
 import subprocess
 import sys
 import tempfile
 
+import callgrind
 import growth_inputs
 
 STEP = 4
@@ -24,17 +23,10 @@ SECONDS = 120
 
 
 def instructions(tools: pathlib.Path, case: growth_inputs.Case, folder: pathlib.Path, size: int) -> int:
-    """Of the tool and its child processes."""
     folder.mkdir()
     case.write(size, folder)
-    run = subprocess.run(
-        ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--trace-children=yes",
-         str(tools / case.command[0]), *case.arguments(size)],
-        cwd=folder, capture_output=True, text=True, errors="replace", timeout=SECONDS,
-        env={**os.environ, **case.variables(size)}, stdin=subprocess.DEVNULL)
-    if run.returncode not in (0, 1, 2):
-        raise AssertionError(f"ended with {run.returncode}: {run.stderr[-500:]}")
-    return sum(int(count) for count in re.findall(r"Collected : (\d+)", run.stderr))
+    return callgrind.instructions(tools / case.command[0], *case.arguments(size), codes=(0, 1, 2), cwd=folder, timeout=SECONDS,
+                                  env={**os.environ, **case.variables(size)}, stdin=subprocess.DEVNULL)
 
 
 def fault(tools: pathlib.Path, case: growth_inputs.Case) -> str:
@@ -54,9 +46,7 @@ def fault(tools: pathlib.Path, case: growth_inputs.Case) -> str:
 
 def main() -> int:
     tools, wanted = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
-    if shutil.which("valgrind") is None:
-        print("SKIPPED: no valgrind; scripts/setup --dev installs it")
-        return 77
+    callgrind.skip_without_valgrind()
     cases = [case for case in growth_inputs.CASES if not wanted or case.name in wanted]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         faults = list(pool.map(lambda case: fault(tools, case), cases))

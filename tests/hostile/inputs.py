@@ -461,5 +461,18 @@ def settings():
     yield lint("fixes of everything", {"r.urdf": XML_TEXTS["links of one name"]}, "--diff", "--unsafe-fixes", "{}")
 
 
+def versions():
+    """Of a megabyte each, with lists of nothing in common."""
+    lists = {
+        "names": ("sensors: [{name: s, type: Joint6DOF, link: l, id: [", ("x", "y"), "]}]\n"),
+        "words": ("s: [", ("x", "y"), "]\n"),
+        "mappings": ("s: [", ("{x: 1}", "{y: 1}"), "]\n"),
+    }
+    for title, (begin, items, end) in lists.items():
+        old, new = ((begin + ",".join([item] * (900_000 // (len(item) + 1))) + end).encode() for item in items)
+        yield Case(f"two lists of {title}", {"old.yml": old, "new.yml": new}, "old.yml", tools=("smurf-diff",),
+                   words=("old.yml", "new.yml"))
+
+
 def cases():
-    return itertools.chain(texts(), truncations(), places(), shapes(), archives(), settings(), large())
+    return itertools.chain(texts(), truncations(), places(), shapes(), archives(), settings(), large(), versions())

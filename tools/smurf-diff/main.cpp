@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // smurf-diff: what differs for the robot between two versions of a model or scene.
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 #include "common/input.hpp"
 #include "common/output.hpp"
@@ -77,12 +79,25 @@ ExitCode compare_operands(const Options& options) {
   return compared.differences.empty() ? kDone : kFindings;
 }
 
+/// What git passes after --git are names of a repository, which may look like options.
+std::vector<const char*> without_options_of_git(int argc, const char* const* argv) {
+  std::vector<const char*> arguments(argv, argv + argc);
+  const auto git = std::ranges::find(arguments, std::string_view("--git"));
+  if (git != arguments.end()) arguments.insert(git + 1, "--");
+  return arguments;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   prepare_process();
   Options options;
-  if (const auto code = parse_command_line(make_command(options), argc, argv)) return *code;
+  const std::vector<const char*> arguments = without_options_of_git(argc, argv);
+  const int count = static_cast<int>(arguments.size());
+  if (const auto code = parse_command_line(make_command(options), count, arguments.data())) {
+    return *code;
+  }
+  if (options.for_git) drop_separator(options.operands);
   if (const std::string problem = problem_of(options); !problem.empty()) {
     complain(kTool, problem);
     return kFailed;

@@ -39,12 +39,30 @@ std::vector<Option> own_options(Options& options) {
       {.group = "Comparison",
        .name = "git",
        .help =
-           "Run as the diff driver of git: take the operands that git passes, and exit with 0 when "
-           "the files differ.",
+           "Run as the diff driver of git: take all that follows as the operands that git passes, "
+           "and exit with 0 when the files differ.",
        .set = set_flag(options.for_git)}};
 }
 
+/// "100644", or "." for a file that is missing.
+bool is_mode(std::string_view text) {
+  return text == "." || (text.size() == 6 && text.find_first_not_of("01234567") == text.npos);
+}
+
+/// One operand for a file that is not merged, two more for one that was renamed.
+bool is_from_git(const std::vector<std::string>& operands) {
+  if (operands.size() == 1) return true;
+  return (operands.size() == 7 || operands.size() == 9) && is_mode(operands[3]) &&
+         is_mode(operands[6]);
+}
+
 }  // namespace
+
+void drop_separator(std::vector<std::string>& operands) {
+  if (operands.empty() || operands.front() != "--") return;
+  // Git passes an odd number, of which the first may be a file of that name.
+  if (operands.size() % 2 == 0) operands.erase(operands.begin());
+}
 
 Command make_command(Options& options) {
   Command command;
@@ -71,6 +89,7 @@ Command make_command(Options& options) {
     command.options.push_back(std::move(option));
   }
   command.set_operand = append_to(options.operands);
+  command.exit_with_1 = "the robots differ";
   command.examples = {
       {"smurf-diff old/robot.urdf new/robot.urdf", "Compare two versions of a robot:"},
       {"git config diff.smurf.command \"smurf-diff --git\"",
@@ -84,10 +103,9 @@ Command make_command(Options& options) {
 std::string problem_of(const Options& options) {
   const std::size_t count = options.operands.size();
   if (options.for_git) {
-    // One for a file that is not merged, two more for one that was renamed.
-    const bool is_from_git = count == 1 || count == 7 || count == 9;
-    return is_from_git ? ""
-                       : "--git takes the 7 operands that git gives, not " + std::to_string(count);
+    return is_from_git(options.operands)
+               ? ""
+               : "--git takes the 7 operands that git gives, and no options after it";
   }
   if (count != 2) {
     return "two inputs are compared, not " + std::to_string(count) + "; see --help";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Models and scenes as things.
+// Collects the things of models and scenes.
 #pragma once
 
 #include "diff/properties.hpp"
@@ -8,7 +8,7 @@
 
 namespace smurf {
 
-/// What of a model is compared.
+/// The parts of a model that are compared.
 enum class Scope : std::uint8_t { all, robot };
 
 /// Appends the things of a URDF.
@@ -17,14 +17,14 @@ void collect_robot(const LinkedModel& model, Things& things);
 void collect_annotations(const LinkedModel& model, YamlProperties& properties, Things& things);
 Things collect(const LinkedModel& model, Scope scope, YamlProperties& properties);
 
-/// Those of the scene files, each once however often it is included.
+/// Appends those of the scene files, each once however often it is included.
 Things collect(const LinkedScene& scene, const SourceMap& sources, YamlProperties& properties);
 
 /// The order of places in files.
 inline bool is_before(const Span& a, const Span& b) {
   return a.source != b.source ? a.source < b.source : a.begin < b.begin;
 }
-/// Sorts by the place of the name, by which references are looked up.
+/// Sorts by the place of the name, for the lookup of references.
 void sort_by_place(std::vector<Reference>& references);
 
 }  // namespace smurf

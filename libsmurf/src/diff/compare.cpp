@@ -15,9 +15,10 @@ namespace {
 
 using Form = Property::Form;
 
-/// Readers make the same of it as of nothing.
+/// True when readers treat it as if it were absent.
 bool is_nothing(const Property& property) {
   if (property.is_default || property.form == Form::absent) return true;
+  if (property.form == Form::texts) return property.texts.empty();
   if (property.form != Form::group && property.form != Form::list) return false;
   return std::all_of(property.members.begin(), property.members.end(), is_nothing);
 }
@@ -29,14 +30,15 @@ bool is_list_of_values(const Property& property) {
 
 constexpr std::size_t kLongestName = 1000;
 
-/// Where something would be that is not there.
+/// The place for a property that one version lacks.
 Span beside(Span span) { return {span.source, span.begin, span.begin}; }
 
-/// Members of one key, such as an attribute and an element of one name, are told apart by their
+/// Members with the same key, such as an attribute and an element of one name, are paired in their
 /// order.
 class KeyCounter {
  public:
-  std::string unique(const std::string& key) {
+  std::string unique(std::string_view name) {
+    const std::string key(name);
     const std::size_t number = ++counts_[key];
     return number == 1 ? key : key + '\0' + std::to_string(number);
   }
@@ -45,7 +47,7 @@ class KeyCounter {
   std::unordered_map<std::string, std::size_t> counts_;
 };
 
-/// One thing in both versions.
+/// A thing in both versions.
 class PropertyComparer {
  public:
   PropertyComparer(const Renames& renames, const DiffOptions& options, FileContents& contents,
@@ -56,7 +58,7 @@ class PropertyComparer {
         frame_(std::move(frame)),
         out_(out) {}
 
-  /// `is_list`: the keys are names of items.
+  /// With `is_list`, the keys are the names of items.
   void compare_members(const Property& before, const Property& after, const std::string& path,
                        bool is_list = false) {
     std::unordered_map<std::string, const Property*> old_members;
@@ -82,8 +84,8 @@ class PropertyComparer {
   }
 
  private:
-  /// A path is told with every difference below it, so it must not be as long as a file.
-  static std::string joined(const std::string& path, const std::string& key, bool is_item = false) {
+  /// Every difference below repeats the path, so its length is limited.
+  static std::string joined(const std::string& path, std::string_view key, bool is_item = false) {
     constexpr std::size_t kLongest = 300;
     const std::string step = shortened(key, kLongest);
     if (is_item) return shortened(path + "[" + step + "]", kLongest);
@@ -108,15 +110,22 @@ class PropertyComparer {
     if (is_nothing(before) && is_nothing(after)) return true;
     if (before.form == Form::file && after.form == Form::file) {
       if (!before.path.empty() && !after.path.empty() && options_.files != nullptr) {
-        return before.path == after.path || contents_.are_same(before.path, after.path);
+        return before.path == after.path ||
+               contents_.are_same(std::string(before.path), std::string(after.path));
       }
       return before.text == after.text;
+    }
+    if (before.form == Form::texts && after.form == Form::texts) {
+      return std::equal(before.texts.begin(), before.texts.end(), after.texts.begin(),
+                        after.texts.end(), [&](const auto& a, const auto& b) {
+                          return renames_.translate(a.value, a.span) == b.value;
+                        });
     }
     return is_same_leaf(before, renames_.translate(before.text, before.span), after,
                         options_.tolerance);
   }
 
-  /// What one version alone has. Of a group with one value, that value is told.
+  /// Reports a property that one version lacks; for a group with one value, that value.
   void compare_with_nothing(const Property& property, bool is_old, const std::string& path,
                             Span other) {
     if (is_nothing(property)) return;
@@ -135,7 +144,7 @@ class PropertyComparer {
   }
 
   void compare_lists(const Property& before, const Property& after, const std::string& path) {
-    // Items with names are told apart by them, whatever their order.
+    // Items with names are paired by name, in any order.
     if (are_named(before) && are_named(after)) return compare_members(before, after, path, true);
     const bool is_long_as_before = before.members.size() == after.members.size();
     if (is_list_of_values(before) && is_list_of_values(after)) {
@@ -171,7 +180,7 @@ class PropertyComparer {
 
   void report(const std::string& path, const Property& before, const Property& after) {
     Difference& difference = add(path, after);
-    // A name as the new version has it: else it seems to be the same where it is not.
+    // The name in the new version: with the old name, a renamed thing would seem to differ.
     const bool is_text = before.form == Form::text;
     difference.before = is_text ? renames_.translate(before.text, before.span) : value_of(before);
     difference.after = value_of(after);
@@ -215,7 +224,7 @@ class Comparison {
   }
 
  private:
-  /// Parts of what is new or gone as a whole are not told.
+  /// Parts of a thing that was added or removed as a whole are not reported.
   static bool is_alone(const Things& things, const std::vector<std::size_t>& others,
                        std::size_t i) {
     const std::size_t parent = things.all[i].parent;
@@ -223,7 +232,7 @@ class Comparison {
     return parent == kNone || others[parent] != kNone;
   }
 
-  /// Which one of several things without a name in the same whole; 0 where there is only one.
+  /// The number of a thing among the nameless ones in the same parent; 0 for the only one.
   static std::vector<std::size_t> numbers_of(const Things& things) {
     std::vector<std::size_t> numbers(things.all.size());
     std::unordered_map<std::string, std::vector<std::size_t>> unnamed;
@@ -239,7 +248,7 @@ class Comparison {
     return numbers;
   }
 
-  /// Told with every difference of the thing, so it must not be as long as a file.
+  /// Every difference of the thing repeats it, so its length is limited.
   static std::string shown_name(const Thing& thing) {
     return shortened(thing.path.empty() ? thing.name : thing.path, kLongestName);
   }
@@ -288,7 +297,7 @@ class Comparison {
     tell_effect(new_thing, first);
   }
 
-  /// A joint that moves takes everything below it along, which is not told for each link.
+  /// A moved joint moves all links below it; these are counted, not reported one by one.
   void tell_effect(std::size_t new_thing, std::size_t first) {
     if (after_.all[new_thing].names != NameKind::joint) return;
     for (std::size_t i = first; i < out_.size(); ++i) {
@@ -327,7 +336,7 @@ class Comparison {
   const DiffOptions& options_;
   FileContents& contents_;
   std::vector<std::size_t> numbers_before_, numbers_after_;
-  std::vector<std::size_t> below_;                       ///< links from this one on, by link
+  std::vector<std::size_t> below_;  ///< number of links below and itself, by link
   std::unordered_map<std::size_t, std::size_t> joints_;  ///< by thing
   std::vector<Difference> out_;
 };
@@ -342,7 +351,7 @@ bool FileContents::are_same(const std::string& a, const std::string& b) {
   return first == second;
 }
 
-/// Not cryptographic: who wants two meshes taken for one gains nothing by it.
+/// Not cryptographic: nobody gains anything from two meshes that compare as equal.
 const std::string& FileContents::digest(const std::string& path) {
   const auto [place, is_new] = digests_.try_emplace(path);
   if (!is_new) return place->second;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Properties of two versions, one by one.
+// Compares the properties of two versions.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace smurf {
 
-/// Whether two files hold the same; each is read once.
+/// Tells whether two files have equal content. Reads each once.
 class FileContents {
  public:
   explicit FileContents(const DiffOptions& options) : options_(options) {}

@@ -16,7 +16,7 @@
 namespace smurf {
 namespace {
 
-/// What two models differ in, and what else of the scene is called differently then.
+/// The differences of two models, and the renames that follow from them in the scene.
 struct ModelDiff {
   std::vector<Difference> differences;
   std::map<std::pair<NameKind, std::string>, std::string> renamed;
@@ -34,7 +34,7 @@ ModelDiff diff_models(const LinkedModel& before, const LinkedModel& after,
           renames.of_model(ModelIndex{Reference::kNothing})};
 }
 
-/// Equal for models that mean the same.
+/// A key that is equal for models with the same meaning.
 std::uint64_t hash_of(const LinkedModel& model) {
   YamlProperties properties;
   const Things things = collect(model, Scope::all, properties);
@@ -80,7 +80,7 @@ class SceneDiff {
  private:
   using Models = std::map<std::size_t, ModelIndex>;
 
-  /// The models of entities, by their things; things of entities stand in the order of the files.
+  /// The models of entities, by thing. Things of entities are in the order of the files.
   static Models models_of(const LinkedScene& scene, const Things& things) {
     std::map<Span, std::size_t, decltype(&is_before)> places(is_before);
     for (std::size_t i = 0; i < things.all.size(); ++i) {
@@ -100,8 +100,8 @@ class SceneDiff {
     return file == thing.properties.members.end() ? nullptr : &*file;
   }
 
-  /// Under one name, the models are compared. Under another one, a different model stands there,
-  /// unless it is the same again.
+  /// Compares models of the same name. A model of another name is a different one, unless both mean
+  /// the same.
   void compare_models(ModelIndex before, ModelIndex after, std::size_t old_thing,
                       std::size_t new_thing, Renames& renames) {
     const LinkedModel& old_model = before_.models[to_size(before)];
@@ -122,7 +122,7 @@ class SceneDiff {
     std::move(found.differences.begin(), found.differences.end(), std::back_inserter(of_models_));
   }
 
-  /// How many entities stand elsewhere because one was moved: those in it and those placed on it.
+  /// The number of entities that moved along with one: those in it and those placed on it.
   void tell_effects(std::vector<Difference>& differences) const {
     std::map<std::string, Difference*> moved;
     for (Difference& one : differences) {
@@ -139,8 +139,8 @@ class SceneDiff {
     }
   }
 
-  /// The difference by which each instance stands elsewhere: its own, that of what it is placed on,
-  /// or that of a scene around it; null: none.
+  /// The difference that moved each instance: its own, that of its parent, or that of a scene
+  /// around it; null: none.
   static std::vector<Difference*> causes_of(const LinkedScene& scene,
                                             const std::map<std::string, Difference*>& moved) {
     const auto own = [&](const std::string& path) {

@@ -24,9 +24,21 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
 
 std::uint64_t hash_of_text(std::string_view text) { return std::hash<std::string_view>{}(text); }
 
+/// A name that may still get another one is as good as any.
+std::uint64_t hash_of_name(std::string_view text, Span place, const Renames& names) {
+  return names.is_open(place) ? 1 : hash_of_text(names.translate(text, place));
+}
+
 std::uint64_t hash_of_numbers(const std::vector<double>& numbers) {
   std::uint64_t hash = numbers.size();
   for (const double number : numbers) hash = mixed(hash, bit_cast<std::uint64_t>(number + 0.0));
+  return hash;
+}
+
+std::uint64_t hash_of_texts(const std::vector<Spanned<std::string_view>>& texts,
+                            const Renames& names) {
+  std::uint64_t hash = 0;
+  for (const auto& [text, place] : texts) hash = mixed(hash, hash_of_name(text, place, names));
   return hash;
 }
 
@@ -37,8 +49,7 @@ std::uint64_t hash_of_members(const Property& property, const Renames& names) {
     const bool is_item = property.form == Property::Form::list && member.key.empty();
     if (is_item) hash = mixed(hash, own);
     if (is_item || own == 0) continue;
-    const bool is_open = names.is_open(member.key_span);
-    hash += mixed(is_open ? 1 : hash_of_text(names.translate(member.key, member.key_span)), own);
+    hash += mixed(hash_of_name(member.key, member.key_span, names), own);
   }
   return property.form == Property::Form::choice ? mixed(hash, hash_of_text(property.text)) : hash;
 }
@@ -80,15 +91,14 @@ class Matcher {
  private:
   using Kind = std::optional<NameKind>;
   using Parts = std::unordered_map<std::size_t, std::vector<std::size_t>>;  ///< by the whole
-  /// By their kind and how many things they are in, so that a whole finds its counterpart before
-  /// its parts do.
+  /// Ordered by kind and depth, so that a thing is matched before its parts.
   using Kinds = std::map<std::pair<Kind, std::size_t>, std::vector<std::size_t>>;
-  /// Things of one kind that are looked at together.
+  /// Things of one kind that are matched together.
   struct Candidates {
     const std::vector<std::size_t>& before;
     const std::vector<std::size_t>& after;
   };
-  /// What could be each other's counterpart.
+  /// Candidates for each other's counterpart.
   struct Bucket {
     std::vector<std::size_t> before, after;
   };
@@ -98,7 +108,7 @@ class Matcher {
     names_after_.close(kind);
   }
 
-  /// Scene files are those that the same entities bring.
+  /// Matches scene files that matched entities include.
   void match_scenes(std::size_t old_scene, std::size_t new_scene) {
     if (old_scene == kNone || new_scene == kNone) return;
     if (!is_free_before(old_scene) || !is_free_after(new_scene)) return;
@@ -106,7 +116,7 @@ class Matcher {
     scenes_.emplace_back(old_scene, new_scene);
   }
 
-  /// Scene by scene, from the outer ones on.
+  /// Matches entities scene by scene, from the outermost.
   void match_entities() {
     const auto first = [](const Things& things) {
       const auto found = ranges::find(things.all, true, &Thing::is_scene);
@@ -178,13 +188,14 @@ class Matcher {
   bool is_free_before(std::size_t i) const { return matching_.to_new[i] == kNone; }
   bool is_free_after(std::size_t i) const { return matching_.to_old[i] == kNone; }
 
-  /// The key of a bucket: the kind, what it is a part of, and what else decides.
+  /// The key of a bucket: the kind, the parent, and a further criterion.
   static std::string key_of(const Thing& thing, std::size_t new_parent, std::string_view more) {
     return thing.kind + '\0' + std::to_string(new_parent) + '\0' + std::string(more);
   }
 
   /// Calls `visit` with all buckets of free things of a kind, in the order of the old version.
-  /// `more` gives what decides of a thing and its index; none: the thing stays free.
+  /// `more` returns the further criterion for a thing and its index; with none, the thing is
+  /// skipped.
   template <class More, class Visit>
   void for_each_bucket(const Candidates& candidates, const More& more, const Visit& visit) {
     std::unordered_map<std::string, std::size_t> places;
@@ -230,7 +241,7 @@ class Matcher {
     for_each_bucket(candidates, name, [&](const Bucket& bucket) { match_bucket(bucket); });
   }
 
-  /// Things of one name, or without any: equal ones first, then in their order.
+  /// Matches things of one name, or without name: equal ones first, the others in order.
   void match_bucket(const Bucket& bucket) {
     if (bucket.before.size() > 1 || bucket.after.size() > 1) {
       std::unordered_map<std::uint64_t, std::deque<std::size_t>> equal;
@@ -255,7 +266,7 @@ class Matcher {
     }
   }
 
-  /// What was renamed is still the same thing. One without content could be any.
+  /// Matches renamed things by content. A thing without content matches nothing.
   void match_by_content(const Candidates& candidates) {
     const auto content = [&](const Thing& thing, std::size_t i, bool is_before) {
       const std::uint64_t hash = is_before ? hash_before(i) : hash_after(i);
@@ -300,8 +311,8 @@ class Matcher {
     return numbers;
   }
 
-  /// A link that the same joint leads to, or that carries the same joint, is the same link; so is a
-  /// joint between the same links. Goes on from all pairs until there are no more.
+  /// Matches links that have a matched joint above or below, and joints between matched links, and
+  /// repeats this from every new pair.
   void follow_tree() {
     if (before_.tree == nullptr || after_.tree == nullptr) return queue_.clear();
     if (links_before_.empty()) {
@@ -344,7 +355,7 @@ class Matcher {
                   thing_of(after_.links, after.joint_parent[new_joint]));
   }
 
-  /// The joint that leads to a link, if it comes from the same link, and equal ones away from it.
+  /// Matches the joint above a link if its parents match, and equal joints below.
   void match_joints_at(std::size_t old_link, std::size_t new_link) {
     const auto old_joint = before_.tree->parent_joint[old_link];
     const auto new_joint = after_.tree->parent_joint[new_link];
@@ -376,12 +387,12 @@ class Matcher {
   const Things& before_;
   const Things& after_;
   Renames& renames_;
-  Renames names_after_;  ///< without any: to tell which names are not decided yet
+  Renames names_after_;  ///< without renames: tells which names are still open
   Matching matching_;
   Parts parts_before_, parts_after_;
   Kinds kinds_before_, kinds_after_;
-  std::deque<std::pair<std::size_t, std::size_t>> scenes_;  ///< whose entities are to be matched
-  std::deque<std::size_t> queue_;  ///< old links and joints whose neighbours are to be looked at
+  std::deque<std::pair<std::size_t, std::size_t>> scenes_;  ///< their entities are matched next
+  std::deque<std::size_t> queue_;  ///< old links and joints whose neighbours are matched next
   std::unordered_map<std::size_t, std::size_t> links_before_, joints_before_, links_after_,
       joints_after_;
 };
@@ -392,10 +403,8 @@ std::uint64_t hash_of(const Property& property, const Renames& names) {
   if (property.is_default) return 0;
   switch (property.form) {
   case Property::Form::absent: return 0;
-  case Property::Form::text:
-    return names.is_open(property.span)
-               ? 1
-               : hash_of_text(names.translate(property.text, property.span));
+  case Property::Form::text: return hash_of_name(property.text, property.span, names);
+  case Property::Form::texts: return hash_of_texts(property.texts, names);
   case Property::Form::file: return hash_of_text(path::file_name(property.text));
   case Property::Form::list:
   case Property::Form::group:

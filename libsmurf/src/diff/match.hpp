@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which thing of the old version is which of the new one.
+// Finds the counterparts of things between the old and the new version.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace smurf {
 
-/// By index of the things; kNone: it has no counterpart.
+/// The counterpart of each thing, by index; kNone: it has none.
 struct Matching {
   std::vector<std::size_t> to_new, to_old;
 };
 
-/// By names; then links and joints by the tree, and what is left by what it is. Adds the renames.
+/// Matches by names, then links and joints by the tree, and the rest by content. Adds the renames.
 Matching match(const Things& before, const Things& after, Renames& renames);
 
-/// Equal for equal properties, whatever their order; of names that are not decided yet, all are
-/// equal. 0 for what says nothing.
+/// A hash that ignores the order of properties. All names whose counterpart is still open count as
+/// equal. 0 for a thing without content.
 std::uint64_t hash_of(const Property& property, const Renames& names);
 
 }  // namespace smurf

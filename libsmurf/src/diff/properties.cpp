@@ -20,15 +20,15 @@ Property leaf(std::string_view key, Form form, Span span) {
   return property;
 }
 
-/// Lengths and angles have a size of their own, and so have directions, scales and colours, which
-/// have no unit. What a mass of zero differs from is everything else.
+/// The tolerance is absolute for lengths and angles, and for directions, scales and colours, which
+/// have no unit. It is relative for all others.
 bool is_absolute(const Property& property) {
   const std::string_view unit = property.unit;
   return unit == "m" || unit == "rad" || unit == "rad or m" || unit == "deg" ||
          (unit.empty() && property.form == Form::numbers);
 }
 
-/// Rounding errors of turning a tensor.
+/// Rotating a tensor causes rounding errors of this size.
 constexpr double kNoise = 1e-14;
 
 bool are_same_numbers(const Property& before, const Property& after, double tolerance) {
@@ -54,6 +54,15 @@ bool is_same_pose(const Pose& a, const Pose& b, double tolerance) {
          angle_between(a.orientation, b.orientation) <= tolerance;
 }
 
+std::string summary_of_texts(const Property& property) {
+  std::string text;
+  for (const Spanned<std::string_view>& one : property.texts) {
+    if (!text.empty()) text += ", ";
+    text += one.value;
+  }
+  return text.empty() ? "empty" : text;
+}
+
 }  // namespace
 
 Property number_property(std::string_view key, double value, Span span, std::string_view unit) {
@@ -66,6 +75,13 @@ Property number_property(std::string_view key, double value, Span span, std::str
 Property text_property(std::string_view key, std::string_view text, Span span) {
   Property property = leaf(key, Form::text, span);
   property.text = text;
+  return property;
+}
+
+Property texts_property(std::string_view key, std::vector<Spanned<std::string_view>> texts,
+                        Span span) {
+  Property property = leaf(key, Form::texts, span);
+  property.texts = std::move(texts);
   return property;
 }
 
@@ -120,14 +136,18 @@ DiffValue value_of(const Property& property) {
   case Form::pose: return pose_of(property);
   case Form::group:
   case Form::choice: return summary_of(property);
+  case Form::texts:
   case Form::list: break;
   }
   std::vector<std::string> items;
+  items.reserve(property.texts.size() + property.members.size());
+  for (const Spanned<std::string_view>& one : property.texts) items.emplace_back(one.value);
   for (const Property& member : property.members) items.push_back(summary_of(member));
   return items;
 }
 
 std::string summary_of(const Property& property) {
+  if (property.form == Form::texts) return summary_of_texts(property);
   if (!property.has_members()) return value_text(value_of(property), property.unit, property.parts);
   std::string text = property.form == Form::choice ? property.text : "";
   for (const Property& member : property.members) {
@@ -151,6 +171,7 @@ bool is_same_leaf(const Property& before, std::string_view text_before, const Pr
   case Form::rotation: return angle_between(rotation_of(before), rotation_of(after)) <= tolerance;
   case Form::pose: return is_same_pose(pose_of(before), pose_of(after), tolerance);
   case Form::file: return before.text == after.text || before.path == after.path;
+  case Form::texts:
   case Form::list:
   case Form::group:
   case Form::choice: break;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is compared: things with names, and their values as a tree of properties. Every property
-// knows its bytes in the source; how it was written does not matter any more.
+// Things with names, and their values as trees of properties, which are compared. Every property
+// knows its place in the source, but not how it was written.
 #pragma once
 
 #include <cstdint>
@@ -19,32 +19,35 @@ namespace smurf {
 
 inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// One value, or several under their keys.
+/// A value, or a group of values with keys. A file of a megabyte has hundreds of thousands, so they
+/// point into the model where they can.
 struct Property {
   enum class Form : std::uint8_t {
     absent,
     boolean,   ///< numbers[0] is 0 or 1
     number,    ///< numbers[0]
     text,      ///< text
+    texts,     ///< texts: a list of nothing else, as of names
     numbers,   ///< numbers
     rotation,  ///< numbers: w, x, y, z, of unit length
     pose,      ///< numbers: x, y, z, then w, x, y, z
-    file,      ///< text: its name as written; path: where it is
+    file,      ///< text: its name as written; path: its resolved path
     list,      ///< members, in their order
     group,     ///< members, in any order, with keys
     choice     ///< a group of one of several types: text
   };
 
-  std::string key;
-  Span key_span;  ///< where the key is a name that may be renamed; else empty
+  std::string_view key;
+  Span key_span;  ///< place of a key that is a name and may be renamed; else empty
   Span span;
   Form form = Form::absent;
-  bool is_default = false;  ///< what readers take when it is absent
+  bool is_default = false;  ///< equal to the readers' default
   std::string_view unit;
   std::string_view fallback;
   std::span<const std::string_view> parts;  ///< names of `numbers`
   std::string text;
-  std::string path;
+  std::string_view path;
+  std::vector<Spanned<std::string_view>> texts;
   std::vector<double> numbers;
   std::vector<Property> members;
 
@@ -53,16 +56,16 @@ struct Property {
   }
 };
 
-/// A link, a motor, an entity: what is added, removed and renamed as a whole.
+/// A link, motor, entity or the like, which is added, removed and renamed as a whole.
 struct Thing {
   std::string kind;               ///< "link"
   std::string name;               ///< may be empty
-  std::string path;               ///< in nested scenes the names around it as well; else empty
-  Span place;                     ///< of the name, else of the whole
-  std::optional<NameKind> names;  ///< what else refers to by its name
-  std::size_t parent = kNone;     ///< the thing that it is part of; stands before it
-  std::size_t brings = kNone;     ///< of an entity that includes a scene: the thing of its file
-  bool is_scene = false;          ///< a scene file: who brings it tells which one it is
+  std::string path;               ///< in nested scenes, with the names around it; else empty
+  Span place;                     ///< of the name, else of the whole thing
+  std::optional<NameKind> names;  ///< the kind of name by which others refer to it
+  std::size_t parent = kNone;     ///< the thing that it is part of; has a smaller index
+  std::size_t brings = kNone;     ///< for an entity that includes a scene: the thing of that file
+  bool is_scene = false;          ///< a scene file, identified by the entity that includes it
   Property properties;            ///< a group
 };
 
@@ -77,6 +80,8 @@ struct Things {
 /// Leaves of properties.
 Property number_property(std::string_view key, double value, Span span, std::string_view unit = {});
 Property text_property(std::string_view key, std::string_view text, Span span);
+Property texts_property(std::string_view key, std::vector<Spanned<std::string_view>> texts,
+                        Span span);
 Property numbers_property(std::string_view key, std::vector<double> values, Span span,
                           std::string_view unit = {});
 Property pose_property(std::string_view key, const Pose& pose, Span span);
@@ -89,10 +94,10 @@ void add_member(Property& group, Property member);
 Pose pose_of(const Property& property);
 Quaternion rotation_of(const Property& property);
 DiffValue value_of(const Property& property);
-/// In one line for a person: of a group, its members; "none" when it is absent.
+/// One line for a person; for a group, its members; "none" when it is absent.
 std::string summary_of(const Property& property);
 
-/// Whether both mean the same; of a text, `before` is as the new version names it.
+/// Whether both mean the same. `before` is the old text with the names of the new version.
 bool is_same_leaf(const Property& before, std::string_view text_before, const Property& after,
                   double tolerance);
 

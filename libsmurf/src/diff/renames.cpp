@@ -16,7 +16,7 @@ const Renames::Names& Renames::of_model(ModelIndex model) const {
   return found == names_.end() ? kNothing : found->second;
 }
 
-/// The references inside of a place.
+/// The references within a span.
 std::pair<std::size_t, std::size_t> Renames::find(Span place) const {
   if (place.empty()) return {0, 0};
   const auto is_before = [](const Reference& one, std::pair<SourceId, std::uint32_t> at) {
@@ -49,7 +49,7 @@ std::string Renames::translate(std::string_view text, Span place) const {
   std::string translated(text);
   if (names_.empty()) return translated;
   const auto [begin, end] = find(place);
-  // From the end, so that what stands before keeps its place.
+  // Backwards, so that the positions before stay valid.
   for (std::size_t i = end; i > begin; --i) {
     const Reference& reference = references_[i - 1];
     const std::string* name = find(reference);

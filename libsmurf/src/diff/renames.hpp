@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of the old version as the new version has them.
+// Translates names of the old version to names of the new version.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,21 @@
 
 namespace smurf {
 
-/// What was renamed, and where its names stand in the old version.
+/// The renamed things, and the places of their names in the old version.
 class Renames {
  public:
   /// `references` are sorted by place and must outlive this.
   explicit Renames(const std::vector<Reference>& references) : references_(references) {}
 
-  /// In a scene: of which model.
+  /// The model of a name in a scene.
   void add(NameKind kind, std::string_view old_name, std::string_view new_name,
            ModelIndex model = ModelIndex{Reference::kNothing});
-  /// All things of this kind have found their counterparts.
+  /// Call it when all things of this kind are matched.
   void close(NameKind kind) { closed_.insert(kind); }
 
-  /// A text of the old version with all names in it as they are in the new one.
+  /// A text of the old version with the names of the new one.
   std::string translate(std::string_view text, Span place) const;
-  /// It holds a name of a kind that is not closed yet.
+  /// True when it contains a name of a kind that is not closed yet.
   bool is_open(Span place) const;
   const std::map<std::pair<NameKind, std::string>, std::string>& of_model(ModelIndex model) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Differences as text and as JSON.
+// Prints differences as text and as JSON.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -70,7 +70,7 @@ Ink ink_of(Change change) {
   return Ink::strong;
 }
 
-/// The place at the right edge: on the last line, else on one more.
+/// Adds the place at the right edge of the last line, or on a line of its own.
 void append_place(std::string& lines, const std::string& place, std::size_t columns) {
   const std::size_t begin = lines.rfind('\n');
   const std::size_t used = render::width_of(std::string_view(lines).substr(begin + 1));

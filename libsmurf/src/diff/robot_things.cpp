@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The things of a URDF: elements and attributes by the table of URDF, extensions as they stand.
+// Collects the things of a URDF: elements and attributes by the table of URDF, extensions as
+// written.
 #include <algorithm>
 #include <array>
 #include <unordered_map>
@@ -25,14 +26,14 @@ const AttributeSpec* find_attribute(const ElementSpec* spec, std::string_view na
   return found == spec->attributes.end() ? nullptr : &*found;
 }
 
-/// Of what URDF defines, only names, addresses and words are no numbers.
+/// True for the attributes of URDF that are names, addresses or words; all others are numbers.
 bool is_text(const AttributeSpec* spec) {
   if (spec == nullptr) return false;
   return !spec->names.empty() || !spec->values.empty() || spec->name == "name" ||
          spec->name == "filename" || spec->name == "version" || spec->name == "type";
 }
 
-/// Numbers between blanks; any other text with one blank between its words.
+/// Reads a list of numbers; joins the words of any other text by single spaces.
 Property property_of_text(std::string_view key, std::string_view text, Span span, bool is_text) {
   std::vector<double> numbers;
   std::string words;
@@ -67,7 +68,7 @@ std::string_view attribute_of(xml::View element, std::string_view name) {
   return attribute == nullptr ? std::string_view() : attribute->value();
 }
 
-/// About the centre of mass, in the axes of the link: R I R^T.
+/// The inertia about the centre of mass, in the axes of the link: R I R^T.
 std::vector<double> inertia_in_link(const urdf::Inertial& inertial) {
   const auto value = [](const Field<double>& field) { return field.value_or(0); };
   const double xy = value(inertial.ixy);
@@ -119,7 +120,7 @@ class RobotCollector {
     return thing;
   }
 
-  /// All but the name.
+  /// All attributes but the name.
   void attributes(xml::View element, const ElementSpec* spec, Property& group) {
     const bool is_thing = group.key.empty();
     for (const xml::Attribute& at : element.attributes()) {
@@ -143,7 +144,7 @@ class RobotCollector {
     return group;
   }
 
-  /// An element in another one. One that has nothing but its only attribute, or a text, is that.
+  /// A child element. One with only a single attribute, or only a text, becomes that value.
   Property element(xml::View element) {
     const ElementSpec* spec = urdf::find_element_spec(path::to_lower(element.name()));
     Property group = group_of(element);
@@ -156,8 +157,8 @@ class RobotCollector {
     return only;
   }
 
-  /// Those that are not left out. Of elements that may be there once, readers take the first one;
-  /// others are told apart by their names where all have one.
+  /// The child elements that are compared. Readers take the first of elements that may occur once;
+  /// others are paired by name if all have one.
   template <class IsLeftOut>
   void children(xml::View parent, Property& group, IsLeftOut is_left_out) {
     const ElementSpec* spec = urdf::find_element_spec(path::to_lower(parent.name()));
@@ -190,11 +191,11 @@ class RobotCollector {
     }
   }
 
-  /// Elements of one name in an element.
+  /// The child elements of one name.
   struct Siblings {
     bool have_names = true;
-    bool is_known = false;     ///< one of them was read
-    std::size_t list = kNone;  ///< the member of the group that has them
+    bool is_known = false;     ///< the first of them was read
+    std::size_t list = kNone;  ///< the member of the group that contains them
   };
 
   static bool is_single(const ElementSpec* spec, std::string_view name) {
@@ -225,7 +226,8 @@ class RobotCollector {
     }
   }
 
-  /// As a body in the frame of the link: where its own frame is does not matter.
+  /// The mass properties in the frame of the link, so that the choice of the inertial frame makes
+  /// no difference.
   Property inertial(const urdf::Link& link) {
     const urdf::Inertial& inertial = *link.inertial;
     Property group = group_property("inertial", view(inertial.element).tag_span());
@@ -286,7 +288,7 @@ class RobotCollector {
     if (joint.has_one_axis()) choose_units(thing.properties, joint.type);
   }
 
-  /// Of "rad or m", the one that the joint has.
+  /// "rad" or "m" for a unit of "rad or m", depending on the joint.
   static void choose_units(Property& property, urdf::JointType type) {
     constexpr std::string_view kOr = " or ";
     for (Property& member : property.members) choose_units(member, type);
@@ -309,13 +311,13 @@ class RobotCollector {
       return property.form == Property::Form::text && !name.span.empty() &&
              property.span == name.span;
     });
-    thing.properties.key.clear();
+    thing.properties.key = {};
   }
 
   const LinkedModel& model_;
   const urdf::Robot& robot_;
   Things& things_;
-  std::unordered_map<std::uint32_t, const MeshReference*> files_;  ///< by where they are named
+  std::unordered_map<std::uint32_t, const MeshReference*> files_;  ///< by the place of the name
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The things of a scene: its entities with those of nested scenes, lights and the world.
+// Collects the things of a scene: entities, also of nested scenes, lights and the world.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -17,7 +17,7 @@ bool is_of_world(std::string_view key) {
   return key != "smurfs" && key != "entities" && key != "smurfa" && key != "lights";
 }
 
-/// The pose is compared as one, and a nested scene by what is in it.
+/// Excludes the keys of the pose, which is compared as a whole, and the file of a nested scene.
 bool is_of_entity(std::string_view key) {
   return key != "name" && key != "position" && key != "rotation" && key != "file";
 }
@@ -102,7 +102,7 @@ class SceneCollector {
                                              rows_of(all_entity_keys()), is_of_entity);
     }
     for (Property& property : thing.properties.members) {
-      // Absent, it is what the name of the file ends in.
+      // The default is the extension of the file.
       if (property.key != "type" || !entity.file) continue;
       property.is_default = "." + property.text == path::to_lower(path::extension(*entity.file));
     }
@@ -113,7 +113,7 @@ class SceneCollector {
     add_file(thing, entity, EntityKey{to_size(use.scene), index});
   }
 
-  /// The models of scenes are compared by themselves; a file that nothing else reads, byte by byte.
+  /// Models are compared separately. A file that nothing else reads is compared byte by byte.
   void add_file(Thing& thing, const Entity& entity, EntityKey key) {
     if (!entity.file || included_.contains(key)) return;
     Property file = text_property("file", *entity.file, entity.file.span);
@@ -147,7 +147,7 @@ class SceneCollector {
   std::map<EntityKey, const Instance*> instances_;  ///< the first one of each entity
   std::map<std::size_t, std::size_t> scenes_;       ///< things, by scene file
   std::map<EntityKey, std::size_t> entities_;       ///< things
-  std::set<EntityKey> included_;                    ///< entities that bring a scene
+  std::set<EntityKey> included_;                    ///< entities that include a scene
   std::map<std::string, const DataFile*> data_;     ///< by path
   std::map<const DataFile*, bool> told_;
 };

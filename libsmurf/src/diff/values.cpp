@@ -16,8 +16,7 @@ std::string with_unit(std::string text, std::string_view unit) {
   return text;
 }
 
-/// Nine digits are more than any robot has; where they do not tell two numbers apart, all are
-/// shown.
+/// Nine digits are enough for robots. Where two numbers look the same then, all digits are shown.
 std::string short_number(double value) { return format_rounded(value, 9); }
 
 std::string numbers_text(std::span<const double> values, std::string (*show)(double)) {
@@ -31,7 +30,7 @@ std::string in_radians(const Quaternion& rotation) {
   return numbers_text(rpy, short_number);
 }
 
-/// Old and new as texts that differ.
+/// The old and the new value as different texts.
 struct Pair {
   std::string before, after;
 };
@@ -85,7 +84,7 @@ std::string pose_change(const Pose& before, const Pose& after) {
   return text;
 }
 
-/// What readers take where nothing is written.
+/// The default of readers for an absent value.
 std::string absent_text(const Difference& difference) {
   if (difference.fallback.empty()) return "none";
   return std::string(difference.fallback) + " (default)";

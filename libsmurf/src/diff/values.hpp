@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values and properties of differences in words.
+// Prints values and properties of differences.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ std::string label_of(std::string_view property);
 std::string value_text(const DiffValue& value, std::string_view unit,
                        std::span<const std::string_view> parts);
 
-/// "0.35 -> 0.4 kg (+14.3 %)": of several numbers with names, those that differ alone.
+/// "0.35 -> 0.4 kg (+14.3 %)"; for several numbers with names, only those that differ.
 std::string change_text(const Difference& difference);
 
 }  // namespace smurf

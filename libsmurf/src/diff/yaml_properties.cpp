@@ -27,6 +27,13 @@ std::vector<double> numbers_in(yaml::View value) {
   return numbers;
 }
 
+/// As scalars without a row are read: no numbers, no booleans.
+bool are_all_texts(yaml::View value) {
+  return value.size() > 0 && std::all_of(value.begin(), value.end(), [](yaml::View item) {
+           return item.is_scalar() && !finite(item) && !item.boolean();
+         });
+}
+
 std::optional<bool> boolean_of(yaml::View value) {
   if (const auto number = value.number(); number && (*number == 0 || *number == 1)) {
     return *number == 1;
@@ -46,7 +53,7 @@ std::vector<const KeySpec*> rows_of(KeyTable table) {
   return rows;
 }
 
-/// What tells the items of a list apart.
+/// The key by which the items of a list are paired.
 std::string_view name_in(yaml::View item) {
   if (!item.is_mapping()) return {};
   const yaml::View name = item.find("name");
@@ -90,28 +97,19 @@ Property YamlProperties::value(std::string_view key, yaml::View value, const Key
   return property;
 }
 
-/// What is not of its type is compared as it is.
+/// A value of the wrong type is compared as written.
 Property YamlProperties::typed(const KeySpec& row, yaml::View value) {
   const Span span = value.place();
   const bool is_text = row.type == text || row.type == frame || row.type == names;
   if (value.is_scalar() && row.type == names) {
-    Property names = group_property(row.name, span);
-    names.form = Property::Form::list;
-    names.members.push_back(text_property({}, value.text(), span));
-    return names;
+    return texts_property(row.name, {{value.text(), span}}, span);
   }
   if (value.is_scalar() && is_text) return text_property(row.name, value.text(), span);
   if (value.is_scalar() && row.type == boolean) {
     if (const auto known = boolean_of(value)) return boolean_property(row.name, *known, span);
   }
   if (value.is_sequence() && (row.type == names || row.type == name_list)) {
-    Property list = group_property(row.name, span);
-    list.form = Property::Form::list;
-    for (const yaml::View item : value) {
-      list.members.push_back(item.is_scalar() ? text_property({}, item.text(), item.span())
-                                              : untyped({}, item));
-    }
-    return list;
+    return list_of_names(row.name, value);
   }
   if (value.is_sequence() && is_list_of_numbers(row.type) && are_all_numbers(value)) {
     return numbers_property(row.name, numbers_in(value), span);
@@ -122,7 +120,23 @@ Property YamlProperties::typed(const KeySpec& row, yaml::View value) {
   return untyped(row.name, value);
 }
 
-/// Components that are absent are 0 in MARS.
+Property YamlProperties::list_of_names(std::string_view key, yaml::View value) {
+  if (std::all_of(value.begin(), value.end(), [](yaml::View item) { return item.is_scalar(); })) {
+    std::vector<Spanned<std::string_view>> texts;
+    texts.reserve(value.size());
+    for (const yaml::View item : value) texts.push_back({item.text(), item.span()});
+    return texts_property(key, std::move(texts), value.place());
+  }
+  Property list = group_property(key, value.place());
+  list.form = Property::Form::list;
+  for (const yaml::View item : value) {
+    list.members.push_back(item.is_scalar() ? text_property({}, item.text(), item.span())
+                                            : untyped({}, item));
+  }
+  return list;
+}
+
+/// MARS reads absent components as 0.
 Property YamlProperties::components(const KeySpec& row, yaml::View value) {
   const std::span<const std::string_view> names = components_of(row.type);
   std::vector<double> numbers(names.size());
@@ -142,6 +156,7 @@ Property YamlProperties::components(const KeySpec& row, yaml::View value) {
 Property YamlProperties::list(std::string_view key, yaml::View value, KeyTable members) {
   Property list = group_property(key, value.place());
   list.form = Property::Form::list;
+  list.members.reserve(value.size());
   const std::vector<const KeySpec*> rows = rows_of(members);
   for (const yaml::View item : value) {
     Property property = item.is_mapping() ? mapping({}, item, rows) : untyped({}, item);
@@ -157,8 +172,8 @@ Property YamlProperties::untyped(std::string_view key, yaml::View value) {
   case yaml::Kind::null: break;
   case yaml::Kind::mapping: return mapping(key, value, {});
   case yaml::Kind::sequence:
-    return are_all_numbers(value) ? numbers_property(key, numbers_in(value), span)
-                                  : list(key, value, {});
+    if (are_all_numbers(value)) return numbers_property(key, numbers_in(value), span);
+    return are_all_texts(value) ? list_of_names(key, value) : list(key, value, {});
   case yaml::Kind::scalar:
     if (const auto number = finite(value)) return number_property(key, *number, span);
     if (const auto known = value.boolean()) return boolean_property(key, *known, span);
@@ -170,17 +185,17 @@ Property YamlProperties::untyped(std::string_view key, yaml::View value) {
   return none;
 }
 
-/// A default is written as JSON, which is YAML.
+/// The table has defaults as JSON, which YAML contains.
 const Property& YamlProperties::fallback_of(const KeySpec& row) {
   const auto [place, is_new] = fallbacks_.try_emplace(&row);
-  if (!is_new) return place->second;
-  SourceMap sources;
+  if (!is_new) return place->second.value;
+  auto& [sources, document, fallback] = place->second;
   DiagnosticSink ignored(0, 0);
   const SourceId id = sources.add("", std::string(row.fallback));
-  const auto document = parse_yaml(sources, id, {}, ignored);
-  if (document && document->view()) place->second = typed(row, document->view());
-  place->second.unit = row.unit;
-  return place->second;
+  document = parse_yaml(sources, id, {}, ignored);
+  if (document && document->view()) fallback = typed(row, document->view());
+  fallback.unit = row.unit;
+  return fallback;
 }
 
 }  // namespace smurf

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Counts the instructions of a tool with valgrind."""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+SKIPPED = 77  # to CTest
+
+
+def skip_without_valgrind():
+    if shutil.which("valgrind") is None:
+        print("SKIPPED: no valgrind; scripts/setup --dev installs it")
+        sys.exit(SKIPPED)
+
+
+def instructions(tool: pathlib.Path, *arguments, codes=(0, 1), **how) -> int:
+    """Those of the tool and its child processes. `codes` are the exit codes that it may have; `how` is for subprocess.run."""
+    run = subprocess.run(
+        ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--trace-children=yes", str(tool),
+         *map(str, arguments)], capture_output=True, text=True, errors="replace", **{"timeout": 600, **how})
+    if run.returncode not in codes:
+        raise AssertionError(f"ended with {run.returncode}: {run.stderr[-500:]}")
+    return sum(int(count) for count in re.findall(r"Collected : (\d+)", run.stderr))
