@@ -358,7 +358,7 @@ class Options(LoadCheckTest):
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("the trace ends after 64000000 bytes, in 'many.urdf'; ask for less with --stages or --time",
                       done.stderr)
-        self.assertIn("DROP", done.stdout)
+        self.assertIn("many.urdf: pass", done.stdout)
         rows = self.read("trace.csv").splitlines()
         self.assertLess(sum(map(len, rows)), 64_000_100)
         self.assertEqual((len(rows) - 1) % 501, 0)
@@ -463,7 +463,8 @@ class Options(LoadCheckTest):
 
     def test_output(self):
         self.expect(0, "good.urdf", "-o", "report.txt")
-        self.assertIn("good.urdf: pass\n", self.read("report.txt"))
+        self.assertIn("good.urdf: pass; 3 moving bodies, 2 joints, 3 shapes\n", self.read("report.txt"))
+        self.assertRegex(self.expect(0, "good.urdf", "--all").stdout, r"^good.urdf: pass\n  BUILD   pass(.*\n)+  DROP    pass ")
         self.assertEqual(self.expect(0, "good.urdf", "-q").stdout, "")
 
     def test_reports_for_other_programs(self):

@@ -131,8 +131,12 @@ int main(int argc, char** argv) {
     return run_checks(inputs, how, [&](std::size_t done) { progress.set(done); });
   }();
 
-  load_check::Report report{
-      run.checked, all_diagnostics(run.checked, inputs.sources), inputs.sources, {}, options.quiet};
+  load_check::Report report{.checked = run.checked,
+                            .diagnostics = all_diagnostics(run.checked, inputs.sources),
+                            .sources = inputs.sources,
+                            .summary = {},
+                            .quiet = options.quiet,
+                            .all = options.all};
   report.summary = summary_of(inputs, report.diagnostics);
   const std::string text = options.format == "json"
                                ? render_json(report)

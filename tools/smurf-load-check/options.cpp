@@ -140,6 +140,10 @@ std::vector<Option> output_options(Options& options) {
       tools::output_option(options.output, "Write the report to FILE."),
       tools::report_option("report", options.reports),
       {.group = "Output",
+       .name = "all",
+       .help = "Print the table of stages of models that pass, too.",
+       .set = tools::set_flag(options.all)},
+      {.group = "Output",
        .name = "trace",
        .metavar = "FILE",
        .help =
@@ -185,7 +189,7 @@ tools::Command command_of(Options& options) {
   command.options.push_back(tools::jobs_option(options.jobs));
   command.options.push_back(tools::color_option(options.color));
   command.options.push_back(
-      tools::quiet_option(options.quiet, "Print no tables of models that pass, and no summary."));
+      tools::quiet_option(options.quiet, "Print nothing about models that pass, and no summary."));
   command.set_operand = tools::append_to(options.input.paths);
   command.examples = {{"smurf-load-check robot.smurf", "Check one robot:"},
                       {"smurf-load-check -j 4 --format json -o report.json models/",

@@ -20,6 +20,7 @@ struct Options {
   tools::Threshold threshold;
   tools::ColorChoice color = tools::ColorChoice::automatic;
   bool quiet = false;
+  bool all = false;
 };
 
 tools::Command command_of(Options& options);

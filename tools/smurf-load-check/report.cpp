@@ -104,12 +104,39 @@ std::string tally_text(const Report& report) {
   return text + "\n";
 }
 
-std::string check_text(const Checked& checked, const SourceMap& sources, const TextStyle& style) {
+std::string headline_text(const Checked& checked, const TextStyle& style) {
   const Verdict verdict = checked.verdict();
-  std::string out = render::escape(checked.job->path) + ": " +
-                    painted(verdict, headline_of(checked, verdict), style) + "\n";
+  return render::escape(checked.job->path) + ": " +
+         painted(verdict, headline_of(checked, verdict), style);
+}
+
+std::string check_text(const Checked& checked, const SourceMap& sources, const TextStyle& style) {
+  std::string out = headline_text(checked, style) + "\n";
   for (const StageResult& stage : checked.result.stages) out += stage_text(stage, sources, style);
   return out + "\n";
+}
+
+/// "arm.smurf: pass; 7 moving bodies, 6 joints, 9 shapes"
+std::string passed_line(const Checked& checked, const TextStyle& style) {
+  std::string out = headline_text(checked, style);
+  for (const StageResult& stage : checked.result.stages) {
+    if (!stage.note.empty()) out += "; " + render::escape(stage.note);
+  }
+  return out + "\n";
+}
+
+/// Lines of checks that pass stand together; a blank line separates them from the tables.
+std::string checks_text(const Report& report, const TextStyle& style) {
+  std::string out;
+  bool follows_line = false;
+  for (const Checked& checked : report.checked) {
+    const bool is_line = checked.verdict() == Verdict::pass && !report.all;
+    if (is_line && report.quiet) continue;
+    if (follows_line && !is_line) out += "\n";
+    out += is_line ? passed_line(checked, style) : check_text(checked, report.sources, style);
+    follows_line = is_line;
+  }
+  return follows_line ? out + "\n" : out;
 }
 
 /// JSON has no infinity and no NaN.
@@ -148,11 +175,7 @@ Json to_json(const Checked& checked, const SourceMap& sources) {
 }  // namespace
 
 std::string render_text(const Report& report, const TextStyle& style) {
-  std::string out;
-  for (const Checked& checked : report.checked) {
-    if (report.quiet && checked.verdict() == Verdict::pass) continue;
-    out += check_text(checked, report.sources, style);
-  }
+  std::string out = checks_text(report, style);
   for (const Diagnostic& diagnostic : report.diagnostics) {
     out += render_full(diagnostic, report.sources, style);
   }

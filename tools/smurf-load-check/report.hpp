@@ -16,10 +16,11 @@ struct Report {
   const SourceMap& sources;
   Summary summary;
   bool quiet = false;
+  bool all = false;
 };
 
-/// A table of stages for each check, then the findings. Quiet: the tables of what passes are left
-/// out.
+/// A line for each check that passes, a table of stages for each other one, then the findings.
+/// `all`: tables for those that pass, too; `quiet`: neither their lines nor a summary.
 std::string render_text(const Report& report, const TextStyle& style);
 /// The JSON of schemas/load-report.schema.json.
 std::string render_json(const Report& report);
