@@ -214,14 +214,14 @@ class Pulled(LspTest):
         self.assertEqual({one["kind"] for one in again["items"]}, {"unchanged"})
 
     def test_memory_of_many_findings(self):
-        """A megabyte of 25,000 findings; a copy of them takes 60 MB."""
+        """A megabyte of 25,000 findings: they are printed one by one, as a tree of all takes 70 MB."""
         entry = f"- {{name: {'n' * 40}, joint: {'n' * 40}q, mimic_motor: {'n' * 40}r, joitn: j}}\n"
         self.client.open(self.motors, "motors:\n" + entry * (1_000_000 // len(entry)))
         self.client.of("textDocument/diagnostic", self.motors)
         status = pathlib.Path(f"/proc/{self.client.process.pid}/status").read_text()
         most = int(re.search(r"VmHWM:\s+(\d+) kB", status).group(1)) / 1024
         if not cli.is_sanitized(TOOL):
-            self.assertLess(most, 220)
+            self.assertLess(most, 150)
 
 
 class Actions(LspTest):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One function a request, each in the file of its capability.
+// The functions that answer requests, one for each, grouped by file.
 #pragma once
 
 #include "smurf-lsp/context.hpp"
@@ -9,11 +9,12 @@ namespace smurf::lsp {
 // diagnostics.cpp
 Json document_diagnostics(Context& context, const Json& params);
 Json workspace_diagnostics(Context& context, const Json& params);
-/// By file: the client's URI and the list of findings.
-/// With `only`, those of that file.
-std::map<std::string, Json> diagnostics_by_file(const Context& context, const Report& report,
-                                                const SourceMap& sources,
-                                                const std::string* only = nullptr);
+/// Printed lists of findings, by the client's URI of their file. With `only`, that of this file
+/// alone.
+std::map<std::string, std::string> diagnostics_by_file(const Context& context, const Report& report,
+                                                       const SourceMap& sources,
+                                                       const std::string* only = nullptr);
+inline constexpr const char* kNoDiagnostics = "[]";  ///< the list of a file without findings
 Json to_json(const Context& context, const Diagnostic& diagnostic, const SourceMap& sources);
 
 // code_actions.cpp
@@ -33,13 +34,13 @@ Json token_legend();
 
 // links.cpp
 Json document_links(Context& context, const Json& params);
-/// The name of a file in a document.
+/// A file name in a document.
 struct FileLink {
   Span span;
   std::string path;
 };
 std::vector<FileLink> links_in(const Context& context, const FileView& view);
-/// Those at the place of a request.
+/// The file names at the place of a request.
 std::vector<FileLink> links_at(Context& context, const Json& params);
 
 // navigation.cpp

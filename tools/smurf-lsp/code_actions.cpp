@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fixes, comments that let a finding pass, and what readers make of it.
+// Code actions: fixes, comments that suppress a finding, and what readers make of it.
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -18,12 +18,12 @@ namespace {
 constexpr const char* kExplain = "smurf.explainRule";
 constexpr std::string_view kQuickFix = "quickfix";
 constexpr std::string_view kFixAll = "source.fixAll";
-/// Of the protocol.
+/// Kinds of the protocol.
 constexpr int kInfo = 3;
-/// Nobody reads a longer menu.
+/// A longer menu would not be read.
 constexpr std::size_t kMostFindings = 100;
 
-/// Whether the client asks for actions of this kind or of all that it is one of.
+/// Whether the client asks for actions of this kind or of a kind that contains it.
 bool is_wanted(const Json& params, std::string_view kind) {
   const Json& only = at(params, {"context", "only"});
   if (!only.is_array()) return true;
@@ -43,7 +43,7 @@ std::string shortened(std::string_view text) {
   return line;
 }
 
-/// What a fix does: "Replace `effrot` by `effort`".
+/// The title of a fix: "Replace `effrot` by `effort`".
 std::string title_of(const Fix& fix, const SourceMap& sources) {
   const Edit& first = fix.edits.front();
   const std::string before = shortened(sources.text(first.span));
@@ -74,7 +74,7 @@ class Actions {
   }
 
  private:
-  /// The bytes that the client asks about, in each text of the file.
+  /// The range of the request, in each text of the file.
   std::pair<std::uint32_t, std::uint32_t> asked_in(SourceId source) {
     const auto [known, is_new] = asked_.try_emplace(source);
     if (is_new) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes in the colours of materials, and colours written as the file has them.
+// Colour boxes of materials, and new colours in the notation of the file.
 #include <algorithm>
 #include <array>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What may be written at the cursor: keys, words, names, files, elements and attributes.
+// Completion: keys, words, names, files, elements and attributes at the cursor.
 #include <algorithm>
 #include <map>
 
@@ -212,14 +212,13 @@ class Completer {
     return text + "\"";
   }
 
-  /// Names of the checked files: written so that they stay a value, and not offered where a list
-  /// would show them as something else.
+  /// Names in the checked files: quoted where needed, and left out if a menu could not show them.
   void add_name(const std::string& name, int kind, const std::string& detail, bool is_yaml) {
     if (render::escape(name) != name) return;
     add(name, kind, is_yaml ? as_yaml(name) : escape_xml(name), detail);
   }
 
-  /// The views of the file; without what is being written, where that keeps it from being read.
+  /// The views of the file. If it cannot be read, the word at the cursor is left out of the text.
   std::vector<FileView> readable_views() {
     std::vector<FileView> views = context_.workspace.views(path_);
     const bool is_broken = views.empty() || std::any_of(views.begin(), views.end(), [](auto& one) {

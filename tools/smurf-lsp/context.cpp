@@ -11,6 +11,12 @@
 
 namespace smurf::lsp {
 
+void Context::send(const Json& message) {
+  const std::string text = dump(message);
+  write(lists.insert_into(text));
+  if (!lists.empty()) lists.clear();  // other threads tell how far they are, without lists
+}
+
 std::string path_in(const Json& params) {
   return path_of_uri(text_at(params, {"textDocument", "uri"}));
 }
@@ -36,7 +42,7 @@ const Reference* reference_at(Context& context, const PlaceView& place) {
   for (const Reference& one : context.workspace.names().names()[place.view.part]) {
     const bool is_here = one.span.source == place.view.source && one.span.begin <= place.offset &&
                          place.offset <= one.span.end;
-    // What names nothing may stand where something else is named as well.
+    // An unresolved reference may share its place with a resolved one.
     if (is_here && (found == nullptr || (!found->is_known() && one.is_known()))) found = &one;
   }
   return found;
@@ -73,7 +79,7 @@ Json workspace_edit(const Context& context, std::span<const Edit> edits, const S
 
 namespace {
 
-/// A text without markup: no link, picture or element is made of a name.
+/// Escapes markup, so that a name cannot become a link, a picture or an element.
 std::string unmarked(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -89,7 +95,7 @@ std::string unmarked(std::string_view text) {
   return result;
 }
 
-/// What is in backquotes stays as it is.
+/// Leaves text in backquotes unchanged.
 std::string marked_line(std::string_view line) {
   std::string result;
   bool is_code = false;

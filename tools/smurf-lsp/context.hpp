@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every capability works with.
+// The state and helpers that all capabilities use.
 #pragma once
 
 #include <functional>
@@ -8,14 +8,16 @@
 #include <string>
 #include <string_view>
 
+#include "smurf-lsp/printed_lists.hpp"
 #include "smurf-lsp/workspace.hpp"
 
 namespace smurf::lsp {
 
-using Send = std::function<void(const Json& message)>;
+/// Takes the text of a message in parts, since it may be long.
+using Send = std::function<void(std::span<const std::string_view> parts)>;
 using Log = std::function<void(std::string_view line)>;
 
-/// What the client can do and what its user wants.
+/// The client's capabilities and the user's settings.
 struct Client {
   Encoding encoding = Encoding::utf16;
   bool pulls_diagnostics = false;
@@ -41,30 +43,33 @@ inline constexpr int kServerCancelled = -32802;
 struct Context {
   Workspace workspace;
   Client client;
-  Send send;
-  int last_id = 0;  ///< of own requests
+  Send write;
+  PrintedLists lists;  ///< of the next message
+  int last_id = 0;     ///< of own requests
   bool has_checked_folders = false;
+
+  void send(const Json& message);
 };
 
-/// The path of the document that a request is about.
+/// The path of the document of a request.
 std::string path_in(const Json& params);
 
-/// A place that a request is about, in one model or scene that reads the file.
+/// The place of a request, in one model or scene that reads the file.
 struct PlaceView {
   FileView view;
   std::uint32_t offset = 0;
 };
-/// In all of them; empty for a file that is not open or cannot be read.
+/// The place in all of them; empty for a file that is not open or cannot be read.
 std::vector<PlaceView> places_in(Context& context, const Json& params);
 
 Positions loaded_positions(const Context& context);
-/// The reference at a place; null when there is none. A name ends where the cursor may still stand.
+/// The reference at a place, or null. A cursor just behind a name is still at the name.
 const Reference* reference_at(Context& context, const PlaceView& place);
-/// Location of a span of what was loaded.
+/// The Location of a span in the loaded sources.
 Json location(const Context& context, Span span);
 /// A WorkspaceEdit of edits in these sources.
 Json workspace_edit(const Context& context, std::span<const Edit> edits, const SourceMap& sources);
-/// Paragraphs in which names stand in backquotes. Nothing in them is taken for other markup.
+/// Makes Markdown of paragraphs with names in backquotes. All other markup in them is escaped.
 Json markdown(std::span<const std::string> lines);
 Json markdown(std::string_view line);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What smurf-lint finds, pushed and pulled.
+// Findings, pushed to the client and pulled by it.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -26,13 +26,13 @@ int severity_of(Severity severity) {
   return 3;
 }
 
-/// Whether it is a fact about this rule, and not about all of a family.
+/// Whether it is a fact about this rule alone, and not about a family of rules.
 bool is_about(const Fact& fact, const Rule& rule) {
   return std::any_of(rule.facts.begin(), rule.facts.end(),
                      [&](const Fact& one) { return &one == &fact; });
 }
 
-/// Whether all that is known of readers is that they have no use for it.
+/// Whether all readers with a fact about it ignore it.
 bool has_no_effect(const Diagnostic& diagnostic) {
   const std::vector<const Fact*> facts = facts_about(*diagnostic.rule);
   bool is_ignored = std::any_of(facts.begin(), facts.end(),
@@ -57,18 +57,14 @@ std::string message_of(const Diagnostic& diagnostic) {
   return text;
 }
 
-std::string result_id(const Json& items) {
-  return std::to_string(std::hash<std::string>{}(dump(items)));
-}
-
-/// A report of a file, which is short when the client has it already.
-Json file_report(Json items, const std::string& previous) {
-  const std::string id = result_id(items);
+/// The report of a file; "unchanged" when the client has it already.
+Json file_report(Context& context, std::string items, const std::string& previous) {
+  const std::string id = std::to_string(std::hash<std::string>{}(items));
   if (id == previous) return {{"kind", "unchanged"}, {"resultId", id}};
-  return {{"kind", "full"}, {"resultId", id}, {"items", std::move(items)}};
+  return {{"kind", "full"}, {"resultId", id}, {"items", context.lists.add(std::move(items))}};
 }
 
-/// Tells how far the check of the folders is. Called by several threads.
+/// Reports the progress of checking the folders. Several threads call it.
 class ProgressTeller {
  public:
   ProgressTeller(Context& context, Json token) : context_(context), token_(std::move(token)) {}
@@ -105,7 +101,7 @@ class ProgressTeller {
   int last_ = 0;
 };
 
-/// The token that the client gave, or at the first check of the folders one that it is asked for.
+/// The client's progress token, or at the first check of the folders a new one of ours.
 Json token_of(Context& context, const Json& params) {
   const Json& given = at(params, {"workDoneToken"});
   if (given.is_string() || given.is_number()) return given;
@@ -139,15 +135,18 @@ Json to_json(const Context& context, const Diagnostic& diagnostic, const SourceM
   return json;
 }
 
-std::map<std::string, Json> diagnostics_by_file(const Context& context, const Report& report,
-                                                const SourceMap& sources, const std::string* only) {
-  std::map<std::string, Json> files;
+std::map<std::string, std::string> diagnostics_by_file(const Context& context, const Report& report,
+                                                       const SourceMap& sources,
+                                                       const std::string* only) {
+  std::map<std::string, std::string> files;
   for (const Diagnostic& one : report.diagnostics) {
     const std::string& path = sources.path(one.span.source);
     if (only != nullptr && path != *only) continue;
-    Json& list = files.try_emplace(path, Json::array()).first->second;
-    list.push_back(to_json(context, one, sources));
+    const auto [list, is_new] = files.try_emplace(path, "[");
+    if (!is_new) list->second += ',';
+    list->second += dump(to_json(context, one, sources));
   }
+  for (auto& [path, list] : files) list += ']';
   return files;
 }
 
@@ -155,12 +154,14 @@ Json document_diagnostics(Context& context, const Json& params) {
   const std::string path = path_in(params);
   const Report& report = context.workspace.report();
   const std::string* only = context.client.takes_related_documents ? nullptr : &path;
-  std::map<std::string, Json> files =
+  std::map<std::string, std::string> files =
       diagnostics_by_file(context, report, context.workspace.sources(), only);
-  auto own = files.extract(files.try_emplace(path, Json::array()).first);
-  Json answer = file_report(std::move(own.mapped()), text_at(params, {"previousResultId"}));
+  auto own = files.extract(files.try_emplace(path, kNoDiagnostics).first);
+  Json answer =
+      file_report(context, std::move(own.mapped()), text_at(params, {"previousResultId"}));
   for (auto& [other, items] : files) {
-    answer["relatedDocuments"][context.workspace.uri_of(other)] = file_report(std::move(items), {});
+    answer["relatedDocuments"][context.workspace.uri_of(other)] =
+        file_report(context, std::move(items), {});
   }
   return answer;
 }
@@ -178,14 +179,14 @@ Json workspace_diagnostics(Context& context, const Json& params) {
       previous[path_of_uri(text_at(one, {"uri"}))] = text_at(one, {"value"});
     }
   }
-  std::map<std::string, Json> files =
+  std::map<std::string, std::string> files =
       diagnostics_by_file(context, checked.report, *checked.sources);
-  // A file that has nothing any more is told once.
-  for (const auto& [path, id] : previous) files.try_emplace(path, Json::array());
+  // A file without findings is reported once more, to clear the old ones.
+  for (const auto& [path, id] : previous) files.try_emplace(path, kNoDiagnostics);
   Json items = Json::array();
   for (auto& [path, list] : files) {
     const auto last = previous.find(path);
-    Json report = file_report(std::move(list), last == previous.end() ? "" : last->second);
+    Json report = file_report(context, std::move(list), last == previous.end() ? "" : last->second);
     const OpenDocument* open = context.workspace.document(path);
     report["uri"] = context.workspace.uri_of(path);
     report["version"] = open != nullptr ? Json(open->version) : Json(nullptr);

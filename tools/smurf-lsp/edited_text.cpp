@@ -18,7 +18,10 @@ EditedText::EditedText(std::string_view text, Encoding encoding)
     : encoding_(encoding), blocks_(cut(text)) {}
 
 void EditedText::count(Block& block) const {
-  block.lines = static_cast<std::size_t>(std::count(block.text.begin(), block.text.end(), '\n'));
+  block.lines = 0;
+  for (std::size_t at = 0; (at = block.text.find('\n', at)) != std::string::npos; ++at) {
+    ++block.lines;
+  }
   block.units = block.lines == 0 ? units_in(block.text, encoding_) : 0;
 }
 
@@ -33,7 +36,7 @@ std::vector<EditedText::Block> EditedText::cut(std::string_view text) const {
   return blocks;
 }
 
-/// None when there are not as many lines.
+/// None when there are fewer lines.
 std::optional<EditedText::Place> EditedText::line_begin(std::uint32_t line) const {
   std::size_t block = 0;
   std::size_t left = line;
@@ -70,7 +73,7 @@ EditedText::Place EditedText::place_of(const Json& position) const {
   }
 }
 
-/// The end of a line is before its "\r\n". Before an empty line stands no '\r', but a '\n'.
+/// A line ends before its "\r\n". The byte before an empty line is a '\n', not a '\r'.
 EditedText::Place EditedText::without_return(Place at) const {
   const std::string& text = blocks_[at.block].text;
   const bool is_end =
@@ -113,6 +116,7 @@ void EditedText::apply(const Json& change) {
 
 std::string EditedText::text() const {
   std::string whole;
+  whole.reserve(blocks_.size() * kBlock);
   for (const Block& block : blocks_) whole += block.text;
   return whole;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that get another name: what names them follows.
+// Updates the references to files that are renamed.
 #include <optional>
 #include <set>
 
@@ -34,8 +34,8 @@ std::string_view without_quotes(std::string_view text) {
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-/// How `written`, which names the file `from`, names it when it is `to`. None when that cannot be
-/// told.
+/// The new text for `written`, which names the file `from`, when that becomes `to`. None when there
+/// is no such text.
 std::optional<std::string> renamed(std::string_view written, const std::string& from,
                                    const std::string& to, std::string_view folder) {
   const std::string_view old_name = path::file_name(from);
@@ -49,7 +49,7 @@ std::optional<std::string> renamed(std::string_view written, const std::string& 
   return path::relative(to, std::string(folder));
 }
 
-/// As it has to be written in place of another name, whatever characters folders have.
+/// Escapes the new name for its place; folders may have any characters.
 std::string as_written(std::string_view before, const std::string& name, const FileView& view) {
   return view.yaml != nullptr ? yaml_like(before, name) : escape_xml(name);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands under the cursor: a name, a mesh, a pose, a key.
+// Hover: the meaning of the name, mesh, pose or key under the cursor.
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// What is said, and of which bytes.
+/// The text, and the span that it is about.
 struct Said {
   Span span;
   Lines lines;
@@ -39,7 +39,7 @@ std::optional<Said> name_at(Context& context, const PlaceView& place) {
   return Said{named->span, std::move(lines)};
 }
 
-/// Of the shape that names the mesh there.
+/// The scale of the shape that names the mesh there.
 Vector3 scale_of(const LinkedModel& model, Span filename) {
   Vector3 scale{1, 1, 1};
   const auto look_at = [&](const auto& shapes) {

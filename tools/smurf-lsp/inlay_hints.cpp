@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Degrees beside radians, and what is taken for keys that are missing.
+// Inlay hints: degrees beside radians, and the defaults of missing keys.
 #include <algorithm>
 #include <optional>
 
@@ -123,7 +123,7 @@ class Hints {
     }
   }
 
-  /// At the first key of the entry.
+  /// The place of the hints: after the first key of the entry.
   void add_defaults(yaml::View entry, const std::vector<KeyHelp>& keys) {
     constexpr std::size_t kShown = 3;
     std::vector<std::string> absent;

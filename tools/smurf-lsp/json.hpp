@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JSON of a client, which may be anything: what is asked for and not there is empty.
+// Reads JSON of a client, which may contain anything. Absent or mistyped members read as empty.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace smurf::lsp {
 using Json = nlohmann::json;
 using Keys = std::initializer_list<const char*>;
 
-/// The member of members; null when there is none.
+/// The member at a path of keys, or null.
 inline const Json& at(const Json& json, Keys keys) {
   static const Json kNull;
   const Json* place = &json;
@@ -47,7 +47,7 @@ inline std::optional<std::uint32_t> number_at(const Json& json, Keys keys) {
   return static_cast<std::uint32_t>(number);
 }
 
-/// Texts of a model need not be UTF-8.
+/// Texts of a model may be invalid UTF-8.
 inline std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

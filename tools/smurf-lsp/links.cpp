@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The names of files in a document, and where they lead.
+// Document links: the file names in a document and their targets.
 #include <set>
 
 #include "base/path.hpp"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// smurf-lsp: what smurf-lint knows, in an editor.
+// smurf-lsp: a language server with the engine of smurf-lint.
 #include <fstream>
 #include <iostream>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "common/command.hpp"
 #include "common/output.hpp"
@@ -53,9 +55,9 @@ int serve(std::ostream* log) {
   std::ios::sync_with_stdio(false);
   std::cin.tie(nullptr);
   std::mutex mutex;  // progress comes from several threads
-  const auto send = [&](const Json& message) {
+  const auto send = [&](std::span<const std::string_view> parts) {
     const std::lock_guard lock(mutex);
-    write_message(std::cout, message);
+    write_message(std::cout, parts);
   };
   Server server(send, [&](std::string_view line) {
     if (log != nullptr) *log << line << std::endl;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a name is defined and used, from the table of references.
+// Definition, references and highlights, from the table of references.
 #include <set>
 
 #include "smurf-lsp/capabilities.hpp"
@@ -7,7 +7,7 @@
 namespace smurf::lsp {
 namespace {
 
-/// Calls `visit` with every place of what is named at the place of the request, once each.
+/// Calls `visit` once with every place of the name at the place of the request.
 template <class Visit>
 void for_each_place(Context& context, const Json& params, const Visit& visit) {
   for (const PlaceView& place : places_in(context, params)) {
@@ -19,7 +19,7 @@ void for_each_place(Context& context, const Json& params, const Visit& visit) {
   }
 }
 
-/// Places that several models may have.
+/// Removes repeated places: several models may have the same.
 class Places {
  public:
   void add(Json place) {

@@ -6,7 +6,7 @@
 namespace smurf::lsp {
 namespace {
 
-/// One character: how many bytes it takes at the front of a text, and how many units.
+/// The bytes and units of the first character of a text.
 struct Character {
   std::size_t bytes = 1;
   std::uint32_t units = 1;
@@ -14,7 +14,7 @@ struct Character {
 
 bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
 
-/// What clients send is UTF-8; a byte of a file that is not counts as one character.
+/// Clients send UTF-8. An invalid byte of a file counts as one character.
 Character first_of(std::string_view text, Encoding encoding) {
   const auto lead = static_cast<unsigned char>(text.front());
   const std::size_t promised = lead < 0xc0 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
@@ -85,7 +85,7 @@ Json Positions::position(SourceId source, std::uint32_t offset) const {
   for (int i = 0; i < 3 && offset < text.size() && is_continuation(text[offset]); ++i) {
     ++offset;  // to a whole character
   }
-  // From what the source map has counted: a file may be one line with thousands of places.
+  // Starts at the nearest place counted before: a file may be one line with thousands of places.
   const smurf::Position place = sources_.position(source, offset);
   const Span before{source, sources_.line_begin(source, place.line), offset};
   std::uint32_t units = before.end - before.begin;

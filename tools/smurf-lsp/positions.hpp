@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bytes of a text and positions of the protocol, in the units that were agreed on.
+// Converts between bytes of a text and positions of the protocol, in the negotiated units.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@ std::string_view to_string(Encoding encoding);
 
 /// Units in a text of one line.
 std::uint32_t units_in(std::string_view text, Encoding encoding);
-/// Bytes of the first `units`; all when there are not as many.
+/// The bytes of the first `units`; all bytes when there are fewer.
 std::size_t bytes_of(std::string_view line, std::uint32_t units, Encoding encoding);
 
-/// A byte of a text; one behind the end of a line is the end of the line, as the protocol has it.
+/// The byte of a position. As the protocol demands, a position behind the end of a line is its end.
 std::size_t offset_in(std::string_view text, const Json& position, Encoding encoding);
 
-/// Places of a source map as the protocol has them.
+/// Converts places of a source map to those of the protocol.
 class Positions {
  public:
   Positions(const SourceMap& sources, Encoding encoding) : sources_(sources), encoding_(encoding) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What can be folded, and what a selection grows to: entries and elements.
+// Folding ranges and selection ranges: entries and elements.
 #include <algorithm>
 #include <set>
 
@@ -25,7 +25,7 @@ std::vector<Span> blocks_of(const FileView& view) {
   return blocks;
 }
 
-/// From the inside out.
+/// The ranges around a place, from the inside out.
 std::vector<Span> around(const FileView& view, std::uint32_t offset) {
   std::vector<Span> spans;
   if (view.yaml != nullptr) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// New names for things, in all files that name them, as `smurf-lint --rename` gives them.
+// Rename, with the engine of `smurf-lint --rename`.
 #include "smurf-lsp/capabilities.hpp"
 
 namespace smurf::lsp {
 namespace {
 
-/// Without what it advises on a command line, where files are named.
+/// Removes the advice for the command line.
 std::string reason(const std::string& problem) {
   return problem.substr(0, problem.find("; name "));
 }

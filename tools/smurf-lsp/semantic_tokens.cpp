@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names, told apart by what they are the names of.
+// Semantic tokens: names, by the kind of the named thing.
 #include <algorithm>
 #include <map>
 

@@ -18,7 +18,7 @@ constexpr int kParseError = -32700;
 constexpr int kInvalidRequest = -32600;
 constexpr int kMethodNotFound = -32601;
 constexpr int kNotInitialized = -32002;
-constexpr int kCancelled_ = -32800;
+constexpr int kRequestCancelled = -32800;
 
 using Handler = Json (*)(Context&, const Json&);
 constexpr std::pair<std::string_view, Handler> kHandlers[] = {
@@ -148,7 +148,7 @@ void change(Context& context, const Json& params) {
                            at(params, {"contentChanges"}), context.client.encoding);
 }
 
-/// The client is asked to tell when files change that models are made of.
+/// Asks the client to report changes of files that belong to models.
 void watch_files(Context& context) {
   if (!context.client.takes_watchers) return;
   Json watchers = Json::array();
@@ -168,7 +168,7 @@ void watch_files(Context& context) {
 
 }  // namespace
 
-Server::Server(Send send, Log log) : log_(std::move(log)) { context_.send = std::move(send); }
+Server::Server(Send send, Log log) : log_(std::move(log)) { context_.write = std::move(send); }
 
 void Server::reply(const Json& id, Json result) {
   context_.send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
@@ -233,7 +233,7 @@ void Server::handle(const Json& message) {
     if (is_initialized_ && !is_shut_down_) notify(method, params);
     return;
   }
-  if (flag_at(message, {kCancelled})) return refuse(id, kCancelled_, "cancelled");
+  if (flag_at(message, {kCancelled})) return refuse(id, kRequestCancelled, "cancelled");
   if (method == "initialize") return initialize(id, params);
   if (!is_initialized_) return refuse(id, kNotInitialized, "`initialize` comes first");
   if (is_shut_down_) return refuse(id, kInvalidRequest, "the server is shut down");
@@ -255,16 +255,18 @@ void Server::rest() {
   if (!is_initialized_ || is_shut_down_ || workspace.is_checked()) return;
   if (context_.client.pulls_diagnostics) return;  // it asks
   const Report& report = workspace.report();
-  std::map<std::string, Json> files = diagnostics_by_file(context_, report, workspace.sources());
-  // A file that has nothing any more is told once.
-  for (const std::string& path : shown_) files.try_emplace(path, Json::array());
+  std::map<std::string, std::string> files =
+      diagnostics_by_file(context_, report, workspace.sources());
+  // A file without findings is published once more, to clear the old ones.
+  for (const std::string& path : shown_) files.try_emplace(path, kNoDiagnostics);
   for (const auto& [path, document] : workspace.documents()) {
-    files.try_emplace(path, Json::array());
+    files.try_emplace(path, kNoDiagnostics);
   }
   shown_.clear();
   for (auto& [path, list] : files) {
-    if (!list.empty()) shown_.insert(path);
-    Json params = {{"uri", workspace.uri_of(path)}, {"diagnostics", std::move(list)}};
+    if (list != kNoDiagnostics) shown_.insert(path);
+    Json params = {{"uri", workspace.uri_of(path)},
+                   {"diagnostics", context_.lists.add(std::move(list))}};
     const OpenDocument* open = workspace.document(path);
     if (open != nullptr) params["version"] = open->version;
     context_.send({{"jsonrpc", "2.0"},

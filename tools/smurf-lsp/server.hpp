@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages of a client in, messages to it out.
+// Receives messages of a client and answers them.
 #pragma once
 
 #include <functional>
@@ -17,11 +17,11 @@ class Server {
   Server(Send send, Log log);
 
   void handle(const Json& message);
-  /// Tells what is found in the texts as they are now. To be called when no message waits.
+  /// Publishes the findings of the current texts. Call it when no message waits.
   void rest();
 
   const Workspace& workspace() const { return context_.workspace; }
-  /// After `exit`: 0 when `shutdown` came before it.
+  /// The exit code after `exit`: 0 if `shutdown` came before it.
   std::optional<int> exit_code() const { return exit_code_; }
 
  private:
@@ -36,7 +36,7 @@ class Server {
   bool is_initialized_ = false;
   bool is_shut_down_ = false;
   std::optional<int> exit_code_;
-  std::set<std::string> shown_;  ///< files with findings that the client was told
+  std::set<std::string> shown_;  ///< files with published findings
 };
 
 }  // namespace smurf::lsp

@@ -12,9 +12,9 @@ namespace {
 // SymbolKind of the protocol.
 constexpr int kNamespace = 3, kClass = 5, kProperty = 7, kField = 8, kFunction = 12, kVariable = 13,
               kObject = 19, kEvent = 24;
-/// Clients and JSON get into trouble with chains of thousands of links.
+/// Clients and JSON libraries fail at chains of thousands of links.
 constexpr int kDeepest = 40;
-/// Nobody reads more; more letters find fewer.
+/// More results would not be read; a longer query finds fewer.
 constexpr std::size_t kMostSymbols = 2000;
 
 int kind_of(NameKind kind) {
@@ -46,7 +46,7 @@ class RobotOutline {
   Json run() {
     Json roots = Json::array();
     for (const LinkIndex root : model_.tree.roots) add(root, 0, roots);
-    // What no root reaches: a loop.
+    // Links that no root reaches are in a loop.
     for (std::size_t i = 0; i < model_.robot->links.size(); ++i) {
       const LinkIndex link{static_cast<std::uint32_t>(i)};
       if (!seen(link)) add(link, kDeepest, roots);
@@ -66,7 +66,7 @@ class RobotOutline {
     const urdf::Link& link = model_.link(index);
     Json one = symbol(positions_, link.name.value_or({}), kClass, link.span, link.name.span);
     one["detail"] = "link";
-    // Deeper ones stand beside their parents.
+    // Deeper links become siblings of their parents.
     std::vector<Json> beside;
     for (const JointIndex joint : model_.tree.child_joints[to_size(index)]) {
       Json below = joint_symbol(joint);
@@ -89,7 +89,7 @@ class RobotOutline {
   std::vector<bool> seen_;
 };
 
-/// The name of an entry, and where it stands.
+/// The name of an entry and its place.
 std::pair<std::string_view, Span> name_of(yaml::View entry) {
   if (!entry.key_span().empty()) return {entry.key(), entry.key_span()};
   if (entry.is_mapping()) {
@@ -125,7 +125,7 @@ Json yaml_outline(const yaml::Document& document, const Positions& positions) {
   return symbols;
 }
 
-/// For clients that know no trees.
+/// A flat list, for clients without support for trees.
 void flatten(const Json& symbols, const std::string& uri, const std::string& container,
              Json& flat) {
   for (const Json& one : symbols) {
@@ -178,7 +178,7 @@ Json workspace_symbols(Context& context, const Json& params) {
   std::set<Json> symbols;  // a model that a scene loads may be loaded alone as well
   for (const Workspace::Definition& one : found.list) {
     if (!holds_letters(one.name, query)) continue;
-    // Models that share a file have its names each.
+    // Each model that shares a file has the names in it.
     if (!seen.emplace(one.path, one.span.begin).second) continue;
     Json symbol = {
         {"name", one.name},

@@ -48,7 +48,7 @@ std::optional<std::string> read_message(std::istream& in) {
     if (const auto found = length_in(*line)) length = found;
     if (!line->empty() || !length) continue;
     if (*length < 0 || *length > kLongestMessage) return std::nullopt;
-    // Memory is taken for what comes, not for what is promised.
+    // Memory grows with the bytes that arrive, not with the announced length.
     std::string content;
     constexpr std::size_t kPart = 1U << 20U;
     for (auto left = static_cast<std::size_t>(*length); left > 0;) {
@@ -63,9 +63,12 @@ std::optional<std::string> read_message(std::istream& in) {
   }
 }
 
-void write_message(std::ostream& out, const Json& message) {
-  const std::string text = dump(message);
-  out << "Content-Length: " << text.size() << "\r\n\r\n" << text << std::flush;
+void write_message(std::ostream& out, std::span<const std::string_view> parts) {
+  std::size_t size = 0;
+  for (const std::string_view part : parts) size += part.size();
+  out << "Content-Length: " << size << "\r\n\r\n";
+  for (const std::string_view part : parts) out << part;
+  out << std::flush;
 }
 
 Inbox::Inbox(std::istream& in) : reader_([this, &in] { read(in); }) {}
@@ -74,7 +77,7 @@ Inbox::~Inbox() { reader_.join(); }
 
 void Inbox::read(std::istream& in) {
   while (const auto text = read_message(in)) {
-    // What is deeper is left out: to print or to compare it would need a stack as deep.
+    // Deeper values are dropped: printing or comparing them would need a deep stack.
     constexpr int kDeepest = 200;
     const auto keep = [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; };
     Json message = Json::parse(*text, keep, false);

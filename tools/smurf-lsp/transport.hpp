@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages on streams: Content-Length, an empty line, JSON.
+// Reads and writes messages on streams: Content-Length, an empty line, JSON.
 #pragma once
 
 #include <condition_variable>
@@ -8,22 +8,25 @@
 #include <iosfwd>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "smurf-lsp/json.hpp"
 
 namespace smurf::lsp {
 
-/// The content of the next message; none at the end of the stream, or where no message can be told
-/// any more.
+/// The content of the next message; none at the end of the stream, and after a header that cannot
+/// be read.
 std::optional<std::string> read_message(std::istream& in);
-void write_message(std::ostream& out, const Json& message);
+/// `parts` follow each other in the text of the message.
+void write_message(std::ostream& out, std::span<const std::string_view> parts);
 
-/// The member of a request that was cancelled before anybody looked at it.
+/// The member that marks a request that was cancelled before it was handled.
 inline constexpr const char* kCancelled = "cancelled";
 
-/// Messages that a thread reads ahead, so that a request can be cancelled before it is begun.
+/// Reads messages ahead in a thread, so that a waiting request can be cancelled.
 class Inbox {
  public:
   explicit Inbox(std::istream& in);
@@ -32,9 +35,10 @@ class Inbox {
   Inbox(const Inbox&) = delete;
   Inbox& operator=(const Inbox&) = delete;
 
-  /// Waits for the next one; none at the end of the stream. What is no JSON is discarded as JSON.
+  /// Waits for the next message; none at the end of the stream. Invalid JSON becomes a discarded
+  /// value.
   std::optional<Json> next();
-  /// Whether there is nothing to do at the moment.
+  /// Whether no message waits.
   bool is_empty();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// file: URIs and paths.
+// Converts between file: URIs and paths.
 #pragma once
 
 #include <string>

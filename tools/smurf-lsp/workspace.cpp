@@ -34,7 +34,8 @@ bool is_checkable(const std::string& path) {
   }
 }
 
-/// As hooks check: what is excluded is left alone, and so are YAML files that no model lists.
+/// Selects files as hooks do: excluded files are skipped, and so are YAML files that no model
+/// lists.
 tools::LintOptions options_for(std::vector<std::string> paths) {
   tools::LintOptions options;
   options.paths = std::move(paths);
@@ -83,8 +84,8 @@ bool reads_one(const tools::LoadedNames::Part& part, const Files& files) {
                      [&](const auto& file) { return part.read.contains(file.first); });
 }
 
-/// The files where a name stands in models and scenes that read the first file; and since others
-/// may read these files, too, those where it stands in the others.
+/// The files that contain a name in the models and scenes that read the first file. Other models
+/// may read these files, too; so the files that contain it there are added.
 Files files_to_change(const tools::LoadedNames& loaded, const std::string& first,
                       const Rename& rename, const SourceMap& sources) {
   std::vector<Files> places;  // by part
@@ -106,7 +107,7 @@ Files files_to_change(const tools::LoadedNames& loaded, const std::string& first
   return all;
 }
 
-/// What is planned and reads one of the files.
+/// The planned models and scenes that read one of the files.
 Plan readers_of(const Files& files, const Plan& all, const tools::LoadedNames& loaded) {
   Plan those;
   those.configs = all.configs;
@@ -269,7 +270,7 @@ Workspace::Definitions Workspace::definitions() {
   return found;
 }
 
-/// Where packages keep them, as LoadedNames looks for SRDF files.
+/// The folders in which LoadedNames looks for SRDF files.
 std::vector<std::string> Workspace::robots_of_srdfs() const {
   std::vector<std::string> robots;
   for (const auto& [path, document] : documents_) {
@@ -335,7 +336,7 @@ std::vector<FileView> Workspace::views_with(const std::string& path, std::string
   session_.set_text(path, std::move(text));
   load();
   std::vector<FileView> found = views(path);
-  // What was loaded stays until it is asked for again.
+  // The loaded files stay until the next request for them.
   changed_.push_back(path);
   return found;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The open documents over the session: what is found in them, and what they are loaded as.
+// The open documents: their findings, and the models and scenes that read them.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,22 @@
 namespace smurf::lsp {
 
 struct OpenDocument {
-  std::string uri;  ///< as the client writes it
+  std::string uri;  ///< as written by the client
   std::int64_t version = 0;
   std::string text;
 };
 
 /// A file in one model or scene that reads it.
 struct FileView {
-  std::size_t part = 0;  ///< of LoadedNames
+  std::size_t part = 0;  ///< index in LoadedNames
   SourceId source{};
   const LinkedModel* model = nullptr;    ///< null: a scene file
   const LinkedScene* scene = nullptr;    ///< null: a model that was loaded alone
-  const yaml::Document* yaml = nullptr;  ///< both null: it could not be read
+  const yaml::Document* yaml = nullptr;  ///< with `xml`: null when it could not be read
   const xml::Document* xml = nullptr;
 };
 
-/// Of one model or scene.
+/// A part of one model or scene.
 bool is_same_thing(const Reference& a, const Reference& b);
 
 class Workspace {
@@ -46,20 +46,20 @@ class Workspace {
   void change(const std::string& path, std::int64_t version, const Json& changes,
               Encoding encoding);
   void close(const std::string& path);
-  /// Something on the disk is another file now.
+  /// Call it when files on the disk have changed.
   void forget_files();
 
   const std::map<std::string, OpenDocument>& documents() const { return documents_; }
   const OpenDocument* document(const std::string& path) const;
-  /// As the client writes it, where it has the file open.
+  /// The URI of a file; the client's spelling if it is open.
   std::string uri_of(const std::string& path) const;
 
-  /// Whether report() is that of the last check.
+  /// Whether report() is up to date.
   bool is_checked() const { return is_checked_; }
-  /// What smurf-lint finds in the open documents and the models around them.
+  /// The findings of smurf-lint in the open documents and the models around them.
   const Report& report();
   const SourceMap& sources() const { return session_.sources(); }
-  /// What it finds in the folders; points into `sources` until the next check of the folders.
+  /// The findings in the folders; they point into `sources` until the next check of the folders.
   struct FolderReport {
     Report report;
     const SourceMap* sources = nullptr;
@@ -82,14 +82,14 @@ class Workspace {
   /// The models and scenes of the open documents.
   const tools::LoadedNames& names();
   const SourceMap& loaded_sources() const { return session_.loaded_sources(); }
-  /// In every model and scene that reads the file, an open one; scenes last.
+  /// The views of an open file, one for every model and scene that reads it; scenes last.
   std::vector<FileView> views(const std::string& path);
-  /// The same, as if an open document had another text.
+  /// The same for another text of an open document.
   std::vector<FileView> views_with(const std::string& path, std::string text);
   const FileReader& files() const { return session_.files(); }
   const Limits& limits() const { return session_.limits(); }
 
-  /// New names, also in the folders. Edits point into loaded_sources() until the next change.
+  /// Renames things, also in the folders. Edits point into loaded_sources() until the next change.
   Renamed rename(std::size_t part, const Reference& reference, const std::string& to);
 
  private:
@@ -102,14 +102,15 @@ class Workspace {
   void load();
   void touch(const std::string& path);
   std::string place_of_definition(std::size_t part, const Reference& reference);
-  /// The models and scenes that a new name concerns.
+  /// The models and scenes that a rename changes.
   Plan plan_of_rename(const std::string& defined_in, const Rename& rename);
 
   std::vector<std::string> folders_;
   std::map<std::string, OpenDocument> documents_;  ///< by path
   Session session_;
-  std::optional<Session> folder_session_;  ///< so that typing does not wait for the folders
-  std::vector<std::string> changed_;       ///< documents whose text the session does not have
+  std::optional<Session>
+      folder_session_;                ///< separate, so that typing does not wait for the folders
+  std::vector<std::string> changed_;  ///< documents whose new text the session does not have yet
   std::optional<Plan> plan_;
   Report report_;
   bool is_checked_ = false;

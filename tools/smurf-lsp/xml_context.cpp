@@ -34,7 +34,7 @@ class Scanner {
     return context_;
   }
 
-  /// Whether it begins so; `at_` is behind it then, or npos where it does not end.
+  /// Skips a construct that begins so; `at_` is behind it then, or npos if it does not end.
   bool skip(std::string_view from, std::string_view to) {
     if (!text_.substr(at_).starts_with(from)) return false;
     const std::size_t found = text_.find(to, at_ + from.size());
@@ -48,7 +48,7 @@ class Scanner {
     return text_.substr(begin, at_ - begin);
   }
 
-  /// False when the cursor is in the tag, which the context says then.
+  /// False when the cursor is in the tag; then the context is complete.
   bool read_tag() {
     ++at_;
     const bool is_end = text_.substr(at_).starts_with('/');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the cursor is in an XML file that is being written, and so need not be XML yet.
+// Finds out where the cursor is in an XML file that is being written and may be malformed.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@ namespace smurf::lsp {
 struct XmlContext {
   enum class Kind { content, element, end_tag, attribute, value, other };
   Kind kind = Kind::other;
-  std::vector<std::string_view> open = {};        ///< elements around it, the outermost first
-  std::string_view element = {};                  ///< whose tag it is in
-  std::string_view attribute = {};                ///< whose value it is in
-  std::vector<std::string_view> attributes = {};  ///< those that the tag has before it
-  std::size_t tag = 0;                            ///< the '<' of the tag
-  std::size_t begin = 0;                          ///< of the word that is written, up to the cursor
+  std::vector<std::string_view> open = {};  ///< elements around the cursor, the outermost first
+  std::string_view element = {};            ///< the element whose tag contains the cursor
+  std::string_view attribute = {};          ///< the attribute whose value contains the cursor
+  std::vector<std::string_view> attributes = {};  ///< the attributes before the cursor in the tag
+  std::size_t tag = 0;                            ///< position of the '<' of the tag
+  std::size_t begin = 0;                          ///< of the word before the cursor
 };
 
 XmlContext xml_context(std::string_view text, std::size_t offset);

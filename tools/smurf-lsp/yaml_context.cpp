@@ -16,13 +16,13 @@ struct Level {
   std::string_view key;
 };
 
-/// What stands before the value of a line, and where the value begins.
+/// The text before the value of a line, and the position of the value.
 struct Line {
   std::vector<Level> levels;
   std::size_t value = 0;
 };
 
-/// The end of a key, at its colon; none when there is none.
+/// The position of the colon after a key, or none.
 std::optional<std::size_t> colon_of(std::string_view line, std::size_t at) {
   const char quote = at < line.size() && (line[at] == '"' || line[at] == '\'') ? line[at] : '\0';
   if (quote != '\0') at = std::min(line.find(quote, at + 1), line.size());
@@ -70,7 +70,7 @@ class Lines {
     const std::size_t before = at == 0 ? text_.npos : text_.rfind('\n', at - 1);
     return before == text_.npos ? 0 : before + 1;
   }
-  /// From `begin` to the line end.
+  /// The text from `begin` to the line end.
   std::string_view line(std::size_t begin) const {
     std::string_view line = text_.substr(begin, text_.find('\n', begin) - begin);
     if (line.ends_with('\r')) line.remove_suffix(1);
@@ -90,7 +90,7 @@ bool says_something(std::string_view line) {
   return first != line.npos && line[first] != '#' && !line.substr(first).starts_with("---");
 }
 
-/// Steps from the root to what stands at a column, looked for in the lines above.
+/// The steps from the root to a column, found in the lines above.
 KeyPath path_above(const Lines& lines, std::size_t begin, std::vector<Level> own) {
   KeyPath path;
   std::size_t limit = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the cursor is in a YAML file that is being written, and so need not be YAML yet.
+// Finds out where the cursor is in a YAML file that is being written and may be malformed.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 namespace smurf::lsp {
 
 struct YamlContext {
-  KeyPath path;             ///< of the mapping or list that the cursor is in
-  std::string key;          ///< whose value is written; "": a key, or an item of a list
-  std::size_t begin = 0;    ///< of the word that is written
-  std::size_t end = 0;      ///< behind it
-  std::size_t column = 0;   ///< in bytes, of the keys around it
+  KeyPath path;             ///< of the mapping or list around the cursor
+  std::string key;          ///< key of the value at the cursor; "": a key, or an item of a list
+  std::size_t begin = 0;    ///< of the word at the cursor
+  std::size_t end = 0;      ///< of that word
+  std::size_t column = 0;   ///< of the keys around the cursor, in bytes
   bool is_flow = false;     ///< within braces
-  bool is_comment = false;  ///< it is in a comment, and nothing else is said
-  std::vector<std::string> siblings = {};  ///< keys that the mapping has already
+  bool is_comment = false;  ///< the cursor is in a comment; all else is empty
+  std::vector<std::string> siblings = {};  ///< the other keys of the mapping
 };
 
 YamlContext yaml_context(std::string_view text, std::size_t offset);
