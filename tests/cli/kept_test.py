@@ -84,7 +84,7 @@ own_section:
 SCENE = """physics: {gravity: {x: 0, y: 0, z: -3}, ode: {stepsize: 2, cfm: 1.0e-8, erp: 0.3}}
 environment: {fog: {density: 0.5}}
 lights:
-- {name: lamp, type: 1, position: {x: 0, y: 0, z: 3}, ambient: {r: 1, g: 0, b: 0, a: 1}}
+- {name: lamp, type: 1, position: {x: 0, y: 0, z: 3}, linearAttenuation: 0.25, ambient: {r: 1, g: 0, b: 0, a: 1}}
 entities:
 - {name: Robot, file: rich.smurf, pose: bent, anchor: world}
 - {name: Ball, type: primitive, geometry: {type: sphere}, position: {x: 2, y: 0, z: 3}, bitmask: 2,
@@ -145,6 +145,7 @@ CHANGES = {
     "environment": ("environment: {fog: {density: 0.5}}\n", ""),
     "lights": ("- {name: lamp, type: 1.*?}}\n", "[]\n"),
     "ambient colours of lights": (", ambient: {r: 1, g: 0, b: 0, a: 1}", ""),
+    "attenuations and specular colours of lights": (", linearAttenuation: 0.25", ""),
     "entities of other types": ("- {name: Cloud.*?}\n", ""),
     "anchors": (", anchor: world", ""),
     "start positions": (", pose: bent", ""),
@@ -155,15 +156,15 @@ CHANGES["step size when none is set"] = CHANGES["step size"]
 # What only some formats keep, beside the entry that it is a part of.
 PARTS = {
     "bitmask of a collision": ("bitmask: 6", "bitmask: 4", ("sdf", "mjcf")),
-    "friction of a collision": ("cfriction1: 0.5", "cfriction1: 0.25", ("sdf", "mjcf")),
+    "friction of a collision": ("cfriction1: 0.5", "cfriction1: 0.25", ("sdf", "mjcf", "usda")),
     "bitmask of a primitive": ("bitmask: 2", "bitmask: 4", ("sdf", "mjcf")),
     "friction of a primitive": ("cfriction2: 0.25", "cfriction2: 0.5", ("sdf",)),
-    "gain of a motor": ("p: 20", "p: 10", ("mjcf",)),
+    "gain of a motor": ("p: 20", "p: 10", ("mjcf", "usda")),
 }
 # A format that keeps everything else has nothing to say of these.
 ASIDES = {"masses of moving links that have none", "inertias that simulators refuse", "motor setting",
           "sensor setting", "gravity when none is set", "step size when none is set",
-          "ambient colours of lights", "keys of primitives"}
+          "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives"}
 OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])
 
 

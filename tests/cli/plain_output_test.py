@@ -110,9 +110,17 @@ class PlainOutputTest(unittest.TestCase):
         return text
 
 
+def page_data(text):
+    """Nobody but people reads a page: no character in it is hidden, but in the data of the viewer."""
+    data = json.loads(text.split('type="application/json">')[1].split("</script>")[0])
+    data.pop("picture", None)
+    assert LAYOUT.search(json.dumps(data, ensure_ascii=False)) is None
+
+
 PARSERS = {"json": json.loads, "gltf": json.loads, "sarif": json.loads, "gitlab": json.loads}
 for form in ("sdf", "sdf1.6", "mjcf", "urdf", "svg", "junit"):
     PARSERS[form] = lambda text: xml.etree.ElementTree.fromstring(text.encode())
+REPORT_PARSERS = {**PARSERS, "html": page_data}
 
 
 class Names(PlainOutputTest):
@@ -140,12 +148,12 @@ class Names(PlainOutputTest):
         self.people("smurfs-flatten", "--compare-dialects", "--force", "--", scene)
         for name in (NASTY.replace("\0", ""), COMMANDS[0]):
             self.people("smurfs-flatten", "--force", "--explain=" + name, "--", scene)
-        for name in ("json", "sarif", "gitlab", "junit"):
+        for name in ("json", "sarif", "gitlab", "junit", "html"):
             for tool, option in (("smurf-lint", "--format"), ("smurf-load-check", "--report")):
                 with self.subTest(name, tool=tool):
                     self.run_tool(tool, f"{option}={name}=report", "--", scene)
                     text = (self.folder / "report").read_bytes().decode()
-                    PARSERS[name](text)
+                    REPORT_PARSERS[name](text)
                     self.assertIsNone(FORBIDDEN.search(text))
         for name in ("full", "concise", "auto"):
             self.people("smurf-lint", "--format", name, "--target", "ros,mujoco,mars", "--", scene, model, robot)

@@ -169,7 +169,7 @@ ros       fails to load (1)
 pybullet  loads, with losses (1)
           arm.urdf:6:4: reads 0: the joint has no force (SML1404)
 
-smurf-lint --explain SML1404, or https://github.com/smurf-tools/smurf/blob/main/docs/rules/sml14.md#sml1404-effort-missing
+smurf-lint --explain SML1404, or https://github.com/smurf-tools/smurf/blob/main/docs/rules/sml14.md#sml1404-limit-incomplete
 """)
         self.assertIn("= note: ros: refuses the file\n", done.stdout)
 
@@ -192,6 +192,16 @@ smurf-lint --explain SML1404, or https://github.com/smurf-tools/smurf/blob/main/
         self.assertRegex(done.stdout, r"\nmars +loads, with losses")
         self.assertRegex(done.stdout, r"\nros +loads, with losses \(1\)\n.*RViz")
         self.assertRegex(done.stdout, r"\ndart +fails to load")
+
+    def test_meshes_of_a_folder_that_only_mars_finds(self):
+        shutil.copytree(cli.FIXTURES / "models/arm", self.folder / "arm")
+        shutil.move(self.folder / "arm/urdf/arm.urdf", self.folder / "arm/arm.urdf")
+        main = self.folder / "arm/smurf/arm.smurf"
+        main.write_text(main.read_text().replace("../urdf/arm.urdf", "../arm.urdf"))
+        done = self.expect(1, "--select", "SML1604", "arm/smurf/arm.smurf")
+        self.assertEqual(done.stdout.count("error[SML1604]"), 1, done.stdout)
+        self.assertIn("other files that the URDF names in this folder are missing, too", done.stdout)
+        self.assertIn("MARS, from the .smurf, finds `arm/meshes/", done.stdout)
 
     def test_targets_are_applied_once(self):
         folders = [one for one in sorted((cli.FIXTURES / "rules").glob("SML1*/bad"))]
@@ -332,6 +342,15 @@ class Fixes(LintTest):
                 (self.folder / "fix.diff").write_text(self.expect(1, "--diff", name).stdout)
                 subprocess.run(["git", "apply", "fix.diff"], cwd=self.folder, check=True)
                 self.assertEqual(self.read(name), before.replace("&", "&amp;"))
+
+    def test_diff_beside_a_byte_order_mark(self):
+        """In a line that stays as it is, and in one that changes."""
+        for name, line in (("same", "<robot name='r'>\n"), ("changed", "<!-- a -- b --><robot name='r&'>\n")):
+            before = "\ufeff" + line + "<link name='a&'/>\n</robot>\n"
+            self.write(f"{name}.urdf", before)
+            (self.folder / "fix.diff").write_text(self.expect(1, "--diff", f"{name}.urdf").stdout, encoding="utf-8")
+            subprocess.run(["git", "apply", "fix.diff"], cwd=self.folder, check=True)
+            self.assertEqual(self.read(f"{name}.urdf"), before.replace("&", "&amp;"))
 
     def test_standard_input(self):
         broken = URDF.replace('type="continuous"', 'type="Continuous"')
@@ -532,7 +551,7 @@ class Usage(LintTest):
                 ("unknown option '-Q' (see --help)", ["-Q"]),
                 ("unknown option '--selct'; did you mean '--select'?", ["--selct=SML1"]),
                 ("--format needs a value: FORMAT[=FILE]", ["--format"]),
-                ("--format: 'jsn' is not one of full, concise, json, sarif, github, gitlab, junit, auto; did you mean 'json'?",
+                ("--format: 'jsn' is not one of full, concise, json, sarif, github, gitlab, junit, html, auto; did you mean 'json'?",
                  ["--format=jsn"]),
                 ("--format: there is no file name after '='", ["--format=json="]),
                 ("--color: 'allways' is not one of auto, always, never; did you mean 'always'?",
@@ -749,9 +768,9 @@ class Inputs(LintTest):
         self.write_model("a", urdf=BROKEN_URDF)
         self.write_model(".hidden", motors=BROKEN_MOTORS)
         self.write("loose/x.urdf", BROKEN_URDF)
-        self.assertEqual(self.findings("."), [("a/urdf/arm.urdf", "SML1202"),
+        self.assertEqual(self.findings("."), [("a/urdf/arm.urdf", "SML1201"),
                                               ("b/smurf/arm_motors.yml", "SML3101"),
-                                              ("loose/x.urdf", "SML1202")])
+                                              ("loose/x.urdf", "SML1201")])
         self.assertEqual(self.findings(), self.findings("."))
         self.assertEqual(self.findings("b"), [("b/smurf/arm_motors.yml", "SML3101")])
         done = self.expect(1, ".")
@@ -828,7 +847,7 @@ class Inputs(LintTest):
     def test_a_part_without_a_model_is_checked_alone(self):
         self.write("alone.urdf", BROKEN_URDF)
         self.write("alone.yml", "motors: [\n")
-        self.assertEqual(self.findings("alone.urdf"), [("alone.urdf", "SML1202")])
+        self.assertEqual(self.findings("alone.urdf"), [("alone.urdf", "SML1201")])
         self.assertEqual(self.findings("alone.yml"), [("alone.yml", "SML0010")])
         # What only the model knows is not reported.
         self.write("motors.yml", BROKEN_MOTORS)
@@ -836,7 +855,7 @@ class Inputs(LintTest):
 
     def test_standard_input(self):
         self.write_model()
-        self.assertEqual(self.findings("-", stdin=BROKEN_URDF), [("stdin.urdf", "SML1202")])
+        self.assertEqual(self.findings("-", stdin=BROKEN_URDF), [("stdin.urdf", "SML1201")])
         self.assertEqual(
             self.findings("--stdin-filename", "arm/smurf/arm_motors.yml", "-",
                           stdin=BROKEN_MOTORS),

@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kShapeRules[] = {"SML2011", "SML4001", "SML4002", "SML4003",
-                                            "SML4004", "SML5001", "SML5002"};
+constexpr std::string_view kShapeRules[] = {"SML2011", "SML4001", "SML4002",
+                                            "SML4003", "SML4004", "SML5002"};
 
 /// What JSON cannot say, infinities and NaN, stays text.
 Json scalar(yaml::View value) {

@@ -75,7 +75,7 @@ TEST_CASE("Phobos takes radians, and quaternions that end with w") {
   CHECK(!reading(loaded, "phobos", "thing").X_WE);
 }
 
-TEST_CASE("Phobos composes scenes and follows links in joint positions of joints, within limits") {
+TEST_CASE("Phobos composes scenes and follows links, with all joints at zero") {
   LoadedScene loaded;
   loaded.files.add("far.yml", "poses:\n- name: far\n  joints: {boom_joint: 3}\n");
   loaded.files.add("far.smurf", "modelname: crane\nfiles: [crane.urdf, far.yml]\n");
@@ -84,7 +84,7 @@ TEST_CASE("Phobos composes scenes and follows links in joint positions of joints
 - {name: A, file: far.smurf, pose: far}
 - {name: in, file: in.smurfs, parent: "A::hook", position: [1, 0, 0], rotation: [0, 0, 1]}
 )");
-  const Matrix hook = translation(0, 0, 1) * rotation_y(2) * translation(2, 0, 0);
+  const Matrix hook = translation(2, 0, 1);
   check_pose(loaded, "phobos", "in/C", hook * translation(1, 0, 0) * rotation_z(3));
 }
 
@@ -167,6 +167,29 @@ TEST_CASE("MARS reads poses by motor, and refuses primitives in the wrong notati
   check_pose(loaded, "mars", "B", translation(2, 0, 1));  // the crane has no motors
   CHECK(!reading(loaded, "mars", "list").X_WE);
   check_pose(loaded, "mars", "map", translation(1, 0, 0));
+}
+
+TEST_CASE("Phobos does not apply the pose of an entity") {
+  LoadedScene loaded;
+  loaded.load_text(R"(entities:
+- {name: A, file: crane.smurf, pose: up, position: [1, 0, 0]}
+- {name: B, file: box.urdf, parent: "A::hook"}
+)");
+  check_pose(loaded, "spec", "B", translation(1, 0, 1) * rotation_y(-0.5) * translation(2, 0, 0));
+  check_pose(loaded, "phobos", "B", translation(1, 0, 0) * translation(2, 0, 1));
+  CHECK(reading(loaded, "phobos", "A").note == "does not apply `pose`");
+  CHECK(reading(loaded, "phobos", "A").joint_pose == JointPoseIndex{});
+}
+
+TEST_CASE("MARS leaves out entities of a misspelt type") {
+  LoadedScene loaded;
+  loaded.load_text(R"(entities:
+- {name: A, type: udrf, file: box.urdf}
+- {name: B, type: windmill, file: box.urdf}
+)");
+  CHECK(!reading(loaded, "mars", "A").X_WE);
+  CHECK(reading(loaded, "mars", "A").note == "has no entities of type `udrf`");
+  CHECK(reading(loaded, "mars", "B").X_WE);  // a plug-in may have them
 }
 
 TEST_CASE("the main file of a model overrides its entity in MARS") {

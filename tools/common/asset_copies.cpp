@@ -18,8 +18,8 @@ std::string with_extension(const std::string& file, std::string_view extension) 
   return file.substr(0, file.size() - path::extension(file).size()) + std::string(extension);
 }
 
-/// Reads files to copy. A model may name a file any number of times: each time after the first
-/// counts.
+/// Reads files to copy. A model may name a file any number of times, so repeated reads have a
+/// limit.
 class RepeatedBytes {
  public:
   RepeatedBytes(const FileReader& files, const Limits& limits) : files_(files), limits_(limits) {}
@@ -68,7 +68,7 @@ std::optional<std::string> CopyPlan::copy_of(const std::string& file, const std:
   return known->second;
 }
 
-// Links may give a folder thousands of names, and each would be a place for another copy.
+// Links can give one folder thousands of names; each would get another copy.
 std::string CopyPlan::in_first_folder(const std::string& file) {
   const std::string folder(path::parent(file));
   const auto [known, is_new] = folders_.try_emplace(folder);
@@ -79,7 +79,7 @@ std::string CopyPlan::in_first_folder(const std::string& file) {
 }
 
 std::string CopyPlan::add(const std::string& from, const std::string& group) {
-  // An OBJ names its materials in a file of the same name.
+  // The materials of an OBJ are in a file of the same name.
   const std::string materials = with_extension(from, ".mtl");
   const bool has_materials =
       path::to_lower(path::extension(from)) == ".obj" && files_.is_file(materials);
@@ -90,8 +90,8 @@ std::string CopyPlan::add(const std::string& from, const std::string& group) {
   return path::join(current_, copy.to());
 }
 
-// Files of one name from several folders get folders of their own, so that the name stays, and
-// no copy takes the place of another source.
+// Files with one name from several folders get separate folders. So names stay, and no copy
+// replaces another source.
 std::string CopyPlan::unique(const std::string& group, const std::string& from,
                              bool has_materials) {
   const std::string name = safe_name(path::file_name(from));

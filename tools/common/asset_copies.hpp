@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Copies of the files that models name: where each goes, and all of them written or none.
+// Copies of the files that models name: chooses a place for each, and writes all of them or none.
 #pragma once
 
 #include <functional>
@@ -20,8 +20,8 @@ namespace smurf::tools {
 /// A file that is copied to a folder which the user names.
 struct AssetCopy {
   std::string from;
-  std::string folder;  ///< the user's
-  std::string inside;  ///< the path from there
+  std::string folder;  ///< chosen by the user
+  std::string inside;  ///< path relative to the folder
 
   std::string to() const;
 };
@@ -30,12 +30,12 @@ using AssetCopies = std::vector<AssetCopy>;
 /// Finds a place for every copy.
 class CopyPlan {
  public:
-  /// `folder` is the user's. No copy takes the place of one of `sources`, which are absolute.
+  /// The user chose `folder`. No copy replaces one of `sources`, which are absolute paths.
   CopyPlan(const FileReader& files, std::string current_folder, std::string folder,
            std::set<std::string> sources);
 
-  /// The absolute path of the copy of `file`, in a folder `group`; the same for a file that is
-  /// asked for again. None when there is no such file.
+  /// The absolute path of the copy of `file`, in a folder `group`. A second call with the same file
+  /// returns the same path. None when there is no such file.
   std::optional<std::string> copy_of(const std::string& file, const std::string& group);
   AssetCopies take() { return std::move(list_); }
 
@@ -56,12 +56,12 @@ class CopyPlan {
   AssetCopies list_;
 };
 
-/// Tells whether a copy is made: not where the file itself is.
+/// False when the copy would be the file itself.
 std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& inputs);
 
-/// Copies the files and then calls `write_result`: all or nothing. False when something cannot be
-/// written; that has been said. Names come from the model: only files with the name of a mesh or an
-/// image are copied, and no other file is replaced unless `overwrite`.
+/// Copies the files and then calls `write_result`, which completes all or nothing. Complains and
+/// returns false when something cannot be written. The names come from the model, so only files
+/// with the extension of a mesh or an image are copied, and none is replaced unless `overwrite`.
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
                 const Limits& limits, bool overwrite, const std::function<bool()>& write_result);
 

@@ -95,7 +95,8 @@ std::string help_text(const Command& command) {
   for (const std::string_view group : option_groups(options)) {
     out += options_text(options, group);
   }
-  out += "\nExit codes: 0 done, 1 findings at or above the threshold, 2 could not do the job\n";
+  out +=
+      "\nExit codes: 0 done, 1 " + std::string(command.exit_with_1) + ", 2 could not do the job\n";
   return out + "More examples:\n  " + std::string(kHomepage) + "/blob/main/docs/tools/" +
          std::string(command.name) + ".md\n";
 }

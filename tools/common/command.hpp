@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A command line as data: parsed, explained by --help, and the source of manual pages
-// or shell completions from it.
+// A command line as data: the parser, --help, manual pages and shell completions use it.
 #pragma once
 
 #include <functional>
@@ -16,7 +15,7 @@ namespace smurf::tools {
 inline constexpr std::string_view kVersion = SMURF_VERSION;
 inline constexpr std::string_view kHomepage = SMURF_HOMEPAGE;
 
-/// What a tool returns, whatever the format of its output.
+/// The exit code of a tool; it does not depend on the output format.
 using ExitCode = int;
 inline constexpr ExitCode kDone = 0;      ///< nothing at or above the threshold
 inline constexpr ExitCode kFindings = 1;  ///< findings at or above it, or a result refused for them
@@ -49,25 +48,26 @@ struct Example {
 struct Command {
   std::string_view name{};      ///< "smurf-lint"
   std::string_view summary{};   ///< one sentence
-  std::string_view operands{};  ///< "[PATH]..."; "": none are taken
+  std::string_view operands{};  ///< "[PATH]..."; "": takes none
   std::string_view details{};   ///< what the operands are, and details
   std::vector<Option> options{};
   Setter set_operand{};
   std::vector<Example> examples{};  ///< the two most useful ones first: --help shows only those
+  std::string_view exit_with_1 = "findings at or above the threshold";
 };
 
 /// The command's own options and those that every tool has, as --help shows them.
 std::vector<Option> all_options(const Command& command);
 /// The headings in the order of --help: those of the tool alone, then those that tools share.
 std::vector<std::string_view> option_groups(std::span<const Option> options);
-/// --help, --version, and what packages are made with.
+/// --help, --version, and the options with which packages are built.
 std::span<const Option> standard_options();
 
 /// The page of --help, at most 80 columns wide.
 std::string help_text(const Command& command);
 
 /// Calls the setters. Returns the exit code when the run ends here: after --help and --version, and
-/// after a mistake, which is said on standard error in one line.
+/// after a mistake, which it reports on standard error in one line.
 std::optional<ExitCode> parse_command_line(const Command& command, int argc,
                                            const char* const* argv);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CLI11 cuts the command line into options and values; names, values and messages are ours. The
-// only file that sees the library, which is slow to compile.
+// CLI11 splits the command line into options and values; names, values and messages are ours. Only
+// this file includes the library, because it is slow to compile.
 #include <CLI/CLI.hpp>
 
 #include <map>
@@ -12,7 +12,7 @@
 namespace smurf::tools {
 namespace {
 
-/// What CLI11 reports for an option that may go without a value, and for a flag.
+/// The value that CLI11 reports for a flag, and for an option without its optional value.
 constexpr std::string_view kNoValue = "true";
 
 class CommandLine {
@@ -51,7 +51,7 @@ class CommandLine {
     return index < options_.size() && cli_options_[index]->count() > 0;
   }
 
-  /// The page that a value "help" asked for; "" when none did.
+  /// The page that a value "help" asked for, or "".
   const std::string& page() const { return page_; }
 
   /// Precondition: has(name).
@@ -66,8 +66,8 @@ class CommandLine {
     return static_cast<std::size_t>(found - options_.begin());
   }
 
-  /// CLI11 takes as long for all options of a tool as the tool takes for a small model, so it is
-  /// told of those only that some argument may mean.
+  /// Setting up all options in CLI11 takes as long as checking a small model, so only those that
+  /// an argument may mean are set up.
   void add_if_written(const Option& option) {
     const std::string name = "--" + std::string(option.name);
     const bool is_written =
@@ -86,7 +86,7 @@ class CommandLine {
     CLI::Option* added =
         option.metavar.empty() ? app_.add_flag(names) : app_.add_option(names)->expected(1);
     if (option.may_omit_value) added->expected(0, 1);
-    // Values that look like "[a,b]" are taken apart unless extra arguments are refused.
+    // CLI11 splits values that look like "[a,b]" unless extra arguments are refused.
     return added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
   }
 
@@ -106,7 +106,8 @@ class CommandLine {
     return wrong;
   }
 
-  /// What CLI11 leaves over: operands, unknown options and the "--" before which those are sought.
+  /// The arguments that CLI11 has not used: operands, unknown options, and a "--" that ends
+  /// options.
   std::optional<std::string> set_operands() const {
     bool is_option_possible = true;
     for (const std::string& argument : app_.remaining()) {
@@ -149,7 +150,7 @@ class CommandLine {
   const Command& command_;
   const std::vector<std::string> arguments_;
   CLI::App app_;
-  std::vector<Option> options_;  ///< those that may be written
+  std::vector<Option> options_;  ///< that the command line may contain
   std::vector<CLI::Option*> cli_options_;
   std::string page_;
 };

@@ -30,7 +30,7 @@ std::string whole_words_of(const Option& option) {
   return out;
 }
 
-/// bash takes "ID=LEVEL" for three words: the level is completed by the word before the ID.
+/// bash splits "ID=LEVEL" into three words, so the level is completed after the word before the ID.
 std::string bash_levels(const Command& command) {
   std::string cases;
   for (const Option& option : all_options(command)) {

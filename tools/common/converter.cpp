@@ -45,7 +45,7 @@ Conversion::Conversion(std::string_view tool, const ConverterOptions& options,
                        std::vector<InputKind> kinds)
     : tool_(tool), options_(options), kinds_(std::move(kinds)) {}
 
-/// The only file of the first kind that there is any of.
+/// The only file of the first of these kinds that the folder has.
 std::optional<std::string> Conversion::find_in(const std::string& folder) const {
   const Found found = find_inputs(folder, options_.limits);
   for (const std::string& problem : found.unreadable) complain(tool_, "cannot read " + problem);
@@ -132,7 +132,7 @@ std::optional<xml::Document> Conversion::load_xml(const std::string& path, Loade
 
 namespace {
 
-/// smurf-lint does not tell it, or it is about what scenes are made for: where things stand.
+/// True for findings of the converter, which smurf-lint does not report, and for those in scenes.
 bool is_told(const Diagnostic& finding, const SourceMap& sources) {
   if (finding.rule->reported_by == Tool::converters) return true;
   const InputKind kind = input_kind(sources.path(finding.span.source));
@@ -150,7 +150,7 @@ std::string count_rest(std::span<const Diagnostic> rest, const std::string& path
   return text.empty() ? text : text + ": see smurf-lint " + path;
 }
 
-/// What is no annotation has an XPath, which begins with the robot.
+/// Findings in a URDF have an XPath, which begins with the robot.
 std::string count_by_section(std::span<const Diagnostic> losses) {
   std::map<std::string_view, std::size_t> counts;
   for (const Diagnostic& loss : losses) {

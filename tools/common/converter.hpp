@@ -27,7 +27,7 @@ struct ConverterOptions {
   ColorChoice color = ColorChoice::automatic;
   std::string stdin_filename;
   std::map<std::string, std::string> packages;
-  bool allow_outside = false;  ///< read what models name wherever it lies
+  bool allow_outside = false;  ///< read files that models name, wherever they are
   Limits limits;
   bool quiet = false;
   std::vector<const Reader*> targets;  ///< readers of the result; empty: all
@@ -39,20 +39,19 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
 /// A setter for exactly one operand.
 Setter take_one_operand(std::string& operand);
 
-/// Why the result would be wrong with this finding: "urdfdom refuses the file". None when it would
-/// not be.
+/// Why this finding makes the result wrong: "urdfdom refuses the file". None when it does not.
 using LossOf = std::function<std::optional<std::string>(const Diagnostic&)>;
 
-/// One run of a converter. What is found goes to standard error, or where --report says.
+/// One run of a converter. Findings go to standard error, or to the file of --report.
 class Conversion {
  public:
   /// `kinds` are the inputs, in the order in which a folder is searched for the only one. `tool`
   /// and `options` must outlive it.
   Conversion(std::string_view tool, const ConverterOptions& options, std::vector<InputKind> kinds);
 
-  /// None when the file cannot be read; that has been said.
+  /// Complains and returns none when the file cannot be read.
   std::optional<LoadedModel> load_model(const std::string& path);
-  /// The path may be that of an archive (.zsmurf, .zsmurfs, .zsmurfa), which is read in memory.
+  /// Also reads archives (.zsmurf, .zsmurfs, .zsmurfa), in memory.
   std::optional<LoadedScene> load_scene(const std::string& path);
   /// A file beside the model.
   std::optional<xml::Document> load_xml(const std::string& path, Loaded& beside);
@@ -67,12 +66,12 @@ class Conversion {
   /// The findings of the last report.
   std::span<const Diagnostic> findings() const { return findings_; }
 
-  /// Before anything is written, and when all is read: complains when one of the outputs, or a file
-  /// of --report, is an input.
+  /// Call it when everything is read and nothing is written. Complains and returns false when an
+  /// output, or a file of --report, is an input.
   bool keeps_inputs(std::vector<std::string> outputs) const;
 
-  /// Writes the losses to `file`, when it names one. False when that fails, or when there are any
-  /// and `are_refused`, in which case they are listed.
+  /// Writes the losses to `file` unless it is "". False when that fails, and when there are losses
+  /// and `are_refused`; then it lists them.
   bool report_losses(const LoadedModel& loaded, std::vector<Diagnostic> losses,
                      const std::string& file, bool are_refused);
   /// How many losses there are in each section of the annotations: "motors (42), sensors (10)".

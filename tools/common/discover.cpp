@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nothing here depends on the order in which a file system lists a folder.
+// The result does not depend on the order in which a file system lists a folder.
 #include "common/discover.hpp"
 
 #include <sys/stat.h>
@@ -33,7 +33,7 @@ bool is_xacro(std::string_view path) { return path::to_lower(path::extension(pat
 
 enum class Entry : std::uint8_t { file, folder, link, other };
 
-/// As the folder says it: these do not ask the file system for each, as the status would.
+/// The kind as the folder lists it, which saves a query of the file system for each entry.
 Entry kind_of_entry(const std::filesystem::directory_entry& entry) {
   std::error_code vanished;
   if (entry.is_symlink(vanished)) return Entry::link;
@@ -50,7 +50,7 @@ class Search {
     root_ = identity(folder);
     inside_.allow(folder);
     walk(folder);
-    // Links come last, so that a file is known by its own path if that is inside the folder.
+    // Links come last, so that a file gets its own path if that is inside the folder.
     for (std::size_t i = 0; i < links_.size(); ++i) follow(std::string(links_[i]));
     std::sort(found_.files.begin(), found_.files.end());
     std::sort(found_.unreadable.begin(), found_.unreadable.end());
@@ -72,7 +72,7 @@ class Search {
     found_.unreadable.push_back("'" + path + "': " + std::generic_category().message(error));
   }
 
-  /// True from the one entry too many on.
+  /// True once there were too many entries.
   bool is_full() {
     if (entries_ < most_entries_) return false;
     if (entries_++ == most_entries_) {
@@ -115,9 +115,9 @@ class Search {
     }
   }
 
-  /// What lies outside of the folder is not looked at, not even to see whether it is there, and
-  /// neither is a link that goes out and comes back. A link that is called like a model may lead to
-  /// one elsewhere in the project: whoever reads it tells.
+  /// Skips everything outside of the folder without asking whether it exists, and links that lead
+  /// out and back. A link with the name of a model may lead elsewhere in the project; the reader of
+  /// the model decides.
   void follow(const std::string& link) {
     struct stat status {};
     if (inside_.is_denied(link)) {
@@ -125,7 +125,7 @@ class Search {
     } else if (::stat(link.c_str(), &status) != 0) {
       if (is_sought(link)) fail(link, errno);
     } else if (S_ISDIR(status.st_mode)) {
-      // To git a link is a file, whatever it leads to.
+      // git treats a link as a file, wherever it leads.
       if (!is_left_out(link, false)) walk(link);
     } else if (S_ISREG(status.st_mode) && is_sought(link)) {
       add(link, status);

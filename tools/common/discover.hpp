@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which files a folder holds.
+// Finds the files in a folder that can be checked.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +21,12 @@ struct Found {
 /// Decides whether a path inside a searched folder is left out, with everything in it.
 using LeftOut = std::function<bool(const std::string& path, bool is_folder)>;
 
-/// The .smurf, .smurfs, .smurfa and .urdf files in a folder and the folders below it. Hidden ones
-/// are left out. Links are followed inside the folder only, and nothing is found twice.
+/// Finds the .smurf, .smurfs, .smurfa and .urdf files in a folder and the folders below it, each
+/// once. Leaves out hidden files, and links that lead out of the folder.
 Found find_inputs(const std::string& folder, const Limits& limits,
                   const LeftOut& is_left_out = nullptr);
 
-/// "no .smurf, .smurfs, .smurfa or .urdf file in 'robots' (2 left out)", and what is there instead.
+/// "no .smurf, .smurfs, .smurfa or .urdf file in 'robots' (2 left out)", and what else is there.
 std::string why_nothing(const Found& found, const std::string& folder);
 
 }  // namespace smurf::tools

@@ -24,8 +24,8 @@ bool is_link(int folder, const std::string& name) {
          S_ISLNK(status.st_mode);
 }
 
-/// Whether what was opened is not the folder that was judged before: a link may have taken its
-/// place. Where the system does not tell, it is not known.
+/// Whether the opened folder is another one than was judged before, because a link has replaced it.
+/// False when the system does not tell.
 bool is_elsewhere(int folder, const std::string& judged) {
   std::error_code error;
   const std::filesystem::path opened =
@@ -35,12 +35,12 @@ bool is_elsewhere(int folder, const std::string& judged) {
 }
 
 FileSet::Problem problem(const std::string& path, int error) {
-  // Of names that others chose: a link would choose the place.
+  // The model chose these names, so a link among them would choose the place.
   if (error == ELOOP) return {path, "it is a symbolic link, which is not followed here"};
   return {path, std::generic_category().message(error), error == EEXIST};
 }
 
-/// A program may have 1,024 files open at once unless it asks for more, which the system allows.
+/// By default a program may have 1,024 open files; it may raise that limit itself.
 void allow_open_files(std::size_t count) {
   constexpr rlim_t kOthers = 64;
   rlimit limit{};

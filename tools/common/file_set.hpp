@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several files as one step: all are written out of sight first, where a full disk or a missing
-// permission shows; only then do they take their places, and what was replaced can be brought back.
+// Writes several files in one step. All are written to temporary files first, where a full disk or
+// a missing permission shows. Then they get their names, and replaced files can be restored.
 #pragma once
 
 #include <deque>
@@ -15,7 +15,7 @@
 
 namespace smurf::tools {
 
-/// Why nothing is written through a link of link_out_of_repository().
+/// The reason to refuse a link that link_out_of_repository() has found.
 std::string reason_of_link(const std::string& link);
 
 class FileSet {
@@ -38,7 +38,7 @@ class FileSet {
 
   /// Puts all files in their places, or none.
   std::optional<Problem> write(bool overwrite);
-  /// The same, but undoes it at the end unless keep() was called.
+  /// As finish(), but the destructor undoes it unless keep() was called.
   std::optional<Problem> write_for_now(bool overwrite);
   void keep() { is_done_ = true; }
 
@@ -48,14 +48,14 @@ class FileSet {
     NewFile file;
     std::string shown;
     bool replaces = false;
-    std::string backup;  ///< a second name of the file that was there
+    std::string backup;  ///< a second name of the replaced file
     bool is_placed = false;
   };
 
   std::optional<Problem> prepare(const OutputFile& file, bool overwrite);
   std::optional<Problem> prepare_all(bool overwrite);
   std::optional<Problem> place(Written& written, bool is_last);
-  /// `judged` is where the folder has to be, without links.
+  /// `judged` is the path that the folder must have, without links.
   std::optional<Problem> open_folder(const OutputFile& file, const std::string& judged,
                                      int& folder);
   int open_below(int above, const std::string& name, int& folder);
@@ -64,8 +64,8 @@ class FileSet {
   const std::vector<OutputFile>& files_;
   MissingFolders missing_;
   std::map<std::string, Descriptor> folders_;              ///< open, by path
-  std::deque<Written> written_;                            ///< one a file, in their order
-  std::vector<std::pair<int, std::string>> made_folders_;  ///< and where they were made
+  std::deque<Written> written_;                            ///< in the order of the files
+  std::vector<std::pair<int, std::string>> made_folders_;  ///< with the folder around each
   bool is_done_ = false;
 };
 

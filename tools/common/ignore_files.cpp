@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kMostBytes = 1U << 20U;
 
-/// What is below `folder` of a path in it. "" is the folder that relative paths start at.
+/// The path relative to a folder that contains it. "" is the folder where relative paths start.
 std::string_view below(std::string_view path, std::string_view folder) {
   if (folder.empty()) return path;
   return path.substr(folder == "/" ? 1 : folder.size() + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What .gitignore and .smurf-lintignore files leave out.
+// Reads .gitignore and .smurf-lintignore files.
 #pragma once
 
 #include <cstddef>
@@ -12,29 +12,28 @@
 
 namespace smurf::tools {
 
-/// The ignore files of all folders that are asked about, each read once. As in git, the nearest
+/// Reads the ignore files of each folder once. As in git, the nearest
 /// file with a matching pattern wins, and .gitignore applies inside a repository only;
 /// .smurf-lintignore applies everywhere, and takes precedence.
 class IgnoreFiles {
  public:
-  /// `most_checks` is how often a path is compared with a pattern.
+  /// `most_checks` limits how often a path is compared with a pattern.
   IgnoreFiles(const FileReader& files, std::uint64_t most_checks)
       : files_(files), checks_left_(most_checks) {}
 
-  /// Have there been more checks than that? Then everything is left out.
+  /// True after more checks than that; then everything is left out.
   bool is_exhausted() const { return is_exhausted_; }
-  /// Checks of patterns that are not in ignore files are of the same number. False when they are
-  /// too many.
+  /// Counts checks of other patterns within the same limit. False when there are too many.
   bool may_check(std::size_t patterns);
   /// The verdict of the patterns on a path; a slow comparison counts as several checks.
   PathVerdict judge(const PathPatterns& patterns, std::string_view path, bool is_folder);
-  /// Do they exclude a file, itself or with a folder that it lies in?
+  /// Whether the patterns exclude a file, or a folder that contains it.
   bool excludes(const PathPatterns& patterns, std::string_view file);
 
-  /// The verdict on the path alone, without the folders above it. `path` is absolute, unless the
-  /// current folder has no path that can be told.
+  /// The verdict on the path alone, without the folders above it. `path` is absolute unless the
+  /// path of the current folder is unknown.
   bool leaves_out(const std::string& path, bool is_folder);
-  /// Is a file left out, itself or with a folder that it lies in?
+  /// Whether a file is left out, or a folder that contains it.
   bool leaves_out_with_folders(const std::string& path);
 
  private:
@@ -43,7 +42,7 @@ class IgnoreFiles {
     const Level* above = nullptr;
     PathPatterns of_git, of_lint;
     bool is_in_repository = false;
-    bool is_repository = false;  ///< its top: ignore files above are another repository's
+    bool is_repository = false;  ///< the root of one; ignore files above it do not apply
   };
   void count(std::uint64_t steps);
   const Level& level_of(const std::string& folder);

@@ -63,8 +63,8 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
 }
 
 std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files) {
-  // Reads no content. A file that is too large is a finding: it can be named, and other readers may
-  // load it.
+  // Reads no content. A file that is too large is a finding later, because other readers may load
+  // it.
   const FileContent content = files.read(path, 0);
   if (content.status == ReadStatus::ok || content.status == ReadStatus::too_large) {
     return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Standard input and the other inputs that a user names.
+// Reads standard input and the other inputs that a user names.
 #pragma once
 
 #include <cstdint>
@@ -26,16 +26,16 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
 /// None when it can be read.
 std::optional<std::string> why_unreadable(const std::string& path, const FileReader& files);
 
-/// What is loaded for the user's path: itself, or what an archive holds. Complains and returns none
-/// when it cannot be read.
+/// The path to load for a path of the user: itself, or the main file of an archive. Complains and
+/// returns none when it cannot be read.
 std::optional<std::string> find_main_file(std::string_view tool, const std::string& path,
                                           const FileReader& files);
 
-/// Where the run was started. Complains when that folder is gone.
+/// The current folder. Complains when it no longer exists.
 std::optional<std::string> current_folder(std::string_view tool);
 
-/// In front of a reader: remembers the files of the machine that were read or found, and what
-/// standard input is, since no output may take the place of an input.
+/// Wraps a reader and remembers the files that were read or found, and the file behind standard
+/// input, because no output may replace an input.
 class InputFiles final : public FileReader {
  public:
   explicit InputFiles(const FileReader& behind);
@@ -49,7 +49,7 @@ class InputFiles final : public FileReader {
   std::string identity(const std::string& path) const override { return behind_.identity(path); }
 
   void add(const std::string& path) const;
-  /// By whatever name.
+  /// True for any name of the file.
   bool contains(const std::string& path) const;
 
  private:
@@ -60,15 +60,15 @@ class InputFiles final : public FileReader {
   mutable std::set<Identity> known_;
 };
 
-/// Complains when one of the files to write ("" and "-": none) was read.
+/// Complains and returns false when one of these files was read. "" and "-" are no files.
 bool keeps_inputs(std::string_view tool, const InputFiles& inputs,
                   std::span<const std::string> outputs);
 
-/// Shared by the whole run, so that each path is looked up once.
+/// Shared by the whole run, because it looks up each path only once.
 const CanonicalPaths& canonical_paths();
 /// Equal for two spellings of one file; links are resolved.
 std::string identity(const std::string& path);
-/// The same, but what is denied has the identity of its name.
+/// As identity(), but a denied path is identified by its name.
 std::string identity(const std::string& path, const FileReader& files);
 
 }  // namespace smurf::tools

@@ -72,7 +72,7 @@ void LoadedNames::note(const LinkedModel& model, Part& part) const {
   }
 }
 
-/// Those beside the URDF, or where packages keep them.
+/// Adds the names in SRDF files beside the URDF, or in the folders where packages keep them.
 void LoadedNames::add_srdfs(LoadedModel& loaded, Part& part, std::vector<Reference>& names) {
   const std::string own(path::parent(loaded.model.urdf_path));
   for (const char* const folder : {".", "../srdf", "../config"}) {
@@ -105,7 +105,7 @@ const std::vector<std::string>& LoadedNames::srdfs_in(const std::string& folder)
   return known->second;
 }
 
-/// Read once for all models; null when it cannot be.
+/// Reads it once for all models. Null when it cannot be read.
 const xml::Document* LoadedNames::srdf(const std::string& path, LoadedModel& loaded) {
   const auto [known, is_new] = srdfs_.try_emplace(path);
   if (is_new) {

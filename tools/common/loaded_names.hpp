@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The planned files, loaded, and the names in them: for code that asks what a name means.
+// Loads the planned files and finds the names in them, for code that asks what a name means.
 #pragma once
 
 #include <cstdint>
@@ -29,14 +29,14 @@ class LoadedNames {
     std::set<std::string> read = {};  ///< all its files, by identity
   };
   const std::deque<Part>& parts() const { return parts_; }
-  /// Of each part.
+  /// The names of each part.
   const std::vector<std::vector<Reference>>& names() const { return names_; }
-  /// As a model or scene, or a file of one.
+  /// True for a planned model or scene, and for a file that belongs to one.
   bool has_read(const std::string& path) const;
   /// Why names are missing; "" when none is.
   const std::string& problem() const { return problem_; }
 
-  /// Gives up what was loaded: the names stay, with what is written for each instead of the name.
+  /// Frees the loaded files. The names stay, with the text that stands in the file for each.
   void release();
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cctype>
 
 #include "common/pages.hpp"
 
@@ -65,8 +66,9 @@ std::string manual_page(const Command& command) {
   if (!command.details.empty()) out += ".PP\n" + roff(command.details) + "\n";
   out += options_section(command);
   out += ".SH \"EXIT STATUS\"\n";
-  out += ".TP\n.B 0\nDone; no findings at or above the threshold.\n";
-  out += ".TP\n.B 1\nFindings at or above the threshold, or a result refused for them.\n";
+  std::string with_1(command.exit_with_1);
+  with_1.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(with_1.front())));
+  out += ".TP\n.B 0\nDone.\n.TP\n.B 1\n" + roff(with_1) + ".\n";
   out += ".TP\n.B 2\nCould not do the job.\n";
   if (!command.examples.empty()) out += ".SH EXAMPLES\n";
   for (const Example& example : command.examples) {

@@ -17,8 +17,8 @@ namespace {
 constexpr Limits kNeighbour{
     .file_bytes = 8U << 20U, .yaml_nodes = 50'000, .xml_elements = 100'000, .findings = 0};
 
-/// Shows the loader one file and notes which others it asks for: they are what the file lists,
-/// resolved as the loader resolves them.
+/// Gives the loader one file and records which others it asks for: the files that it lists, as the
+/// loader resolves them.
 class OnlyMainFile final : public FileReader {
  public:
   OnlyMainFile(const FileReader& files, const std::string& main)
@@ -48,7 +48,7 @@ std::uint64_t bytes_of(const SourceMap& sources) {
   return bytes;
 }
 
-/// Folders from that of a file upwards, with some of the folders in each.
+/// The folder of a file and those above it, each with some of its subfolders.
 std::vector<std::string> places_around(const std::string& path, int levels,
                                        std::initializer_list<std::string_view> inner) {
   std::vector<std::string> places;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which models a file belongs to.
+// Finds the models to which a file belongs.
 #pragma once
 
 #include <map>
@@ -12,8 +12,8 @@
 
 namespace smurf::tools {
 
-/// Finds the models around files. Each model is looked at once, however many files are asked for.
-/// Knows nothing of files that are too large to be looked at on the way (docs/limits.md).
+/// Finds the models around files, and reads each of them once. Ignores files above the limit for
+/// such searches (docs/limits.md).
 class ModelsAround {
  public:
   explicit ModelsAround(const FileReader& files) : files_(files) {}
@@ -27,7 +27,7 @@ class ModelsAround {
   /// sorted.
   std::vector<std::string> using_resource(const std::string& path);
 
-  /// So much lies around that not all of it was looked at.
+  /// True when there were too many files around to read all of them.
   bool is_exhausted() const { return bytes_ > kMost; }
 
  private:

@@ -12,10 +12,10 @@
 namespace smurf::tools {
 namespace {
 
-/// By way of /proc, since only root may link a descriptor itself.
+/// Uses a path below /proc, because only root may link a descriptor itself.
 std::string way_to(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
-/// All of an open file to another; 0 or an errno.
+/// Copies an open file to another; returns 0 or an errno.
 int copy_all(int from, int to) {
   std::array<char, 65536> buffer;
   for (off_t at = 0;;) {
@@ -118,7 +118,7 @@ int NewFile::open_named() {
 int NewFile::adopt_owner() const {
   if (!replaced_) return 0;
   const int file = file_.number();
-  // First the owner: the mode is for this one. An ordinary user gives no file away.
+  // The owner comes first, because the mode is meant for this owner. Only root may change it.
   const bool is_given = ::fchown(file, replaced_->st_uid, replaced_->st_gid) == 0;
   [[maybe_unused]] const bool is_kept =
       is_given || ::fchown(file, static_cast<uid_t>(-1), replaced_->st_gid) == 0;

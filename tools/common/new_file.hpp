@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One file that is written out of sight and then takes its place, whole or not at all.
+// Writes one file completely or not at all: to a temporary file first, which then gets the name.
 #pragma once
 
 #include <sys/stat.h>
@@ -34,26 +34,26 @@ class Descriptor {
 /// Writes the whole text; 0 or an errno.
 int write_all(int descriptor, std::string_view text);
 
-/// Calls `make` with names for temporary files until it returns something else than EEXIST, and
-/// returns that. The last name goes to `name`.
+/// Calls `make` with names for temporary files until it returns something other than EEXIST, and
+/// returns that. Stores the last name in `name`.
 int with_free_name(std::string& name, const std::function<int(const std::string& name)>& make);
 
-/// A file without a name where the system knows such (O_TMPFILE), so that nothing is left of a run
-/// that is killed; elsewhere one with a temporary name beside its place.
+/// A file without a name where the system supports it (O_TMPFILE), so that a killed run leaves
+/// nothing behind; elsewhere a file with a temporary name in the same folder.
 class NewFile {
  public:
-  /// `folder` is open and stays so.
+  /// `folder` must stay open.
   NewFile(int folder, std::string name) : folder_(folder), name_(std::move(name)) {}
   ~NewFile() { drop(); }
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
 
-  /// 0 or an errno; a full disk shows here. The file that is to be replaced, if any, hands down its
-  /// permissions and, as far as that is allowed, its owner and group; but not the setuid, setgid
-  /// and sticky bits, which were given to other bytes.
+  /// Returns 0 or an errno, such as that of a full disk. Takes over the permissions of a file that
+  /// will be replaced and, as far as allowed, its owner and group; but not the setuid, setgid and
+  /// sticky bits, which were given to the old content.
   int write(std::string_view text, const std::optional<struct stat>& replaced);
 
-  /// 0 or an errno; EEXIST when a file has appeared that was not there before. Other names of a
+  /// Returns 0 or an errno; EEXIST when another file has appeared meanwhile. Other names of a
   /// replaced file (hard links) keep the old content.
   int take_place();
 
@@ -70,7 +70,7 @@ class NewFile {
 
   int folder_;
   std::string name_;
-  std::string temporary_;  ///< the name it has until it takes its place; "": none
+  std::string temporary_;  ///< until it gets its name; "": none
   Descriptor file_;
   std::optional<struct stat> replaced_;
 };

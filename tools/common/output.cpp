@@ -26,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "/dev/stdout", and "/dev/fd/63" for what a shell made of ">(command)": these are open already,
-/// and opening what is behind them would be another thing.
+/// True for "/dev/stdout", and for "/dev/fd/63", which shells write for ">(command)". These are
+/// open already; opening the file behind them again would not be the same.
 std::optional<int> open_descriptor(std::string_view path) {
   if (path == "/dev/stdout") return 1;
   if (path == "/dev/stderr") return 2;
@@ -39,8 +39,7 @@ std::optional<int> open_descriptor(std::string_view path) {
   return std::nullopt;
 }
 
-/// A device or pipe. A pipe without a reader would be waited for without end; one that is just
-/// being started gets a moment.
+/// Writes to a device or pipe. Waits a moment for the reader of a pipe to start, but not forever.
 int write_directly(const std::string& path, std::string_view text) {
   constexpr int kMoments = 100;
   constexpr int kMoment = 10;  // ms
@@ -63,7 +62,7 @@ bool is_device_or_pipe(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// Why it cannot be done; "" when it is.
+/// Returns why it failed, or "".
 std::string replace_file(const std::string& path, std::string_view text) {
   std::error_code ignored;
   if (path.ends_with('/') || fs::is_directory(path, ignored)) return reason_of(EISDIR);

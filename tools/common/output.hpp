@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes to standard output, standard error and files without losing anything unnoticed.
+// Writes to standard output, standard error and files, and reports every failure.
 #pragma once
 
 #include <functional>
@@ -19,25 +19,26 @@ void complain(std::string_view tool, std::string_view message);
 void write_error(std::string_view text);
 
 /// Writes the whole text to standard output (`path` "" or "-") or to a file, and complains if it
-/// cannot; a reader that closes its end of a pipe is no news to the user, so that is not said.
-/// A file is written beside its place and renamed, with the mode of the file it replaces, so that a
-/// failed run leaves the old one. Links are followed, as the user names the file, unless one lies
-/// in a repository and leads out of it. Devices and pipes are written directly; a pipe that nobody
-/// reads is an error.
+/// cannot, except when the reader of a pipe has closed it.
+/// A file is written to a temporary file and renamed, with the mode of the file it replaces, so a
+/// failed run leaves the old one. Links are followed, because the user names the file, unless one
+/// leads out of the repository that contains it. Devices and pipes are written directly; a pipe
+/// that nobody reads is an error.
 bool write_output(std::string_view tool, const std::string& path, std::string_view text);
 
-/// A file that is to be written below a folder.
+/// A file to write below a folder.
 struct OutputFile {
-  std::string folder;  ///< the user's choice: links in it are followed, as for write_output()
-  std::string path;    ///< from there: made of names that others chose, so no link is followed
+  std::string folder;  ///< chosen by the user: links in it are followed, as in write_output()
+  std::string path;    ///< relative to it, with names that others chose: no link is followed
   std::string_view text = {};
-  std::string written_as = {};  ///< what the user wrote for both, when it is one name
-  /// Gives the text when it is written, so that many large files are not in memory at once.
+  std::string written_as = {};  ///< the user's name for both, if it is one name
+  /// Makes the text just before it is written, so that memory never holds many large files.
   std::function<FileContent()> read = {};
 };
 
-/// A name for a file or folder, made of one that others chose: neither hidden nor an option, "." or
-/// "..", and without '/', control characters and what means something to shells.
+/// Makes a safe name for a file or folder from a name that others chose: it is not hidden, no
+/// option, not "." or "..", and has no '/', control characters, or characters that shells
+/// interpret.
 std::string safe_name(std::string_view name);
 
 /// A file that the user named.
@@ -53,8 +54,8 @@ enum class ColorChoice { automatic, always, never };
 
 enum class Stream : int { output = 1, error = 2 };
 
-/// How text for people looks in this place. Automatic colour: NO_COLOR says no, then FORCE_COLOR
-/// says yes, then TERM=dumb says no, then it takes a terminal.
+/// The style of text for people on this stream. Automatic colour checks in this order: NO_COLOR
+/// (no), FORCE_COLOR (yes), TERM=dumb (no), and whether it is a terminal.
 TextStyle style_for(Stream stream, ColorChoice choice);
 
 }  // namespace smurf::tools

@@ -8,10 +8,10 @@
 
 namespace smurf::tools {
 
-/// For man(1).
+/// A page for man(1).
 std::string manual_page(const Command& command);
 
-/// What docs/tools/NAME.md says of options and examples.
+/// The options and examples in docs/tools/NAME.md.
 std::string markdown_page(const Command& command);
 
 /// Scripts that complete options, their values, and files.

@@ -10,7 +10,7 @@
 namespace smurf::tools {
 namespace {
 
-/// Why a file cannot be written; models that read it and are not renamed with it.
+/// Why a file must not be changed: it cannot be written, or other models read it, too.
 std::vector<std::string> problems_of(const std::string& path, const LoadedNames& loaded,
                                      ModelsAround& around) {
   if (!DiskFiles().is_file(path)) {

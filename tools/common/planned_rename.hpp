@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// New names in all files of the models and scenes that are planned, with the proof that every name
-// still means the same.
+// Renames things in all files of the planned models and scenes, and proves that every name still
+// means the same.
 #pragma once
 
 #include <span>
@@ -11,9 +11,9 @@
 
 namespace smurf::tools {
 
-/// The renamed texts go to the session, in front of those on the disk, where they are loaded again
-/// to see that every name means what it meant; nothing is written. Edits and problems point into
-/// the loaded sources of the session. `input` is a text that is no file; "": there is none.
+/// Overlays the renamed texts in the session and loads them again, to check that every name means
+/// what it meant. Writes nothing. Edits and problems point into the loaded sources of the session.
+/// `input` is the name of a text that is no file, or "".
 Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const Rename> renames,
                        Session& session, const std::string& input = {});
 

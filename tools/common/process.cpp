@@ -28,15 +28,14 @@ void prepare_streams() {
   std::signal(SIGXFSZ, SIG_IGN);
   for (int descriptor = 0; descriptor <= 2; ++descriptor) {
     if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
-    // Opened the wrong way round, so that using it is still an error.
+    // Opened in the wrong direction, so that using it is still an error.
     [[maybe_unused]] const int filler = ::open("/dev/null", descriptor == 0 ? O_WRONLY : O_RDONLY);
   }
 }
 
-/// A run fills its memory once and ends: page by page, the kernel would take a quarter of the time
-/// that a large robot needs. So blocks come from one heap, and the kernel is asked to give its
-/// first part in large pages. No page is taken before it is used. With a limit on addresses,
-/// nothing changes.
+/// A run fills its memory once and ends. Small pages would cost a quarter of the time of a large
+/// robot. So all blocks come from one heap, whose first part the kernel is asked to give in large
+/// pages. Unused pages take no memory. Does nothing under a limit on the address space.
 void prepare_memory() {
 #ifdef __GLIBC__
   constexpr std::size_t kPage = std::size_t{2} << 20U;
@@ -51,7 +50,7 @@ void prepare_memory() {
   if (block == nullptr) return;
   const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
   const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(block) + kPage - 1) & ~(kPage - 1);
-  // It does not matter whether large pages are available.
+  // The result does not matter: large pages are only faster.
   if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
   std::free(block);
 #endif

@@ -3,9 +3,9 @@
 
 namespace smurf::tools {
 
-/// At the start of main: a closed pipe and a limit on the size of files become a failed write
-/// instead of a killed process, files cannot take the place of closed standard streams, memory
-/// comes in large pages where it can, and without memory the run ends as failed.
+/// Call it at the start of main. A closed pipe and a limit on file sizes then fail a write instead
+/// of killing the process; files cannot replace closed standard streams; memory comes in large
+/// pages where possible; and the run ends with kFailed when memory is exhausted.
 void prepare_process();
 
 }  // namespace smurf::tools

@@ -10,20 +10,20 @@
 
 namespace smurf::tools {
 
-/// One line on standard error that is written over and over, "checked 31 of 400", and erased at the
-/// end. It appears when standard error is a terminal and the run takes longer than a second; never
-/// under CI and on terminals that cannot erase (TERM=dumb).
+/// Rewrites one line on standard error, "checked 31 of 400", and erases it at the end. Shows it
+/// only on a terminal and after a second; never in CI, and not on terminals that cannot erase
+/// (TERM=dumb).
 class Progress {
  public:
-  /// `verb` says what is done to each of the `count` things: "checked".
+  /// `verb` is the word for what happens to each of the `count` things: "checked".
   Progress(std::string verb, std::size_t count, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// One more is done. May be called by several threads.
+  /// Counts one more. Several threads may call it.
   void advance() { set(++done_); }
-  /// So many are done.
+  /// Sets the number that is done.
   void set(std::size_t done);
 
  private:
@@ -31,11 +31,11 @@ class Progress {
 
   std::string verb_;
   std::size_t count_;
-  bool is_shown_;  ///< somebody would see it
+  bool is_shown_;  ///< on a terminal
   std::atomic<std::size_t> done_ = 0;
   std::mutex line_;
-  Clock::time_point next_;  ///< when it is written next; guarded by `line_`
-  bool has_line_ = false;   ///< something is to be erased; guarded by `line_`
+  Clock::time_point next_;  ///< time of the next update; guarded by `line_`
+  bool has_line_ = false;   ///< there is a line to erase; guarded by `line_`
 };
 
 }  // namespace smurf::tools

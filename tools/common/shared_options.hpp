@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Options that mean the same in every tool: rows for its option table.
+// Options that mean the same in every tool, as rows of its option table.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace smurf::tools {
 
 Option color_option(ColorChoice& color);
 Option quiet_option(bool& quiet, std::string_view help);
-/// `help` says what is written.
+/// `help` is the text of --help: what is written.
 Option output_option(std::string& file, std::string_view help);
 /// `name` is "report", or "format" where the report is the result.
 Option report_option(std::string_view name, std::vector<ReportRequest>& reports);

@@ -95,11 +95,11 @@ Command make_command(Options& options) {
       "Gazebo's, materials from colours.";
   command.operands = "URDF";
   command.details =
-      "Writes DIR/smurf/NAME.smurf, DIR/smurf/NAME_*.yml and DIR/urdf/NAME.urdf; either all of "
-      "them or none. The URDF is kept complete; whatever has no section in SMURF is repeated as "
-      "text, so that nothing is lost. URDF is a file or a folder with one. It is refused when its "
-      "links form no robot or a value cannot be read; its other errors are counted, and smurf-lint "
-      "shows them.";
+      "Writes DIR/smurf/NAME.smurf, DIR/smurf/NAME_*.yml and DIR/urdf/NAME.urdf. When it fails, "
+      "it writes none of them. The URDF is kept complete; whatever has no section in SMURF is "
+      "repeated as text, so that nothing is lost. URDF is a file or a folder with one. It is "
+      "refused when its links form no robot or a value cannot be read; its other errors are "
+      "counted, and smurf-lint shows them.";
   command.options = converter_options(options.common, "Write into the folder DIR.");
   for (Option& option : command.options) {
     if (option.name == "output") option.metavar = "DIR";

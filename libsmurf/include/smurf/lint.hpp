@@ -37,7 +37,7 @@ struct RuleSelection {
   /// The severity that is set, else the rule's own.
   double tolerance_of(const Rule& rule) const;
 };
-/// True when `pattern` is the rule's id or name or a prefix of its id.
+/// True when `pattern` is the rule's id or name, a former one, or a prefix of its id.
 bool matches(const Rule& rule, std::string_view pattern);
 
 /// doubtful_references() of a model, found when the first rule asks.

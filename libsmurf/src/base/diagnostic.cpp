@@ -7,6 +7,7 @@
 
 #include "base/limits.hpp"
 #include "base/quoted.hpp"
+#include "base/rule_patterns.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
 
@@ -133,7 +134,9 @@ std::span<const Rule* const> all_rules() { return kRules; }
 
 const Rule* find_rule(std::string_view id_or_name) {
   for (const Rule* rule : kRules) {
-    if (rule->id == id_or_name || rule->name == id_or_name) return rule;
+    if (rule->id == id_or_name || rule->name == id_or_name || has_former(*rule, id_or_name)) {
+      return rule;
+    }
   }
   return nullptr;
 }

@@ -132,15 +132,17 @@ SineCosine2 sine_cosine_2(double radians) {
 /// The root of a sum of squares; `scale` is the largest number.
 double scaled_length(std::initializer_list<double> numbers, double scale) {
   if (scale == 0 || !std::isfinite(scale)) return scale;
-  const int exponent = std::ilogb(scale);
+  // Nearly all numbers have squares that are neither too large nor too small.
+  const int exponent = scale > 1e-50 && scale < 1e50 ? 0 : std::ilogb(scale);
   Double2 squares{0, 0};
   for (const double number : numbers) {
-    const double scaled = std::ldexp(number, -exponent);
+    const double scaled = exponent == 0 ? number : std::ldexp(number, -exponent);
     squares = squares + product(scaled, scaled);
   }
   const double root = std::sqrt(squares.high);
   const Double2 rest = squares + -product(root, root);
-  return std::ldexp(root + rest.high / (2 * root), exponent);
+  const double length = root + rest.high / (2 * root);
+  return exponent == 0 ? length : std::ldexp(length, exponent);
 }
 
 }  // namespace

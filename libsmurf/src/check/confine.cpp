@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of canonical folders.
+/// All of them are canonical folders.
 bool is_around(std::string_view around, std::string_view folder) {
   return folder.starts_with(around) &&
          (around.ends_with('/') || folder.size() == around.size() || folder[around.size()] == '/');
@@ -47,8 +47,8 @@ bool is_shared(std::string_view folder) {
   return path::parent(folder) == "/" && !OpenFolder(std::string(folder)).has_any(kHistories);
 }
 
-/// Where the project would end if no folder were shared. From folder to folder upwards, as the way
-/// to each may be long.
+/// The root of the project if no folder were shared. Walks upwards folder by folder, because paths
+/// may be long.
 std::string_view widest_project_of(std::string_view folder) {
   std::string_view package;
   OpenFolder open{std::string(folder)};
@@ -70,8 +70,8 @@ std::string_view project_of(std::string_view folder) {
   return project;
 }
 
-/// Where an input is; none when that cannot be told. A link that leads out of its repository may
-/// have come with a pull request: where it leads is no project of the user.
+/// The folder of an input; none when it is unknown. A link that leads out of its repository may
+/// have come with a pull request, so its target is not treated as a project of the user.
 std::optional<std::string> folder_of(const std::string& input) {
   std::error_code error;
   const std::string link = link_out_of_repository(input);
@@ -85,7 +85,7 @@ std::optional<std::string> folder_of(const std::string& input) {
 constexpr std::array<std::string_view, 3> kRuleFiles = {".gitignore", ".smurf-lintignore",
                                                         kConfigName};
 
-/// The one file in .git that says what is checked.
+/// The only file in .git that affects what is checked.
 constexpr const char* kGitExclude = "info/exclude";
 
 /// The project around a folder and, above it, the files that say what is checked and how.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The settings combined with the configurations: what applies.
+// Combines settings and configurations to the selection that applies.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ namespace smurf {
 
 class CanonicalPaths;
 
-/// How many comparisons of files with the patterns of `paths` are left, for all configurations of
-/// a check.
+/// A budget of comparisons between files and the patterns of `paths`, shared by all configurations
+/// of a check.
 struct PathChecks {
   std::uint64_t left = Limits{}.path_checks;
-  bool is_exhausted = false;  ///< patterns cover nothing then
+  bool is_exhausted = false;  ///< then patterns match nothing
 
-  /// False when there are not as many.
+  /// False when fewer are left.
   bool take(std::uint64_t count) {
     is_exhausted = is_exhausted || count > left;
     if (!is_exhausted) left -= count;
@@ -30,12 +30,12 @@ struct PathChecks {
   }
 };
 
-/// What applies to the files of one configuration.
+/// The selection and settings for the files of one configuration.
 struct CheckGroup {
   Config config;
   RuleSelection selection;
   std::map<std::string, std::string> packages;
-  std::vector<Diagnostic> found;  ///< what is wrong with the configuration
+  std::vector<Diagnostic> found;  ///< findings in the configuration
   CheckSettings settings;
   std::shared_ptr<PathChecks> path_checks;  ///< of the selection
 };
@@ -47,17 +47,17 @@ using CheckGroups = std::deque<CheckGroup>;
 CheckGroups read_configurations(const std::vector<std::string>& paths,
                                 const CheckSettings& settings, const FileReader& files,
                                 SourceMap& sources);
-/// Fills in what applies to each group. `paths` must outlive the selections.
+/// Fills in the selection of each group. `paths` must outlive the selections.
 void merge(const CheckSettings& settings, const CanonicalPaths& paths, CheckGroups& groups);
 
-/// Those of the group for a whole report.
+/// The settings of the group for a whole report.
 ReportWishes wishes_of(const CheckGroup& group);
 
 /// The targets of all groups, each once.
 std::vector<const Reader*> targets_of(const CheckGroups& groups);
 
-/// Whether two checks with these settings find the same in the same files. False when that cannot
-/// be told.
+/// Whether two checks with these settings have the same findings in the same files. False when that
+/// is unknown.
 bool is_same(const CheckSettings& a, const CheckSettings& b);
 
 }  // namespace smurf

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work on several threads.
+// Runs work on several threads.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace smurf {
 
-/// As many as asked for; 0: as many as the machine has.
+/// The number of threads: as asked for, or with 0 that of the processors.
 inline std::size_t count_of_jobs(unsigned jobs) {
   constexpr unsigned kMost = 256;
   return std::clamp(jobs > 0 ? jobs : std::thread::hardware_concurrency(), 1U, kMost);
 }
 
-/// Threads that are waited for at the end. std::jthread is absent from libc++ before 20.
+/// Joins its threads in the destructor. libc++ before 20 has no std::jthread.
 class Threads {
  public:
   Threads() = default;
@@ -30,7 +30,7 @@ class Threads {
     for (std::thread& thread : threads_) thread.join();
   }
 
-  /// False when the system starts no more of them.
+  /// False when the system cannot start another one.
   bool start(const std::function<void()>& work) {
     try {
       threads_.emplace_back(work);
@@ -47,15 +47,15 @@ class Threads {
 };
 
 /// Calls `work(worker, index)` for every index below `count`, on at most `jobs` threads; `worker`
-/// says which of them, below `jobs`. Nothing is promised about the order.
+/// is the number of the thread, below `jobs`. The order is not defined.
 inline void for_each_parallel(std::size_t count, std::size_t jobs,
                               const std::function<void(std::size_t, std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   const auto run = [&](std::size_t worker) {
     for (std::size_t index = next++; index < count; index = next++) work(worker, index);
   };
-  // The kernel may put a new thread behind its maker though another processor is idle, for 10 ms.
-  // So the maker sleeps until all run, and is woken where there is room.
+  // The kernel may queue a new thread for 10 ms behind its creator although another processor is
+  // idle. So the creator sleeps until all threads run, and wakes up on a free processor.
   std::mutex mutex;
   std::condition_variable started;
   std::size_t running = 0;
@@ -69,7 +69,7 @@ inline void for_each_parallel(std::size_t count, std::size_t jobs,
       }
       run(worker);
     });
-    if (!is_started) break;  // those that run do the work
+    if (!is_started) break;  // the others do the work
   }
   {
     std::unique_lock lock(mutex);

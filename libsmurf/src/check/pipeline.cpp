@@ -39,8 +39,8 @@ BaselinePath relative_to_folder_of(const std::string& file) {
   };
 }
 
-/// What is left under the settings of the group; adds how much comments let pass to `suppressed`,
-/// and to the verdicts what the targets make of all that was found.
+/// The findings that remain under the settings of the group. Adds the number of those that comments
+/// suppress to `suppressed`, and the effects of all findings on the targets to the verdicts.
 std::vector<Diagnostic> settle(Judged&& judged, const CheckGroup& group, const SourceMap& sources,
                                std::size_t& suppressed, std::vector<TargetVerdict>& verdicts) {
   const RuleSelection& selection = group.selection;
@@ -50,7 +50,7 @@ std::vector<Diagnostic> settle(Judged&& judged, const CheckGroup& group, const S
   const std::size_t before = found.size();
   const std::size_t count = judged.comments.apply(found, sources, selection);
   suppressed += count;
-  // What is wrong with the comments comes last, and is all that is not finished yet.
+  // The findings about comments come last; only they are not finished yet.
   const auto about_comments = found.begin() + static_cast<std::ptrdiff_t>(before - count);
   std::vector<Diagnostic> added(std::make_move_iterator(about_comments),
                                 std::make_move_iterator(found.end()));
@@ -59,7 +59,8 @@ std::vector<Diagnostic> settle(Judged&& judged, const CheckGroup& group, const S
   return found;
 }
 
-/// Takes away what the baseline knows, and returns how much that is; adds what is wrong with it.
+/// Removes the findings that the baseline records and returns their number. Adds the findings in
+/// the baseline itself.
 std::size_t apply_baseline(const std::string& path, const CheckGroup& group, const Desk& desk,
                            SourceMap& sources, std::vector<Diagnostic>& found) {
   DiagnosticSink sink;
@@ -85,7 +86,7 @@ std::size_t apply_baseline(const std::string& path, const CheckGroup& group, con
   return count;
 }
 
-/// Of the findings that decide a verdict, those that are not among `left` were let pass.
+/// Findings that decide a verdict and are not among `left` were suppressed.
 void note_passed(const std::vector<Diagnostic>& left, std::size_t TargetVerdict::*counter,
                  std::vector<TargetVerdict>& verdicts) {
   for (TargetVerdict& verdict : verdicts) {
@@ -96,7 +97,7 @@ void note_passed(const std::vector<Diagnostic>& left, std::size_t TargetVerdict:
   }
 }
 
-/// Tells it when not every file was compared with every pattern of `paths`.
+/// Reports when not every file was compared with every pattern of `paths`.
 void report_path_checks(const CheckGroups& groups, const Desk& desk, const SourceMap& sources,
                         std::vector<Diagnostic>& found) {
   const auto group = std::find_if(groups.begin(), groups.end(),

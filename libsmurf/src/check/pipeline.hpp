@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rules, the names of places, the comments, the order: for everybody who checks, in this one
-// place.
+// Runs rules, names places, applies comments and sorts findings. This is the only place that does.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +17,7 @@ inline void append(std::vector<Diagnostic>&& from, std::vector<Diagnostic>& to) 
   std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
-/// What was found in a model or scene, with the names of the places, and the comments there.
+/// The findings in a model or scene, with the names of their places, and the comments there.
 struct Judged {
   std::vector<Diagnostic> diagnostics;
   Suppressions comments;
@@ -30,22 +29,23 @@ Judged judge(const LinkedModel& model, const SourceMap& sources, const RuleSelec
 Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelection& selection,
              DiagnosticSink& sink);
 
-/// Names the places of what somebody else has found, and applies the selection.
+/// Names the places of findings that others made, and applies the selection.
 std::vector<Diagnostic> finish_others(const LinkedModel& model, std::vector<Diagnostic> found,
                                       const SourceMap& sources, const RuleSelection& selection);
 std::vector<Diagnostic> finish_others(const LinkedScene& scene, std::vector<Diagnostic> found,
                                       const SourceMap& sources, const RuleSelection& selection);
 
-/// What a report is made with.
+/// The input of a report.
 struct Desk {
   const FileReader& files;
   const Limits& limits;
   const CanonicalPaths& paths;
-  std::size_t first_source = 0;  ///< those before it are of other reports
+  std::size_t first_source = 0;  ///< earlier sources belong to other reports
 };
 
-/// What is left under the settings of each configuration, with what is wrong with these. `found`
-/// is by configuration; `sources` takes the text of a baseline. Models and scenes are not counted.
+/// The findings that remain under the settings of each configuration, with the findings in these.
+/// `found` is by configuration; the text of a baseline is added to `sources`. Does not count models
+/// and scenes.
 Report make_report(std::vector<Judged>&& found, const CheckGroups& groups, const Desk& desk,
                    SourceMap& sources);
 

@@ -58,11 +58,17 @@ RepositoryPath in_repository() {
   const fs::path here = fs::canonical(".", error);
   const std::string above = Repositories().above(here.string());
   const fs::path root = above.empty() ? here : fs::path(above);
-  return [root](const std::string& path) {
+  const auto find = [root](const std::string& path) {
     std::error_code failed;
     const fs::path whole = fs::weakly_canonical(fs::absolute(path, failed), failed);
     if (failed) return path;
     return (is_inside(whole, root) ? whole.lexically_relative(root) : whole).generic_string();
+  };
+  // Thousands of findings may be in one file, and each of them asks.
+  return [find, known = std::map<std::string, std::string>()](const std::string& path) mutable {
+    const auto [place, is_new] = known.try_emplace(path);
+    if (is_new) place->second = find(path);
+    return place->second;
   };
 }
 

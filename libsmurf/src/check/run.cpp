@@ -27,8 +27,8 @@ void shift(Diagnostic& diagnostic, const SourceShift& by) {
   }
 }
 
-/// Whether a question was about a text that is a source, and about nothing else: meshes are then
-/// as they were when its answer is another one.
+/// Whether a question was only about a text that is a source. A new answer then leaves meshes
+/// unchanged.
 bool is_of_source(const Recorder::Question& question, const Recorder::Answer& answer,
                   const SourceMap& sources) {
   if (question.kind != Recorder::Kind::content) return false;
@@ -96,7 +96,7 @@ class Run {
     return report;
   }
 
-  /// So many files will be asked for.
+  /// Announces the number of files.
   void expect(std::size_t files) {
     expected_ = files;
     if (settings_.on_progress) settings_.on_progress(0, expected_);
@@ -114,7 +114,7 @@ class Run {
     if (settings_.on_progress) settings_.on_progress(done, expected_);
   }
 
-  /// What the report needs of an outcome that is kept for the next check.
+  /// Copies the parts that the report needs from an outcome that is kept for the next check.
   static Outcome copy_of(const Outcome& kept) {
     Outcome copy;
     copy.sources = kept.sources;
@@ -178,7 +178,7 @@ class Run {
     return outcome;
   }
 
-  /// The meshes, with all that they depend on, when only texts have changed.
+  /// The meshes of the last check, if only texts have changed.
   void keep_meshes(Outcome&& known, Outcome& outcome) const {
     std::erase_if(known.answers, [&](const auto& one) {
       return is_of_source(one.first, one.second, known.sources);
@@ -206,7 +206,7 @@ class Run {
     const InputKind kind = input_kind(planned.path);
     if (kind == InputKind::scene || kind == InputKind::drawing) {
       LinkedScene scene = load_scene(planned.path, context);
-      load_old_scenes(scene, context);  // for what is wrong with them
+      load_old_scenes(scene, context);  // for their findings
       outcome.parsed.end_loading(outcome.sources, sink.diagnostics());
       outcome.judged = judge(scene, outcome.sources, group.selection, sink);
       for (LinkedModel& model : scene.models) take_files(std::move(model), outcome);
@@ -230,8 +230,8 @@ class Run {
     if (is_remembering()) outcome.parsed.keep(std::move(model));
   }
 
-  /// Notes what was read for an outcome. Thousands of models may share one large URDF, and each
-  /// checks it again: false when that is too much.
+  /// Records the files that were read for an outcome. Thousands of models may share one large URDF,
+  /// and each checks it again; false when that exceeds the limit.
   bool has_room(const Outcome& outcome) {
     std::set<SourceId> again;
     for (std::size_t i = memory_.sources.size(); i < outcome.sources.size(); ++i) {
@@ -246,14 +246,14 @@ class Run {
     return rechecked_ <= workshop_.desk.limits.rechecked_bytes;
   }
 
-  /// Notes what was found. A file that is checked alone has a bound of its own, in the sink.
+  /// Records findings. A file that is checked alone has its own limit, in the sink.
   bool has_room_for_findings(const Outcome& outcome) {
     const bool is_first = count_found_ == 0;
     count_found_ += outcome.judged.diagnostics.size();
     return is_first || count_found_ <= workshop_.desk.limits.all_findings;
   }
 
-  /// `excess` is what there would be too much of: "more than 3 bytes are read".
+  /// `excess` names the exceeded limit: "more than 3 bytes are read".
   void end_with(const PlannedFile& planned, const std::string& excess, std::string_view limit) {
     is_over_ = true;
     DiagnosticSink sink;
@@ -298,7 +298,7 @@ class Run {
   std::unordered_set<std::string> sources_read_;  ///< by identity
   std::uint64_t rechecked_ = 0;                   ///< bytes of those that were read before
   std::uint64_t count_found_ = 0;                 ///< before settings and comments are applied
-  bool is_over_ = false;                          ///< what is left is not checked
+  bool is_over_ = false;                          ///< the remaining files are not checked
   std::set<std::string> used_;                    ///< of the outcomes in the memory
   std::size_t parsed_bytes_ = 0;                  ///< of the texts whose trees are kept
   std::atomic<std::size_t> done_ = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One check of what is planned: scenes first, then the models no scene has loaded, then the files
-// no model has read; so every file is checked in its widest context, and none twice. Within each
-// of the three, files are checked in parallel, each with sources of its own, and put together in
-// the order of the plan.
+// Checks the planned files: scenes first, then models that no scene has loaded, then files that no
+// model has read. So every file is checked once, in its widest context. Within each of the three
+// groups, files are checked in parallel, each with its own sources, and combined in the order of
+// the plan.
 #pragma once
 
 #include <cstddef>
@@ -19,36 +19,36 @@
 
 namespace smurf {
 
-/// What one planned file, with all that it loads, comes to.
+/// The outcome of one planned file with all files that it loads.
 struct Outcome {
   SourceMap sources;
   Judged judged;
   std::set<std::string> models, scenes, read;  ///< by identity
-  MeshLibrary meshes;                          ///< that were opened for it
+  MeshLibrary meshes;                          ///< opened for it
   ParsedFiles parsed;
-  Recorder::Answers answers;  ///< that it depends on
-  std::size_t config = 0;     ///< as PlannedFile::config
+  Recorder::Answers answers;  ///< on which it depends
+  std::size_t config = 0;     ///< see PlannedFile::config
 };
 
-/// What a check leaves to the next one.
+/// The results that a check keeps for the next one.
 struct Memory {
   SourceMap sources;  ///< of the configurations
   CheckGroups groups;
-  Recorder::Answers answers;  ///< that the configurations depend on
+  Recorder::Answers answers;  ///< on which the configurations depend
   CheckSettings settings;
   std::vector<std::string> configs;
-  std::map<std::string, Outcome> outcomes;  ///< by the path as it was planned
+  std::map<std::string, Outcome> outcomes;  ///< by the planned path
   bool is_empty = true;
 };
 
-/// What a check works with.
+/// The input of a check.
 struct Workshop {
   Desk desk;
   Snapshot* snapshot;  ///< null: nothing is kept for another check
   Memory& memory;
 };
 
-/// Checks what is planned; `sources` becomes what the report points into.
+/// Checks the planned files. The report points into `sources`.
 Report run_check(const Plan& plan, const CheckSettings& settings, const Workshop& workshop,
                  SourceMap& sources);
 

@@ -38,11 +38,11 @@ std::string text_of(const struct timespec& time) {
 }
 
 bool is_readable(const std::string& path, const FileReader& files) {
-  const ReadStatus status = files.read(path, 0).status;  // nothing of the content is wanted
+  const ReadStatus status = files.read(path, 0).status;  // without content
   return status == ReadStatus::ok || status == ReadStatus::too_large;
 }
 
-/// The configuration for a file. One that was only found, and cannot be read, is none.
+/// The configuration for a file. One that was found but cannot be read is ignored.
 std::string config_for(const std::string& path, const CheckSettings& settings,
                        const FileReader& files) {
   if (settings.is_isolated) return {};
@@ -54,7 +54,7 @@ std::string config_for(const std::string& path, const CheckSettings& settings,
 }  // namespace
 
 FileStamp stamp_on_disk(const std::string& path) {
-  // One that was written just now may be written again within the resolution of its times.
+  // A file that was just written may change again within the resolution of its time stamps.
   constexpr std::time_t kResolution = 2;  // s
   struct stat status {};
   if (path.find('\0') != std::string::npos || ::stat(path.c_str(), &status) != 0) {
@@ -99,12 +99,14 @@ struct Session::State {
       disk->allow(baseline);
     }
     archives.emplace(given == nullptr ? *disk : *given, limits);
-    files.emplace(&*archives);
-    for (const auto& [path, text] : texts) files->add(path, text.first);
+    if (!files) {  // else it has the texts, and the archives are in the same place
+      files.emplace(&*archives);
+      for (const auto& [path, text] : texts) files->add(path, text.first);
+    }
     paths.emplace();
   }
 
-  /// The same, after these may be read as well. What was loaded before may still be asked for.
+  /// The same, with further files that may be read. Loaded results stay valid.
   void open(std::span<const std::string> inputs, const CheckSettings& settings) {
     asked_for.insert(asked_for.end(), inputs.begin(), inputs.end());
     if (!settings.config.empty()) asked_for.push_back(settings.config);
@@ -131,7 +133,7 @@ struct Session::State {
     read = std::make_shared<ReadFiles>();
   }
 
-  /// Where a model or scene is loaded.
+  /// The context in which a model or scene is loaded.
   Loaded prepare(const std::string& path, const CheckSettings& settings) {
     const bool is_announced = announced.erase(path) > 0;
     if (!is_announced) {
@@ -152,7 +154,7 @@ struct Session::State {
     return {&loaded_sources, DiagnosticSink(limits), &with};
   }
 
-  /// After open().
+  /// Call it after open().
   Report run(const Plan& plan, const CheckSettings& settings) {
     if (!settings.remembers) {
       snapshot.reset();
@@ -210,7 +212,9 @@ void Session::set_text(const std::string& path, std::string text) {
 }
 
 void Session::clear_text(const std::string& path) {
-  if (state_->texts.erase(path::normalize(path)) > 0) state_->open();
+  if (state_->texts.erase(path::normalize(path)) == 0) return;
+  state_->files.reset();
+  state_->open();
 }
 
 Report Session::check(const Plan& plan, const CheckSettings& settings) {

@@ -6,7 +6,7 @@
 namespace smurf {
 namespace {
 
-// Texts of models are far below; many meshes, whose facts are kept, are not.
+// Texts of models are much smaller; many meshes are not, but of these the facts are kept.
 constexpr std::uint64_t kMostOfFile = 8ULL << 20U;
 constexpr std::uint64_t kMostOfAll = 64ULL << 20U;
 
@@ -72,7 +72,7 @@ std::uint64_t Snapshot::version(const std::string& path) const {
   return know(path).version;
 }
 
-/// Thousands of models may lie in one folder.
+/// One folder may contain thousands of models.
 std::uint64_t Snapshot::list_version(const std::string& folder) const {
   const std::lock_guard lock(mutex_);
   KnownList& known = known_lists_[folder];

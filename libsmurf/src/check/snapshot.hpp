@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files as one check sees them, with their versions; and notes of what a part of the check asked.
+// Files with versions, as one check sees them, and a record of the questions about them.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ class Snapshot final : public FileReader {
   Snapshot(const FileReader& files, StampOf stamp_of)
       : files_(files), stamp_of_(std::move(stamp_of)) {}
 
-  /// From here on every file is asked about again.
+  /// Makes the next question about each file go to the disk again.
   void begin() { ++round_; }
 
   FileContent read(const std::string& path, std::uint64_t max_bytes) const override;
@@ -67,8 +67,8 @@ class Snapshot final : public FileReader {
   mutable std::uint64_t last_version_ = 0;
 };
 
-/// What was asked of files, and the answers: as long as they stay, so does whatever was made of
-/// them. For one thread.
+/// Records questions about files and their answers. While the answers stay the same, results that
+/// depend on them stay valid. For one thread.
 class Recorder final : public FileReader {
  public:
   enum class Kind : std::uint8_t { content, is_file, list, is_denied, identity };
@@ -81,7 +81,7 @@ class Recorder final : public FileReader {
   };
   struct Answer {
     std::string text;
-    std::size_t count = 0;  ///< how often it was asked
+    std::size_t count = 0;  ///< number of times it was asked
   };
   using Answers = std::map<Question, Answer>;
 

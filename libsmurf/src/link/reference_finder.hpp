@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ast/sections.hpp"
@@ -45,7 +46,7 @@ class ReferenceFinder {
   /// Joint pose sets, as `poses` has them.
   void read_section(const SectionSpec& section, yaml::View value);
   void add(const Naming& naming, std::string_view name, const NamePlace& place);
-  std::vector<Reference> take() { return std::move(found_); }
+  std::vector<Reference> take() { return std::exchange(found_, {}); }
 
   /// The things of this name; none when nothing has it.
   std::optional<std::uint32_t> find(NameKind kind, std::string_view name);

@@ -3,6 +3,7 @@
 #include "smurf/references.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "ast/scene_keys.hpp"
@@ -126,7 +127,9 @@ class SceneFinder {
   /// Poses, links and joints of the entity's own model.
   void read_of_model(const KeySpec& row, yaml::View value, const LinkedModel& model,
                      const Entity& entity) {
-    ReferenceFinder finder(model, ReferenceFinder::Keep::all);
+    // Made once for each model: it has tables of the names in it.
+    ReferenceFinder& finder =
+        finders_.try_emplace(&model, model, ReferenceFinder::Keep::all).first->second;
     if (row.name == "poses") {
       finder.read_section(sections::poses, value);
     } else if (!row.names.kinds.empty()) {
@@ -150,6 +153,7 @@ class SceneFinder {
   std::vector<std::uint32_t> first_entities_;  ///< by scene file
   std::vector<const Instance*> instances_;     ///< by entity, the first one
   std::vector<const SceneUse*> uses_;          ///< by including entity, the first one
+  std::map<const LinkedModel*, ReferenceFinder> finders_;
   std::vector<Reference> found_;
 };
 

@@ -21,10 +21,10 @@ namespace {
 
 using Loaded = std::span<const std::vector<Reference>>;
 
-/// Nobody reads more.
+/// More would not be read.
 constexpr std::size_t kMostProblems = 20;
 
-/// Who has the name: a model of what was loaded, or the scene itself.
+/// The owner of the name: a loaded model, or the scene itself.
 struct Owner {
   std::size_t loaded = 0;
   ModelIndex model{};
@@ -33,7 +33,7 @@ struct Owner {
   }
 };
 
-/// A name as one model knows it.
+/// A name, as used in one model.
 struct OwnedName {
   Owner owner;
   NameKind kind{};
@@ -53,7 +53,7 @@ std::string thing(NameKind kind, std::string_view name) {
   return std::string(to_string(kind)) + " " + quoted(name);
 }
 
-/// Where a plain scalar would be read as this text, in block and in flow style.
+/// Whether a plain scalar would be read as this text, in block and in flow style.
 bool is_plain(std::string_view text) {
   constexpr std::string_view kIndicators = "-?:,[]{}#&*!|>'\"%@`";
   if (text.empty() || trimmed(text).size() != text.size() ||
@@ -75,8 +75,8 @@ std::string with_doubled(std::string_view text, std::string_view which, char bef
   return result;
 }
 
-/// As it stands in an attribute of this quote, or in a text, which `]]>` must not be in; what need
-/// not be escaped is not.
+/// Escapes a text for an attribute in these quotes, or for character data, which must not contain
+/// `]]>`. Escapes nothing else.
 std::string escape_for(std::string_view text, char quote) {
   std::string result;
   for (const char c : text) {
@@ -90,7 +90,7 @@ std::string escape_for(std::string_view text, char quote) {
   return result;
 }
 
-/// The names in one text that change.
+/// The names that change in one text.
 struct ChangedText {
   const Reference* reference = nullptr;                         ///< one of them
   std::map<std::uint32_t, std::pair<Span, std::string>> parts;  ///< by place
@@ -128,12 +128,12 @@ class Renamer {
     return !rename.kind || *rename.kind == one.kind;
   }
 
-  /// Files are told apart by their names: several loads may have read the same one.
+  /// Files are identified by their names, because several loads may have read the same one.
   std::pair<std::string_view, std::uint32_t> place_of(const Reference& one) const {
     return {sources_.path(one.span.source), one.span.begin};
   }
 
-  /// Finds who has the name; there may be several models that share the file.
+  /// Finds the owners of the name; several models may share the file.
   void choose(const Rename& rename) {
     if (rename.to.empty() || !utf8::is_printable(rename.to)) {
       return fail("'" + utf8::replace_controls(rename.to) + "' is no name");
@@ -185,7 +185,7 @@ class Renamer {
     return quoted(rename.from) + " is " + words + "; write " + ways;
   }
 
-  /// Thousands of models may share what is renamed.
+  /// Thousands of models may share the renamed thing.
   void check_clashes() {
     std::set<OwnedName> wanted;
     for (const auto& [name, to] : new_names_) {
@@ -215,7 +215,7 @@ class Renamer {
         fail("the text at " + place_text(sources_, one.text) + " names two things");
       }
     });
-    // What else means one of these texts would change with it.
+    // Other references in these texts would change with them.
     for_each([&](Owner owner, const Reference& one) {
       if (!one.is_known() || new_names_.contains(OwnedName{owner, one.kind, one.name})) return;
       const auto text = texts_.find({sources_.path(one.text.source), one.text.begin});
@@ -283,7 +283,7 @@ class Renamer {
   std::span<const Rename> renames_;
   const SourceMap& sources_;
   std::map<OwnedName, std::string> new_names_;
-  /// By file and place.
+  /// By file and position.
   std::map<std::pair<std::string_view, std::uint32_t>, ChangedText> texts_;
   Renamed result_;
 };

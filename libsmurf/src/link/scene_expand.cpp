@@ -16,6 +16,7 @@
 #include "link/read_file.hpp"
 #include "link/scene_link.hpp"
 #include "smurf/archive_files.hpp"
+#include "smurf/user_schemas.hpp"
 #include "syntax/yaml_reader.hpp"
 
 namespace smurf {
@@ -429,6 +430,18 @@ EntityKind kind_of(std::string_view type) {
   if (packed == "smurf" || packed == "particle" || packed == "urdf") return EntityKind::model;
   if (packed == "smurfs" || packed == "smurfa") return EntityKind::scene;
   return EntityKind::other;
+}
+
+std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string_view type) {
+  std::vector<std::string_view> known = {"smurf", "urdf", "smurfs",    "smurfa",  "scn",
+                                         "scene", "yml",  "primitive", "particle"};
+  if (is_archive_type(type)) return std::nullopt;
+  if (scene.schemas != nullptr) {
+    if (scene.schemas->has_entity_type(type)) return std::nullopt;
+    const std::vector<std::string_view> own = scene.schemas->entity_types();
+    known.insert(known.end(), own.begin(), own.end());
+  }
+  return nearest(type, known);
 }
 
 bool is_old_scene(std::string_view type) {

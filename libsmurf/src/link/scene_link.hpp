@@ -23,6 +23,8 @@ enum class EntityKind : std::uint8_t {
 /// Type as written, else the extension of the file without the dot.
 std::string entity_type(const Entity& entity);
 EntityKind kind_of(std::string_view type);
+/// The type that was probably meant by a misspelt one; none for others, which plug-ins may have.
+std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string_view type);
 /// scn, scene and yml: scenes of MARS before SMURF, which have loaders of their own.
 bool is_old_scene(std::string_view type);
 

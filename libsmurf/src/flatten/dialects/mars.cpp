@@ -215,7 +215,8 @@ class EntityReader {
       if (instance.type == type) keys.refusal = "has no entities of type " + quoted(type);
     }
     const std::string lower = path::to_lower(instance.type);
-    if (instance.model && instance.type != lower) {
+    const bool is_misspelt = !instance.model && type_meant(scene_, instance.type);
+    if (is_misspelt || (instance.model && instance.type != lower)) {
       keys.refusal = "has no entities of type " + quoted(instance.type);
     }
     return keys;

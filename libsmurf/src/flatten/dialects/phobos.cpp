@@ -146,7 +146,8 @@ class EntityReader {
     if (!placed.refusal.empty() || !instance.X_WE) return;
     reading.parent = instance.placement.parent;
     reading.anchor = instance.placement.anchor;
-    add_joints(instance, reading);
+    // Phobos has no code for `pose`: all joints stay at zero (multiple.py:16-43).
+    if (instance.joint_pose != JointPoseIndex{}) add_note(reading.note, "does not apply `pose`");
     if (reading.parent.kind != Attachment::Kind::link) {
       reading.X_WE = placed.X_PE;
       return;
@@ -162,34 +163,10 @@ class EntityReader {
     }
   }
 
-  /// Names are those of joints, and positions stay within the limits.
-  void add_joints(const Instance& instance, EntityReading& reading) {
-    const LinkedModel* model = scene_.model(instance);
-    const Entity& entity = scene_.entity(instance);
-    if (model == nullptr || !model->robot || !entity.pose) return;
-    reading.joint_pose = poses_.of(entity, *model, *entity.pose,
-                                   [&] { return positions(entity, *model, *entity.pose); });
-  }
-
-  static JointPositions positions(const Entity& entity, const LinkedModel& model,
-                                  std::string_view pose) {
-    JointPositions read = positions_of_pose(entity, model, pose, [&](const std::string& entry) {
-      return model.joint_names.contains(entry) ? std::optional(entry) : std::nullopt;
-    });
-    for (auto& [name, position] : read) {
-      const urdf::Joint& joint = *model.find_joint(name);
-      const double lower = joint.limit ? joint.limit->lower.value_or(0) : 0;
-      const double upper = joint.limit ? joint.limit->upper.value_or(0) : 0;
-      if (lower != 0 && upper != 0 && lower < upper) position = std::clamp(position, lower, upper);
-    }
-    return read;
-  }
-
   const LinkedScene& scene_;
   std::unordered_map<const std::vector<Entity>*, EntityList> lists_;
   std::vector<Placed> uses_, placed_;
   SceneReading result_;
-  JointPoseTable poses_{result_.joint_poses};
   LinkFrames frames_;
 };
 
