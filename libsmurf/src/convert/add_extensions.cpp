@@ -10,6 +10,7 @@
 #include "base/numbers.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
+#include "convert/sensor_keys.hpp"
 
 namespace smurf::passes {
 namespace {
@@ -80,59 +81,34 @@ class GazeboSensor {
   }
 
  private:
-  double number(std::string_view key, double fallback) const {
-    const yaml::View value = keys_.find(key);
-    return value ? value.number().value_or(fallback) : fallback;
-  }
-
-  double part(std::string_view key, std::string_view component, double fallback) const {
-    const yaml::View mapping = keys_.find(key);
-    const yaml::View value =
-        mapping && mapping.is_mapping() ? mapping.find(component) : yaml::View();
-    return value ? value.number().value_or(fallback) : fallback;
-  }
-
-  /// A quaternion, or roll, pitch, yaw in degrees.
-  Vector3 rotation(std::string_view key) const {
-    const yaml::View mapping = keys_.find(key);
-    if (mapping && mapping.is_mapping() && mapping.find("roll")) {
-      constexpr double kRadians = std::numbers::pi / 180;
-      return {part(key, "roll", 0) * kRadians, part(key, "pitch", 0) * kRadians,
-              part(key, "yaw", 0) * kRadians};
-    }
-    const Quaternion q{part(key, "w", 1), part(key, "x", 0), part(key, "y", 0), part(key, "z", 0)};
-    return norm(q) > 0 ? to_rpy(normalized(q)) : Vector3{0, 0, 0};
-  }
-
   static std::string pose(const Vector3& position, const Vector3& rpy) {
     return "    " + leaf("pose", numbers_text(position) + " " + numbers_text(rpy)) + "\n";
   }
 
   std::string camera() const {
-    const double degrees = number("opening_angle", number("opening_width", 90));
-    const Vector3 position{part("position_offset", "x", 0), part("position_offset", "y", 0),
-                           part("position_offset", "z", 0)};
-    return pose(position, rotation("orientation_offset")) + "    <camera>\n      " +
-           leaf("horizontal_fov", degrees * std::numbers::pi / 180) + "\n      <image>\n        " +
-           leaf("width", number("width", 640)) + "\n        " +
-           leaf("height", number("height", 480)) + "\n      </image>\n    </camera>\n";
+    const Vector3 rpy = keys_.rpy("orientation_offset");
+    return pose(keys_.vector("position_offset"), rpy) + "    <camera>\n      " +
+           leaf("horizontal_fov", keys_.camera_opening() * std::numbers::pi / 180) +
+           "\n      <image>\n        " + leaf("width", keys_.camera_width()) + "\n        " +
+           leaf("height", keys_.camera_height()) + "\n      </image>\n    </camera>\n";
   }
 
   std::string lidar() const {
-    const double width = number("opening_width", 2 * std::numbers::pi);
-    const double step = number("horizontal_resolution", std::numbers::pi / 180);
+    const double width = keys_.number("opening_width", 2 * std::numbers::pi);
+    const double step = keys_.number("horizontal_resolution", std::numbers::pi / 180);
     const double samples = step > 0 ? std::max(1.0, std::round(width / step)) : 1;
-    return pose({0, 0, 0}, rotation("rotation_offset")) + "    <lidar>\n      <scan>\n" +
-           fan("horizontal", samples, number("horizontal_offset", 0), width) +
-           fan("vertical", number("lasers", 32), -number("vertical_offset", 0.18622663118779495),
-               number("opening_height", 40 * std::numbers::pi / 180)) +
+    return pose({0, 0, 0}, keys_.rpy("rotation_offset")) + "    <lidar>\n      <scan>\n" +
+           fan("horizontal", samples, keys_.number("horizontal_offset", 0), width) +
+           fan("vertical", keys_.number("lasers", 32),
+               -keys_.number("vertical_offset", 0.18622663118779495),
+               keys_.number("opening_height", 40 * std::numbers::pi / 180)) +
            "      </scan>\n" + range(0.01) + "    </lidar>\n";
   }
 
   /// In one plane (MARS RaySensor.cpp).
   std::string rays() const {
     return "    <lidar>\n      <scan>\n" +
-           fan("horizontal", number("width", 1), 0, number("opening_width", 1)) +
+           fan("horizontal", keys_.number("width", 1), 0, keys_.number("opening_width", 1)) +
            "      </scan>\n" + range(0) + "    </lidar>\n";
   }
 
@@ -143,8 +119,8 @@ class GazeboSensor {
   }
 
   std::string range(double least) const {
-    return "      <range>\n        " + leaf("min", number("min_distance", least)) + "\n        " +
-           leaf("max", number("max_distance", 100)) + "\n      </range>\n";
+    return "      <range>\n        " + leaf("min", keys_.number("min_distance", least)) +
+           "\n        " + leaf("max", keys_.number("max_distance", 100)) + "\n      </range>\n";
   }
 
   std::string contact() const {
@@ -158,7 +134,7 @@ class GazeboSensor {
   }
 
   const Sensor& sensor_;
-  yaml::View keys_;
+  SensorKeys keys_;
 };
 
 }  // namespace

@@ -12,8 +12,10 @@
 #include "base/unique_names.hpp"
 #include "convert/import.hpp"
 #include "convert/passes.hpp"
+#include "convert/sensor_keys.hpp"
 #include "convert/sensor_pose.hpp"
 #include "write/joint_drives.hpp"
+#include "write/scene_parts.hpp"
 
 namespace smurf {
 namespace {
@@ -37,50 +39,14 @@ std::optional<double> vertical(double horizontal, double width, double height) {
   return degrees > 0 && degrees < 180 ? std::optional<double>(degrees) : std::nullopt;
 }
 
-/// The numbers of an annotation.
-class Keys {
- public:
-  explicit Keys(yaml::View keys) : keys_(keys) {}
-
-  std::optional<double> find(std::string_view key) const {
-    const yaml::View value = keys_.find(key);
-    return value ? value.number() : std::nullopt;
-  }
-  double number(std::string_view key, double fallback) const {
-    return find(key).value_or(fallback);
-  }
-  double part(std::string_view key, std::string_view component, double fallback) const {
-    const yaml::View mapping = keys_.find(key);
-    return mapping && mapping.is_mapping() ? Keys(mapping).number(component, fallback) : fallback;
-  }
-  Pose pose() const {
-    constexpr std::string_view kAt = "position_offset";
-    constexpr std::string_view kTurned = "orientation_offset";
-    Pose pose{{part(kAt, "x", 0), part(kAt, "y", 0), part(kAt, "z", 0)}, {}};
-    const yaml::View turned = keys_.find(kTurned);
-    if (turned && turned.is_mapping() && turned.find("roll")) {
-      pose.orientation = from_rpy_degrees(
-          {part(kTurned, "roll", 0), part(kTurned, "pitch", 0), part(kTurned, "yaw", 0)});
-      return pose;
-    }
-    const Quaternion q{part(kTurned, "w", 1), part(kTurned, "x", 0), part(kTurned, "y", 0),
-                       part(kTurned, "z", 0)};
-    if (norm(q) > 0) pose.orientation = normalized(q);
-    return pose;
-  }
-
- private:
-  yaml::View keys_;
-};
-
 double number_in(xml::View element, std::string_view child, double fallback) {
   return element ? parse_number(import::child_text(element, child)).value_or(fallback) : fallback;
 }
 
 class SensorReader {
  public:
-  explicit SensorReader(const LinkedModel& model) : model_(model) {
-    find_links();
+  explicit SensorReader(const LinkedModel& model)
+      : model_(model), X_RL_(forward_kinematics(model, {})) {
     for (const JointDrive& drive : joint_drives(model)) motors_.emplace(drive.joint, drive.name);
   }
 
@@ -97,34 +63,15 @@ class SensorReader {
   }
 
  private:
-  /// Those that the root leads to: only they are bodies.
-  void find_links() {
-    is_there_.assign(model_.robot->links.size(), false);
-    if (model_.tree.roots.empty()) return;
-    std::vector<std::size_t> open{to_size(model_.tree.roots.front())};
-    while (!open.empty()) {
-      const std::size_t link = open.back();
-      open.pop_back();
-      is_there_[link] = true;
-      for (const JointIndex joint : model_.tree.child_joints[link]) {
-        open.push_back(to_size(*model_.tree.joint_child[to_size(joint)]));
-      }
-    }
-  }
-
   std::optional<std::size_t> link(std::string_view name) const {
     const auto found = model_.link_names.find(name);
-    return found && is_there_[*found] ? std::optional<std::size_t>(*found) : std::nullopt;
+    return found && X_RL_[*found] ? std::optional<std::size_t>(*found) : std::nullopt;
   }
 
-  /// The link that a joint carries.
   std::optional<std::size_t> link_of_joint(std::string_view name) const {
     const auto joint = model_.joint_names.find(name);
-    if (!joint || !model_.tree.joint_child[*joint]) return std::nullopt;
-    const std::size_t child = to_size(*model_.tree.joint_child[*joint]);
-    const auto& parent = model_.tree.parent_joint[child];
-    const bool is_its_parent = parent && to_size(*parent) == *joint && is_there_[child];
-    return is_its_parent ? std::optional<std::size_t>(child) : std::nullopt;
+    const auto carried = joint ? carried_link(model_, *joint) : std::nullopt;
+    return carried && X_RL_[*carried] ? carried : std::nullopt;
   }
 
   bool add(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS,
@@ -250,21 +197,20 @@ class SensorReader {
   bool is_view_taken(const Sensor& sensor) {
     const yaml::Document* document = model_.document(sensor.span.source);
     if (document == nullptr || !sensor.link) return false;
-    const Keys keys(yaml::View(*document, sensor.node));
+    const SensorKeys keys(yaml::View(*document, sensor.node));
     if (*sensor.type == "CameraSensor") {
-      return add_camera(*sensor.name, link(*sensor.link), keys.pose(), fovy_of(keys));
+      return add_camera(*sensor.name, link(*sensor.link), keys.camera_pose(), fovy_of(keys));
     }
     return keys.number("width", 1) == 1 &&
            add_ray(*sensor.name, link(*sensor.link), {}, keys.number("max_distance", 100));
   }
 
-  static std::optional<double> fovy_of(const Keys& keys) {
+  static std::optional<double> fovy_of(const SensorKeys& keys) {
     for (const char* key : {"opening_angle2", "opening_height"}) {
       const auto given = keys.find(key);
       if (given && *given > 0) return *given < 180 ? given : std::nullopt;
     }
-    return vertical(keys.number("opening_angle", keys.number("opening_width", 90)),
-                    keys.number("width", 640), keys.number("height", 480));
+    return vertical(keys.camera_opening(), keys.camera_width(), keys.camera_height());
   }
 
   static std::vector<std::string> targets(std::initializer_list<const Field<NameList>*> lists) {
@@ -310,7 +256,7 @@ class SensorReader {
   }
 
   const LinkedModel& model_;
-  std::vector<bool> is_there_;
+  std::vector<std::optional<Pose>> X_RL_;  ///< none: the root does not lead to the link
   std::map<const urdf::Joint*, std::string> motors_;
   std::set<std::string_view> known_;
   UniqueNames names_;

@@ -93,6 +93,13 @@ std::string root_link_name(const LinkedModel& model) {
   return link_name(model, to_size(model.tree.roots.front()));
 }
 
+std::optional<std::size_t> carried_link(const LinkedModel& model, std::size_t joint) {
+  if (!model.tree.joint_child[joint]) return std::nullopt;
+  const std::size_t child = to_size(*model.tree.joint_child[joint]);
+  const auto& parent = model.tree.parent_joint[child];
+  return parent && to_size(*parent) == joint ? std::optional<std::size_t>(child) : std::nullopt;
+}
+
 std::vector<std::size_t> anchor_groups(const LinkedScene& scene) {
   const std::size_t count = scene.instances.size();
   constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
@@ -193,6 +200,19 @@ Vector3 direction_of(const Light& light) {
   if (!(length > 0) || !std::isfinite(length)) return {0, 0, -1};
   for (double& component : way) component /= length;
   return way;
+}
+
+Quaternion rotation_onto(const Vector3& from, const Vector3& to) {
+  const auto halfway = [](const Vector3& a, const Vector3& b) {
+    return normalized({1 + a[0] * b[0] + a[1] * b[1] + a[2] * b[2], a[1] * b[2] - a[2] * b[1],
+                       a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+  };
+  if (from[0] * to[0] + from[1] * to[1] + from[2] * to[2] >= 0) return halfway(from, to);
+  // Near half a turn, the sum above would lose digits: half a turn first, then the rest.
+  const Quaternion half_turn =
+      normalized(std::abs(from[1]) < 0.5 ? Quaternion{0, -from[2], 0, from[0]}
+                                         : Quaternion{0, 0, from[2], -from[1]});
+  return multiply(halfway({-from[0], -from[1], -from[2]}, to), half_turn);
 }
 
 Rgba color_or(const Field<Color>& color, const Rgba& fallback) {

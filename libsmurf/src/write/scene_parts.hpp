@@ -21,6 +21,8 @@ const LinkedModel* robot_of(const LinkedScene& scene, std::size_t instance);
 /// As written; a number for a link without name.
 std::string link_name(const LinkedModel& model, std::size_t link);
 std::string root_link_name(const LinkedModel& model);
+/// The child of a joint; none when it is unknown, or hangs on another joint.
+std::optional<std::size_t> carried_link(const LinkedModel& model, std::size_t joint);
 
 /// By instance: the instance at the end of its chain of anchors. Members of one group share it.
 /// Anchors may run in a circle; then the first of the circle is the end.
@@ -64,6 +66,8 @@ double mass_of(const FlatInstance& instance);
 std::vector<const Light*> world_lights(const SceneExport& scene);
 /// Unit vector from a light to where it looks; down when it says nothing.
 Vector3 direction_of(const Light& light);
+/// The shortest rotation of one unit vector onto another.
+Quaternion rotation_onto(const Vector3& from, const Vector3& to);
 Rgba color_or(const Field<Color>& color, const Rgba& fallback);
 
 }  // namespace smurf

@@ -8,13 +8,7 @@
 namespace smurf {
 namespace {
 
-/// Lights of USD look along -z.
-Quaternion rotation_to(const Vector3& direction) {
-  const auto& [x, y, z] = direction;
-  if (z <= 0) return normalized({1 - z, y, -x, 0});
-  // Of z onto it, after half a turn about x.
-  return multiply(normalized({1 + z, -y, x, 0}), {0, 1, 0, 0});
-}
+constexpr Vector3 kLightAxis{0, 0, -1};  ///< where lights of USD look
 
 void add_light(const Light& light, const std::string& name, UsdaText& text) {
   const bool is_distant = light.directional.value_or(false);
@@ -22,7 +16,7 @@ void add_light(const Light& light, const std::string& name, UsdaText& text) {
   std::vector<std::string> schemas;
   if (is_spot) schemas.emplace_back("ShapingAPI");
   text.open(is_distant ? "DistantLight" : "SphereLight", name, schemas);
-  text.pose({light.position.value_or({0, 0, 0}), rotation_to(direction_of(light))});
+  text.pose({light.position.value_or({0, 0, 0}), rotation_onto(kLightAxis, direction_of(light))});
   const Rgba color = linear_color(color_or(light.diffuse, {1, 1, 1, 1}));
   text.line("color3f inputs:color = " + UsdaText::tuple({color[0], color[1], color[2]}));
   if (!is_distant) {

@@ -26,16 +26,10 @@ Vector3 unit_axis(const urdf::Joint& joint) {
   return axis;
 }
 
-/// The shortest rotation of x onto a unit vector.
-Quaternion rotation_of_x(const Vector3& axis) {
-  const auto& [x, y, z] = axis;
-  if (x >= 0) return normalized({1 + x, 0, -z, y});
-  // Of -x onto it, after half a turn about z.
-  return multiply(normalized({1 - x, 0, z, -y}), {0, 0, 0, 1});
-}
-
 /// A frame whose x is the axis of a joint, in that of the joint.
-Pose axis_frame(const urdf::Joint& joint) { return {{}, rotation_of_x(unit_axis(joint))}; }
+Pose axis_frame(const urdf::Joint& joint) {
+  return {{}, rotation_onto({1, 0, 0}, unit_axis(joint))};
+}
 
 std::string rel(const std::string& name, const std::string& path) {
   return "rel " + name + " = <" + path + ">";
@@ -86,14 +80,12 @@ void UsdPhysics::find_joints(const LinkedModel& robot, Model& model) {
   const KinematicTree& tree = robot.tree;
   UniqueNames names;
   for (std::size_t i = 0; i < robot.robot->joints.size(); ++i) {
-    if (!tree.joint_parent[i] || !tree.joint_child[i]) continue;
-    const std::size_t child = to_size(*tree.joint_child[i]);
-    const bool is_its_parent = tree.parent_joint[child] && to_size(*tree.parent_joint[child]) == i;
-    if (!is_its_parent || !model.layout.is_body(child)) continue;
+    const auto child = carried_link(robot, i);
+    if (!tree.joint_parent[i] || !child || !model.layout.is_body(*child)) continue;
     const UsdLink& on = *model.layout.links[to_size(*tree.joint_parent[i])];
     const urdf::Joint& joint = robot.robot->joints[i];
     model.index.emplace(&joint, model.joints.size());
-    model.joints.push_back({&joint, on.body, child, on.X_BL * urdf::to_pose(joint.origin),
+    model.joints.push_back({&joint, on.body, *child, on.X_BL * urdf::to_pose(joint.origin),
                             names.add(safe_name(joint.name.value_or({})))});
   }
   model.anchor = names.add("anchor");
