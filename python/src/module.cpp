@@ -4,8 +4,8 @@
 
 namespace {
 
-/// What is made by this module only. Without it, Python could make objects without a value, which
-/// nothing checks for: cls.__new__(cls).
+/// For classes that only this module makes. Without it, Python could make objects without a value,
+/// which nothing checks for: cls.__new__(cls).
 void forbid_construction(const pybind11::module_& module) {
   for (const auto& [name, item] : pybind11::dict(module.attr("__dict__"))) {
     if (!PyType_Check(item.ptr()) || item.is(module.attr("Session"))) continue;

@@ -344,7 +344,7 @@ class Fixes(LintTest):
                 self.assertEqual(self.read(name), before.replace("&", "&amp;"))
 
     def test_diff_beside_a_byte_order_mark(self):
-        """In a line that stays as it is, and in one that changes."""
+        """A byte order mark in a line that stays, and in one that changes."""
         for name, line in (("same", "<robot name='r'>\n"), ("changed", "<!-- a -- b --><robot name='r&'>\n")):
             before = "\ufeff" + line + "<link name='a&'/>\n</robot>\n"
             self.write(f"{name}.urdf", before)

@@ -121,7 +121,7 @@ def path_of(element, attribute):
     return f"{tag}.{attribute}"
 
 
-# What may stand around such an element: anything else is unknown to URDF, or misspelt.
+# The elements around it must be among these: others are unknown to URDF, or misspelt.
 PARENTS = {"robot", "link", "joint", "material", "visual", "collision", "inertial", "geometry"}
 
 

@@ -16,7 +16,7 @@ def skip_without_valgrind():
 
 
 def instructions(tool: pathlib.Path, *arguments, codes=(0, 1), **how) -> int:
-    """Those of the tool and its child processes. `codes` are the exit codes that it may have; `how` is for subprocess.run."""
+    """The instructions of the tool and its child processes. `codes`: allowed exit codes; `how`: arguments of subprocess.run."""
     run = subprocess.run(
         ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--trace-children=yes", str(tool),
          *map(str, arguments)], capture_output=True, text=True, errors="replace", **{"timeout": 600, **how})

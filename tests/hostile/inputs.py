@@ -462,7 +462,7 @@ def settings():
 
 
 def versions():
-    """Of a megabyte each, with lists of nothing in common."""
+    """Two files of a megabyte each whose lists share no entry."""
     lists = {
         "names": ("sensors: [{name: s, type: Joint6DOF, link: l, id: [", ("x", "y"), "]}]\n"),
         "words": ("s: [", ("x", "y"), "]\n"),

@@ -34,7 +34,7 @@ def from_rpy(roll, pitch, yaw):
 
 
 def apart(a, b):
-    """How far two poses are from each other: metres or radians, whichever is more."""
+    """The distance between two poses in metres or the angle in radians, whichever is larger."""
     same = sum(x * y for x, y in zip(a[1], b[1]))
     gap = math.sqrt(sum((x * math.copysign(1, same) - y) ** 2 for x, y in zip(a[1], b[1])))
     return max(math.dist(a[0], b[0]), 2 * gap)

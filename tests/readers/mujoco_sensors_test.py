@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""mjcf: sensors, cameras and textures of a model, as libmujoco has them in the start of the scene."""
+"""mjcf: sensors, cameras and textures of a model, as libmujoco loads them at the start of the scene."""
 import json
 import math
 import re
@@ -89,7 +89,7 @@ class MujocoSensorTest(reader.ReaderTest):
         return pose["position"], [pose["orientation"][c] for c in "wxyz"]
 
     def assert_mount(self, found, link, xyz, rpy, axes):
-        """`axes`: by column of MuJoCo's rotation, which axis of the sensor it is, and its sign."""
+        """`axes`: for each column of MuJoCo's rotation, the axis of the sensor and its sign."""
         position, rotation = frames.compose(self.link(link), (xyz, frames.from_rpy(*rpy)))
         self.assertLess(math.dist(found[:3], position), 1e-9)
         columns = frames.columns(rotation)
@@ -137,7 +137,7 @@ class MujocoSensorTest(reader.ReaderTest):
             "far", "ray", "angle/neck", "speed/neck", "effort/neck", "place/head", "place/lens", "turn/head",
             "way/head", "spin/head"})
         self.assertEqual(values["angle/neck"], [0.5])
-        for name in ("speed/neck", "effort/neck"):  # the motor is where it is told to be
+        for name in ("speed/neck", "effort/neck"):  # the motor of the joint
             self.assertAlmostEqual(values[name][0], 0)
         head = self.link("head")
         self.assertLess(math.dist(values["place/head"], head[0]), 1e-9)
@@ -146,7 +146,7 @@ class MujocoSensorTest(reader.ReaderTest):
                              ("balance/orientation",
                               frames.multiply(head[1], frames.from_rpy(0, 0, 1.5)))):
             self.assertLess(frames.apart(([0] * 3, values[name]), ([0] * 3, turned)), 1e-9)
-        # What hangs on the ankle pulls with its weight, as seen from the foot.
+        # The foot hangs on the ankle and pulls with its weight, in the axes of the foot.
         foot = self.link("foot")[1]
         weight = frames.rotate(frames.conjugate(foot), [0, 0, -9.81])
         for name in ("weight/force", "step/force"):
@@ -163,14 +163,14 @@ class MujocoSensorTest(reader.ReaderTest):
 
     def test_what_is_not_measured_is_named(self):
         losses = "\n".join(self.losses())
-        # eye, of which the URDF has one, nothing, touch, scan and rays
+        # lost: the second eye (the URDF has one), nothing, touch, scan and rays
         self.assertIn("5 sensors", losses)
         gazebo = re.search(r"elements in <gazebo> \((.*)\) are not in the MJCF", losses)[1]
         self.assertEqual(gazebo, "`update_rate of eye`, `image of eye`, `clip of eye`, `fan`, `visual`, `pull`")
         self.assertIn("7 sensor settings", losses)  # rate, width, height and draw_rays
 
     def test_annotations_of_a_model_that_is_named_are_lost(self):
-        """MuJoCo reads the URDF then, which has neither motors nor sensors of SMURF."""
+        """MuJoCo then reads the URDF, which has no motors and sensors of SMURF."""
         losses = "\n".join(self.losses("--form", "reference"))
         self.assertIn("1 motor, 17 sensors", losses)
 

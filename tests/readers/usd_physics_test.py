@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""usda: what a simulator makes of it, computed by a reader of our own.
+"""usda: computes with a reader of our own what a simulator would load.
 
 OpenUSD's own checks are in no registry that the tests install from. previews_test gives the same stages to a
 reader of others.
@@ -14,7 +14,7 @@ from usd_stage import Robot, Stage, differences
 
 BODY = ('<inertial><origin xyz="0.1 0.2 0.3" rpy="0.4 0.5 0.6"/><mass value="{m}"/><inertia ixx="0.02"'
         ' iyy="0.03" izz="0.04" ixy="0.001" ixz="0.002" iyz="-0.003"/></inertial>')
-# Every kind of joint, axes to all sides, chains of frames without mass and of joints that mimic.
+# Every kind of joint, axes in all directions, chains of massless frames and of mimic joints.
 KINDS = """<robot name="kinds">
 <link name="base">""" + BODY.format(m=3) + """<visual name="hull"><geometry><box size="1 2 3"/></geometry></visual>
   <collision name="bumper"><geometry><mesh filename="m.stl" scale="1 2 3"/></geometry></collision></link>
@@ -140,7 +140,7 @@ class UsdPhysicsTest(reader.ReaderTest):
         self.assertEqual(motors, {"World/One/joints/a": "motor", "World/One/joints/d": "wheel"})
 
     def test_followers(self):
-        """position + gearing * that of the leader + offset = 0, and no leader follows another."""
+        """position + gearing * position of the leader + offset = 0, and no leader follows another."""
         prims = self.stage().prims
         follower = "physxMimicJoint:rotX:"
         for joint, multiplier, offset in (("b", -2, 0.25), ("c", -1, 0.5 * 0.25 - 1)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A small reader of OpenUSD's text, and what it finds wrong with a stage of robots.
+"""A small reader of OpenUSD text, and checks of a stage with robots.
 
 It knows the lines that smurfs-flatten writes, and computes all frames itself: from the poses of the
 prims, and from the URDF.
@@ -54,7 +54,7 @@ class Stage:
         return [float(n) for n in self.prims[path][name].strip("()").split(", ")]
 
     def pose(self, path):
-        """In the world: that of all prims above it, too."""
+        """The pose in the world, through all prims above."""
         prim = self.prims[path]
         above = self.pose(path.rsplit("/", 1)[0]) if "/" in path else ([0, 0, 0], [1, 0, 0, 0])
         if "xformOpOrder" not in prim:
@@ -77,7 +77,7 @@ class Stage:
         return links
 
     def joint_frames(self, path):
-        """Both in the world."""
+        """The frames of the joint in both bodies, as poses in the world."""
         prim, found = self.prims[path], []
         for end in "01":
             body = prim.get("physics:body" + end)
@@ -124,7 +124,7 @@ class Robot:
 
 
 def differences(stage, flat, robot_of, tolerance=1e-9):
-    """What is not as in the URDFs; `robot_of` gives that of an instance of the flat JSON."""
+    """The differences from the URDFs; `robot_of` returns the robot of an instance of the flat JSON."""
     problems = structure(stage)
     links = stage.links()
     for instance in flat["instances"]:
@@ -148,7 +148,7 @@ def differences(stage, flat, robot_of, tolerance=1e-9):
 
 
 def structure(stage):
-    """What UsdPhysics asks of any stage."""
+    """The requirements of UsdPhysics that the stage breaks."""
     problems = []
     units = {"kilogramsPerUnit": "1", "metersPerUnit": "1", "upAxis": '"Z"'}
     if {key: stage.metadata.get(key) for key in units} != units:
@@ -193,7 +193,7 @@ def joint_problems(stage, instance, robot, prims, tolerance):
             continue
         body0 = prims[joint.find("parent").get("link")]
         if "PhysicsRigidBodyAPI" not in stage.prims[body0]["apiSchemas"]:
-            body0 = body0.rsplit("/", 1)[0]  # of a frame
+            body0 = body0.rsplit("/", 1)[0]  # the body of a frame
         if robot.is_frame(joint):
             if prims[child].rsplit("/", 1)[0] != body0:
                 yield f"{child} is not in its body"

@@ -86,7 +86,7 @@ TEST_CASE("no archive means one thing to one program and another to the next") {
   CHECK(read_zip(sound + "PK\x05\x06", at_most(100)).reason == "is a broken zip archive");
   CHECK(read_zip("another archive" + sound, at_most(100)).reason == "is a broken zip archive");
 
-  // Of an entry that claims to be larger, minizip does not compare the checksum.
+  // minizip does not compare the checksum of an entry that claims to be larger.
   std::string shorter = sound;
   const std::size_t entry = sound.find("PK\x01\x02");
   for (const std::size_t header : {sound.find("PK\x03\x04") - 2, entry}) {

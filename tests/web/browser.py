@@ -28,7 +28,7 @@ class BrowserTest(reader.ReaderTest):
                 cls.skipTest(cls, f"{what} is not installed")
 
     def browse(self, *jobs):
-        """What the steps of the jobs gave. The pages are silent, and ask for nothing."""
+        """The results of the steps of the jobs. The pages must log nothing and request nothing."""
         jobs = [{**job, "page": str(job["page"])} for job in jobs]
         done = subprocess.run(["node", PAGES, reader.NODE_MODULES, shutil.which("chromium")], input=json.dumps(jobs),
                               capture_output=True, encoding="utf-8", timeout=3000, check=False)
@@ -40,7 +40,7 @@ class BrowserTest(reader.ReaderTest):
         return answers
 
     def data_in(self, page, name):
-        """The data in the page, and how much of the page it is not."""
+        """The data in the page, and the bytes of the page around it."""
         text = page.read_text()
         block = f'<script id="{name}" type="application/json">'
         self.assertEqual(text.count(block), 1)
@@ -49,7 +49,7 @@ class BrowserTest(reader.ReaderTest):
         return json.loads(data), len(head) + len(tail)
 
     def check_nothing_else_runs(self, page):
-        """Markup that somebody got into the page would neither run nor ask for anything."""
+        """Markup that got into the page neither runs nor requests anything."""
         server = socket.create_server(("127.0.0.1", 0))
         server.settimeout(1)
         self.addCleanup(server.close)

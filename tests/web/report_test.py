@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of `smurf-lint --format html`: it says what the JSON report says, nothing runs but the page, people can use it.
+"""The page of `smurf-lint --format html`: it shows what the JSON report has, runs no foreign code, and is accessible.
 
 Usage: report_test.py TOOL BUILD
 """
@@ -39,7 +39,7 @@ class ReportTest(browser.BrowserTest):
         return self.folder / name, json.loads(done.stdout)
 
     def of_fixtures(self, *arguments):
-        """A report with something of everything."""
+        """A report with each kind of finding."""
         return self.page("rules", "--target", "mujoco,gazebo", *arguments, cwd=cli.FIXTURES)
 
     def robot(self, name="arm"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `smurfs-flatten --format html` writes. A test is skipped where the tool was built without the viewer, too."""
+"""The page of `smurfs-flatten --format html`. Tests are also skipped when the tool was built without the viewer."""
 import json
 import math
 import random

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""In the page, real robots and random nested scenes have the poses of the flat JSON, at random joint positions.
+"""The page shows real robots and random nested scenes with the poses of the flat JSON, at random joint positions.
 
 Usage: viewer_corpus_test.py TOOL BUILD
 """

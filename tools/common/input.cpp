@@ -13,6 +13,7 @@
 #include "base/canonical_paths.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
+#include "base/utf8.hpp"
 #include "common/output.hpp"
 #include "smurf/archive_files.hpp"
 
@@ -35,7 +36,7 @@ int read_all(std::string& text, std::uint64_t most) {
 }
 
 bool is_xml(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.starts_with(utf8::kByteOrderMark)) text.remove_prefix(utf8::kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && text[first] == '<';
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The meshes of previews.
+// Reads meshes for formats that show triangles.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@
 
 namespace smurf::tools {
 
-/// Files of an archive go by the name that the archive was given.
+/// The name by which `files` knows a path: a file in an archive is named after the archive.
 std::string known_name(const std::string& absolute, const std::string& current,
                        const FileReader& files);
 
-/// Where previews get triangles from; what is a copy is read where it comes from. `files` and
-/// `limits` must outlive the result.
+/// Reads triangles. A mesh that will be copied is read from its original. `files` and `limits` must
+/// outlive the result.
 MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
                        const FileReader& files, const Limits& limits);
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "base/utf8.hpp"
 #include "render/printable.hpp"
 
 namespace smurf::tools {
@@ -145,13 +146,12 @@ class Numbering {
   std::map<std::string_view, int> known_;
 };
 
-/// A byte order mark at its start is written as it is: programs that apply the patch look for it.
+/// Writes a byte order mark unescaped, because programs that apply the patch look for it.
 void add_line(std::string& text, char mark, std::string_view line) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   text += mark;
-  if (line.starts_with(kByteOrderMark)) {
-    text += kByteOrderMark;
-    line.remove_prefix(kByteOrderMark.size());
+  if (line.starts_with(utf8::kByteOrderMark)) {
+    text += utf8::kByteOrderMark;
+    line.remove_prefix(utf8::kByteOrderMark.size());
   }
   text += render::escape_lines(line);
   if (!text.ends_with('\n')) text += "\n\\ No newline at end of file\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Long lists of a message, printed: as trees they take four times the memory of their text.
+// The long lists of a message as text, because JSON trees take four times the memory.
 #pragma once
 
 #include <string>
@@ -15,12 +15,13 @@ class PrintedLists {
  public:
   bool empty() const { return texts_.empty(); }
   void clear() { texts_.clear(); }
-  /// What stands for the list in the message.
+  /// Keeps a list and returns its placeholder for the message.
   Json add(std::string list) {
     texts_.push_back(std::move(list));
     return {{"", texts_.size() - 1}};
   }
-  /// The text of a message with its lists, in parts that point into both.
+  /// The text of a message with its lists in place of the placeholders. The parts point into
+  /// `message` and into the lists.
   std::vector<std::string_view> insert_into(std::string_view message) const;
 
  private:

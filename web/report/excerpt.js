@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines of a source with marks, and what a fix changes in them.
+// Shows lines of a source with their marks, and the lines that a fix changes.
 import { element, prose } from "../common/dom.js";
 
 const kContext = 2; // lines before and after a mark
 const kLongest = 400; // characters shown of a line
 const kBefore = 120; // of these, before the first mark
-const kBeside = 96; // characters: a text under a mark begins below it if both are shorter
+const kBeside = 96; // characters: if the mark and the text are shorter, the text begins below the mark
 
 /** The lines of the sources, by their numbers. */
 export class Sources {
@@ -88,7 +88,7 @@ function markedText(line, part, ranges) {
   });
   if (part.begin > 0) pieces.unshift("\u2026");
   if (part.end < line.length) pieces.push("\u2026");
-  // A mark behind the last character, as of a file that ends too early.
+  // A mark behind the last character, for example in a file that ends too early.
   for (const { begin, kind } of ranges)
     if (begin >= line.length) pieces.push(element("mark", { class: kind }, " "));
   return pieces;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page of a report, which is the JSON report with some members more (libsmurf/src/render/html.cpp):
-// picture: the page of smurfs-flatten --format html of the files; absent where there is none
+// The page of a report: the JSON report with these members added (libsmurf/src/render/html.cpp):
+// picture: the page of smurfs-flatten --format html for the files; absent when there is none
 // rules: by id, the rule list of --list-rules=json with `facts` about readers as text
-// sources: by number, [{first, lines}] around the marks; "" of a source that is left out
+// sources: by number, [{first, lines}] around the marks; "" for a source that is left out
 // remarks: lines for people; targets: with `title` and `answer` for people
 // diagnostics: with `source`, also of labels; `caret`: the text of the mark; `names`: the place by names; `effects` on targets; `fix`: {is_safe, hunks}
 import { byId, counted, element } from "../common/dom.js";
@@ -12,8 +12,8 @@ import { card } from "./finding.js";
 import { Picture } from "./picture.js";
 import { showNothingFound, showSummary, showTargets } from "./overview.js";
 
-const kAtOnce = 200; // findings that are laid out before one asks for more
-const kOfRule = 3; // findings of a rule in a file before the rest is folded
+const kAtOnce = 200; // findings shown before one asks for more
+const kOfRule = 3; // findings of a rule in a file before the others are folded
 
 const rankOf = ({ severity }) => kSeverities.indexOf(severity);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is above the list: how much was found, and what each program makes of the files.
+// Above the list: the counts of findings, and whether each reader loads the files.
 import { byId, counted, element, prose } from "../common/dom.js";
 import { placeOf } from "./finding.js";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robot or scene beside the list: the viewer's page in a frame, in which what a finding is about is selected.
+// The robot or scene beside the list: the viewer's page in a frame. It selects the link or joint of a finding.
 import { byId } from "../common/dom.js";
 
 /** What a page of the viewer shows: its data, in which there is no "<". */

@@ -110,7 +110,7 @@ std::string render_gitlab(std::span<const Diagnostic> diagnostics, const SourceM
 std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                          const ToolName& tool, std::optional<Severity> least_failure);
 
-/// What render_html() shows beside the findings.
+/// The parts of the page of render_html() beside the findings.
 struct PageParts {
   std::string_view remarks{};  ///< lines for people
   std::string_view picture{};  ///< what the scene format html wrote of the files; may be empty

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/path.hpp"
+#include "base/utf8.hpp"
 
 namespace smurf {
 namespace {
@@ -140,7 +141,7 @@ void PathPatterns::add(std::string_view line) {
 }
 
 void PathPatterns::add_lines(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (text.starts_with(utf8::kByteOrderMark)) text.remove_prefix(utf8::kByteOrderMark.size());
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     add(text.substr(0, end));

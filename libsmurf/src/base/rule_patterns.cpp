@@ -9,7 +9,7 @@ namespace {
 
 using Places = std::unordered_map<std::string_view, std::size_t>;
 
-/// Where the rules of these names, or of these former ids and names, are in the table.
+/// The indices in the table of rules with these names, or with these former ids and names.
 const Places& places_by_name() {
   static const Places places = [] {
     Places all;

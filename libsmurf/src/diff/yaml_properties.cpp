@@ -27,7 +27,7 @@ std::vector<double> numbers_in(yaml::View value) {
   return numbers;
 }
 
-/// As scalars without a row are read: no numbers, no booleans.
+/// Scalars without a row are read in this way: as text, not as numbers or booleans.
 bool are_all_texts(yaml::View value) {
   return value.size() > 0 && std::all_of(value.begin(), value.end(), [](yaml::View item) {
            return item.is_scalar() && !finite(item) && !item.boolean();

@@ -12,7 +12,7 @@ namespace smurf::render {
 namespace {
 
 constexpr std::size_t kMostHunks = 20;
-constexpr std::uint32_t kMostAround = 80;  ///< bytes of a line before and after what changes
+constexpr std::uint32_t kMostAround = 80;  ///< bytes of a line before and after the change
 constexpr std::size_t kMostBytes = 4000;   ///< of each side of a hunk
 constexpr std::string_view kEllipsis = "...";
 
@@ -59,7 +59,7 @@ std::string shown(std::string_view text, const Window& window, bool& is_cut) {
   return out;
 }
 
-/// The edits after the first that are made to the same line or the next one.
+/// The end of the edits that follow the first on the same line or the next one.
 std::size_t end_of_hunk(std::span<const Edit> edits, const SourceMap& sources) {
   const auto line_of = [&](const Edit& edit, std::uint32_t offset) {
     const SourceId source = edit.span.source;

@@ -8,8 +8,8 @@
 
 namespace smurf::render {
 
-/// [{"file", "line", "before", "after"}]: whole lines, but for the far ends of very long ones. At
-/// most 20 hunks of at most some kilobytes; one that is left out or cut has "is_cut" in the last.
+/// [{"file", "line", "before", "after"}] with whole lines; very long lines are cut. At most 20
+/// hunks of some kilobytes each; the last one has "is_cut" when any was cut or left out.
 Json fix_hunks(const Fix& fix, const SourceMap& sources);
 
 }  // namespace smurf::render

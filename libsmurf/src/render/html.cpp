@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report as a page: that of web/report around the JSON report, to which it adds the rules, the
-// lines around what is marked, and what the fixes change. What the members are, web/report/main.js
-// says, which reads them.
+// The report as a page: web/report around the JSON report, with the rules, the lines around each
+// mark and the changes of the fixes. web/report/main.js reads the members and documents them.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -19,8 +18,9 @@ namespace {
 using render::Json;
 using render::text;
 
-constexpr std::uint32_t kContext = 2;          ///< lines before and after each mark
-constexpr std::uint32_t kMostLines = 12;       ///< of a mark; of others, both ends are shown
+constexpr std::uint32_t kContext = 2;  ///< lines before and after each mark
+constexpr std::uint32_t kMostLines =
+    12;  ///< of one mark; of a longer mark, the first and the last are shown
 constexpr std::size_t kMostText = 16'000'000;  ///< bytes of lines in a page
 
 struct Lines {
@@ -29,7 +29,7 @@ struct Lines {
   friend bool operator<(const Lines& a, const Lines& b) { return a.first < b.first; }
 };
 
-/// Names and messages as in the terminal, where no control character is invisible.
+/// Names and messages as in the terminal, which shows control characters.
 void make_visible(Json& json) {
   if (json.is_string()) {
     json = render::escape(json.get_ref<const std::string&>());
@@ -38,7 +38,7 @@ void make_visible(Json& json) {
   }
 }
 
-/// The lines of the marks, each once.
+/// The lines around the marks of a source, each line once.
 class Excerpts {
  public:
   explicit Excerpts(const SourceMap& sources) : sources_(sources) {}
@@ -58,7 +58,7 @@ class Excerpts {
     }
   }
 
-  /// By the number of the source: [{"first", "lines"}], or "" of a source that is left out.
+  /// By the number of the source: [{"first", "lines"}], or "" for a source that is left out.
   Json json() {
     Json all = Json::object();
     std::size_t left = kMostText;
@@ -89,7 +89,7 @@ class Excerpts {
 
   void add(SourceId source, std::uint32_t first, std::uint32_t last) {
     std::uint32_t end = sources_.line_count(source);
-    // After the last line end there is an empty line that no editor shows.
+    // The last line end begins an empty line that no editor shows.
     if (end > last && sources_.line_span(source, end).empty()) --end;
     lines_[source].push_back(
         {first - std::min(first - 1, kContext), last + std::min(end - last, kContext)});
@@ -114,8 +114,7 @@ class PageData {
       : sources_(sources), targets_(targets) {}
 
   Json diagnostic(const Diagnostic& diagnostic) const {
-    Json json = render::diagnostic_json(diagnostic, sources_);
-    json.erase("fix");
+    Json json = render::finding_json(diagnostic, sources_);
     if (!diagnostic.caret.empty()) json["caret"] = diagnostic.caret;
     if (diagnostic.named_pointer != diagnostic.pointer) json["names"] = diagnostic.named_pointer;
     make_visible(json);
@@ -140,7 +139,7 @@ class PageData {
   std::span<const TargetVerdict> targets_;
 };
 
-/// Of all rules that the report names, by id.
+/// The rules that the report names, by id.
 Json rules_of(std::span<const Diagnostic> diagnostics, std::span<const TargetVerdict> targets) {
   std::map<std::string_view, const Rule*> rules;
   for (const Diagnostic& one : diagnostics) rules[one.rule->id] = one.rule;
@@ -151,7 +150,6 @@ Json rules_of(std::span<const Diagnostic> diagnostics, std::span<const TargetVer
   Json json = Json::object();
   for (const auto& [id, rule] : rules) {
     Json entry = render::rule_json(*rule);
-    entry.erase("readers");
     for (const Fact* fact : facts_about(*rule)) {
       entry["facts"].push_back({{"text", describe(*fact)}, {"evidence", evidence_of(*fact)}});
     }

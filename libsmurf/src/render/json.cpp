@@ -31,6 +31,14 @@ Json to_json(const Fix& fix, const SourceMap& sources) {
   return {{"applicability", is_safe ? "safe" : "unsafe"}, {"edits", std::move(edits)}};
 }
 
+Json to_json(const Fact& fact) {
+  return {{"reader", text(fact.reader->name)},
+          {"where", text(fact.where)},
+          {"effect", text(to_string(fact.effect))},
+          {"makes", text(fact.makes)},
+          {"evidence", evidence_of(fact)}};
+}
+
 Json to_json(const TargetVerdict& target, const SourceMap& sources) {
   Json json = {{"verdict", text(to_string(target.answer()))},
                {"refusals", target.refusals},
@@ -53,7 +61,7 @@ Json to_json(const TargetVerdict& target, const SourceMap& sources) {
 
 namespace render {
 
-Json diagnostic_json(const Diagnostic& diagnostic, const SourceMap& sources) {
+Json finding_json(const Diagnostic& diagnostic, const SourceMap& sources) {
   Json json;
   json["id"] = text(diagnostic.rule->id);
   json["name"] = text(diagnostic.rule->name);
@@ -69,7 +77,6 @@ Json diagnostic_json(const Diagnostic& diagnostic, const SourceMap& sources) {
     place["message"] = label.message;
     json["labels"].push_back(std::move(place));
   }
-  if (!diagnostic.fixes.empty()) json["fix"] = to_json(diagnostic.fixes.front(), sources);
   return json;
 }
 
@@ -101,13 +108,6 @@ Json rule_json(const Rule& rule) {
                 {"sources", sources_of(rule)},
                 {"former", Json::array()}};
   for (const std::string_view former : rule.former) entry["former"].push_back(text(former));
-  for (const Fact* fact : facts_about(rule)) {
-    entry["readers"].push_back({{"reader", text(fact->reader->name)},
-                                {"where", text(fact->where)},
-                                {"effect", text(to_string(fact->effect))},
-                                {"makes", text(fact->makes)},
-                                {"evidence", evidence_of(*fact)}});
-  }
   if (const Tolerance& tolerance = rule.tolerance; !tolerance.meaning.empty()) {
     entry["tolerance"] = {{"value", tolerance.value},
                           {"unit", text(tolerance.unit)},
@@ -121,9 +121,12 @@ Json rule_json(const Rule& rule) {
 std::string render_json(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                         const Summary& summary, const ToolName& tool,
                         std::span<const TargetVerdict> targets) {
-  return dump_with_list(
-      render::report_json(sources, summary, tool, targets), "diagnostics", 1, diagnostics,
-      [&](const Diagnostic& one) { return render::diagnostic_json(one, sources); });
+  return dump_with_list(render::report_json(sources, summary, tool, targets), "diagnostics", 1,
+                        diagnostics, [&](const Diagnostic& one) {
+                          Json json = render::finding_json(one, sources);
+                          if (!one.fixes.empty()) json["fix"] = to_json(one.fixes.front(), sources);
+                          return json;
+                        });
 }
 
 std::string render_losses_json(std::span<const Diagnostic> losses, const SourceMap& sources,
@@ -143,7 +146,11 @@ std::string render_losses_json(std::span<const Diagnostic> losses, const SourceM
 
 std::string render_rule_list_json(std::span<const Rule* const> rules) {
   Json list = Json::array();
-  for (const Rule* rule : rules) list.push_back(render::rule_json(*rule));
+  for (const Rule* rule : rules) {
+    Json entry = render::rule_json(*rule);
+    for (const Fact* fact : facts_about(*rule)) entry["readers"].push_back(to_json(*fact));
+    list.push_back(std::move(entry));
+  }
   return dump(list);
 }
 

@@ -12,7 +12,9 @@ namespace smurf::render {
 /// The report with an empty list of diagnostics.
 Json report_json(const SourceMap& sources, const Summary& summary, const ToolName& tool,
                  std::span<const TargetVerdict> targets);
-Json diagnostic_json(const Diagnostic& diagnostic, const SourceMap& sources);
+/// A finding without its fix.
+Json finding_json(const Diagnostic& diagnostic, const SourceMap& sources);
+/// A rule without the facts about readers.
 Json rule_json(const Rule& rule);
 
 }  // namespace smurf::render

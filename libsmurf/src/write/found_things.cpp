@@ -14,7 +14,7 @@
 namespace smurf::things {
 namespace {
 
-/// Joints of which the part that `part_of` gives is there.
+/// Joints that have the part that `part_of` returns.
 template <class PartOf>
 Found joints_with(const LinkedModel& model, PartOf part_of) {
   Found found;
@@ -32,7 +32,7 @@ std::string name_of(xml::View element) {
   return std::string(name != nullptr ? name->value() : element.name());
 }
 
-/// Formats that have what moves joints.
+/// Whether a format has actuators.
 bool has_drives(SceneColumn column) {
   return column == SceneColumn::mjcf || column == SceneColumn::usda;
 }
@@ -69,7 +69,7 @@ void append(Found& all, Found some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
 }
 
-/// The scene itself, as the place of what it does not say.
+/// The place of a setting that the scene lacks: the scene itself.
 Found missing(const SceneExport& scene) {
   for (const SceneFile& file : scene.scene.scenes) {
     if (file.scene.physics) return {{file.scene.physics->span, scene.scene.path}};
@@ -175,7 +175,8 @@ Found ros2_controls(const LinkedModel& model, SceneColumn column) {
 
 namespace {
 
-/// What is in <gazebo> but for sensors of MuJoCo, and what is in those that MuJoCo has not.
+/// The elements in <gazebo> that MuJoCo loses: all except sensors it has, and their settings that
+/// it does not have.
 Found other_than_sensors(const LinkedModel& model) {
   Found found;
   std::set<xml::ElementId> written;
@@ -307,7 +308,7 @@ Found other_sections(const LinkedModel& model, SceneColumn) {
   Found found;
   for (const auto* sections : {&model.annotations.custom, &model.main.extra}) {
     for (const CustomSection& section : *sections) {
-      // Their text is that of the URDF.
+      // Their text names the URDF file.
       if (section.name.value == "urdf_extensions") continue;
       found.push_back({section.name.span, section.name.value});
     }

@@ -47,7 +47,7 @@ void MjcfSensors::add_reading(std::size_t i, const MujocoSensor& sensor,
   std::vector<XmlText::Attribute> attributes;
   attributes.emplace_back("name", sensor_names_.add(name(i, sensor.name + reading.part)));
   if (reading.object == "objname") {
-    // A body would be the frame of its inertia.
+    // In MuJoCo, "body" means the frame of the inertia; "xbody" is that of the link.
     attributes.emplace_back("objtype", reading.name.empty() ? "site" : "xbody");
   }
   attributes.emplace_back(reading.object,

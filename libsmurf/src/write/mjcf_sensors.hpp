@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sensors of a MuJoCo world: cameras and sites in bodies, and what is measured.
+// The sensors of a MuJoCo world: cameras and sites in bodies, and the elements of <sensor>.
 #pragma once
 
 #include <map>
@@ -16,9 +16,9 @@ class MjcfSensors : protected MjcfActuators {
   using MjcfActuators::MjcfActuators;
 
  protected:
-  /// Inside the body of a link.
+  /// Writes the cameras and sites in the body of a link.
   void add_mounts(std::size_t instance, std::size_t link);
-  /// <sensor>
+  /// Writes <sensor>.
   void add_sensors();
 
  private:

@@ -29,7 +29,8 @@ const Quaternion kRayAxes{std::numbers::sqrt2 / 2, 0, std::numbers::sqrt2 / 2, 0
 
 Pose with_axes(const Pose& pose, const Quaternion& axes) { return pose * Pose{{}, axes}; }
 
-/// Vertical opening of a picture, all in degrees; none when it is not one.
+/// Vertical opening of a camera in degrees, from the horizontal one and the size of the picture in
+/// pixels; none when these are no opening and size.
 std::optional<double> vertical(double horizontal, double width, double height) {
   if (!(horizontal > 0) || !(horizontal < 180) || !(width > 0) || !(height > 0)) {
     return std::nullopt;
@@ -133,7 +134,7 @@ class SensorReader {
     return false;
   }
 
-  /// What the child of a joint does to the parent; MuJoCo has no other direction.
+  /// MuJoCo measures only what the child of a joint does to the parent.
   bool is_wrench_taken(xml::View sensor, std::string_view joint, std::string_view name,
                        const Pose& X_LS) {
     const xml::View settings = sensor.child("force_torque");
@@ -146,7 +147,7 @@ class SensorReader {
     return add_wrench(name, link_of_joint(joint), text("frame") == "sensor" ? X_LS : Pose{});
   }
 
-  /// MuJoCo has single rays.
+  /// MuJoCo has only single rays.
   bool is_ray_taken(xml::View sensor, std::string_view reference, std::string_view name,
                     const Pose& X_LS) {
     for (const char* kind : {"ray", "lidar"}) {
@@ -223,7 +224,7 @@ class SensorReader {
     return names;
   }
 
-  /// All of what is measured has to be there.
+  /// False when nothing is measured.
   bool add_readings(const Sensor& sensor, std::vector<MujocoReading> readings) {
     if (readings.empty()) return false;
     sensors_.push_back({names_.add(*sensor.name), {}, {}, {}, std::move(readings)});

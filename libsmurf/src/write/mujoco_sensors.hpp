@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sensors of a model that MuJoCo has counterparts of: those of <gazebo>, and those of SMURF.
+// The sensors of a model that MuJoCo has too, from <gazebo> and from SMURF annotations.
 #pragma once
 
 #include <optional>
@@ -11,31 +11,33 @@
 
 namespace smurf {
 
-/// One element of <sensor>.
+/// One element in <sensor> of MJCF.
 struct MujocoReading {
   std::string_view element;  ///< "gyro"
-  std::string_view object;   ///< the attribute that names what is measured: "site", "joint", ...
-  std::string name;          ///< of a joint, a motor or a link; "": the site of the sensor
-  std::string part = {};     ///< after the name of the sensor: "/angular_velocity"
-  double cutoff = 0;         ///< 0: none
+  std::string_view
+      object;             ///< attribute with the name of the measured object: "site", "joint", ...
+  std::string name;       ///< of the measured joint, motor or link; "": the site of the sensor
+  std::string part = {};  ///< follows the name of the sensor: "/angular_velocity"
+  double cutoff = 0;      ///< 0: none
 };
 
 struct MujocoSensor {
   std::string name;
-  std::optional<std::size_t> link;  ///< that carries it
-  Pose X_LS;                        ///< axes as MuJoCo has them
-  std::optional<double> fovy;       ///< of a camera, degrees
+  std::optional<std::size_t> link;  ///< the link that carries it
+  Pose X_LS;                        ///< with the axes of MuJoCo
+  std::optional<double> fovy;       ///< vertical opening of a camera, degrees
   std::vector<MujocoReading> readings;
   const Sensor* annotation = nullptr;
-  xml::ElementId element = xml::kNoElement;  ///< the <sensor> that says so; none of an annotation
+  xml::ElementId element =
+      xml::kNoElement;  ///< the <sensor> in <gazebo>; kNoElement for an annotation
 };
 
-/// Names are unique. Without annotations that have the name of such an element.
+/// Names are unique. An annotation with the name of a <sensor> in <gazebo> is left out.
 std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model);
 
-/// The elements in a <sensor> of the above that MuJoCo has no counterpart of.
+/// The settings of such a <sensor> that MuJoCo does not have.
 std::vector<xml::View> unsaid_by_mujoco(xml::View sensor);
-/// Whether MuJoCo has what a key of the annotation of such a sensor says.
+/// Whether MuJoCo has the setting of a key in the annotation of such a sensor.
 bool is_said_by_mujoco(const Sensor& sensor, std::string_view key);
 
 }  // namespace smurf

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the links of a model are in USD. A body is an Xform in the Xform of its entity. A link
-// without mass that is fixed to another is no body, but a frame: an Xform in that of its body.
+// Where USD has the links of a model. A body is an Xform in the Xform of its entity. A link without
+// mass that a fixed joint holds is a frame: an Xform in the Xform of its body.
 #pragma once
 
 #include <optional>
@@ -12,20 +12,21 @@
 namespace smurf {
 
 struct UsdLink {
-  std::size_t body = 0;  ///< the index of the link that it moves with; its own when it is a body
-  Pose X_BL;             ///< in that body
+  std::size_t body = 0;  ///< index of the link it moves with; its own index when it is a body
+  Pose X_BL;             ///< pose in that body
   std::string path;      ///< below the entity: "arm", "hand/tool"
 };
 
 struct UsdLayout {
-  std::vector<std::optional<UsdLink>> links;     ///< by index; none where no root leads to it
-  std::vector<std::vector<std::size_t>> frames;  ///< by body: the frames in it
+  std::vector<std::optional<UsdLink>>
+      links;  ///< by index; none where the root does not lead to the link
+  std::vector<std::vector<std::size_t>> frames;  ///< by body: the links that are frames in it
   std::string joints, materials;                 ///< names of scopes below the entity
 
   bool is_body(std::size_t link) const { return links[link] && links[link]->body == link; }
 };
 
-/// The model has a robot and a root.
+/// The model must have a robot and a root.
 UsdLayout usd_layout(const LinkedModel& model);
 
 }  // namespace smurf

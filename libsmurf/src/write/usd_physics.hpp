@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What makes a stage move: UsdPhysics and, for what that has no place for, two schemas of PhysX
-// that Isaac Sim reads (PhysxJointAPI, PhysxMimicJointAPI).
+// The physics of a stage: UsdPhysics, and two schemas of PhysX that Isaac Sim reads for what
+// UsdPhysics cannot express (PhysxJointAPI, PhysxMimicJointAPI).
 #pragma once
 
 #include <map>
@@ -19,43 +19,43 @@ namespace smurf {
 
 class UsdPhysics {
  public:
-  /// `names` are those of the instances' prims. All of it must outlive this.
+  /// `names` holds the name of each instance's prim. The arguments must outlive this object.
   UsdPhysics(const SceneExport& scene, const std::vector<std::string>& names, SceneLosses& losses,
              UsdaText& text)
       : scene_(scene), names_(names), losses_(losses), text_(text) {}
 
   void add_scene();
-  /// Of an instance with a robot.
+  /// The instance must have a robot.
   const UsdLayout& layout_of(std::size_t instance) { return model_of(instance).layout; }
   /// Schemas of the Xform of an instance with a robot.
   std::vector<std::string> schemas_of_robot(std::size_t instance);
-  /// Whether something without model is a body.
+  /// Whether an instance without a robot is a body.
   bool is_body(std::size_t instance) const;
-  /// The mass of a body: that of a link, or that of something without model.
+  /// Writes the mass of a link, or of an instance without a robot.
   void add_mass(std::size_t instance, std::size_t link);
   void add_mass(std::size_t instance);
-  /// A scope with the joints between the bodies of an instance, and its anchor.
+  /// Writes a scope with the joints between the bodies of an instance and the joint of its anchor.
   void add_joints(std::size_t instance, LinkFrames& frames);
 
  private:
-  /// A joint between two bodies, which are links.
+  /// A joint between two links that are bodies.
   struct Joint {
     const urdf::Joint* urdf = nullptr;
     std::size_t body0 = 0, body1 = 0;
-    Pose X_0J;  ///< in body0; in body1 it is the origin
+    Pose X_0J;  ///< pose in body0; in body1 it is the identity
     std::string name;
   };
-  /// What is the same for all instances of a model.
+  /// All instances of a model share this.
   struct Model {
     UsdLayout layout;
     std::vector<Joint> joints;
     std::map<const urdf::Joint*, std::size_t> index;  ///< in `joints`
-    std::string anchor;                               ///< name of the joint that is the anchor
+    std::string anchor;                               ///< name of the joint to the anchor
     std::map<const urdf::Joint*, JointDrive> drives;
     std::map<const urdf::Joint*, DrivenFollower> followers;
   };
   struct Ends {
-    std::string body0;  ///< a path; "": the world
+    std::string body0;  ///< path of its prim; "": the world
     Pose X_0J;
     std::string body1;
     Pose X_1J = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenUSD as text, prim by prim. Once it is larger than it may be, nothing is added.
+// Writes OpenUSD as text, prim by prim. Nothing is added once the text exceeds its limit.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ class UsdaText {
   /// `references` is the path of a prim, or "".
   void open(std::string_view type, std::string_view name,
             const std::vector<std::string>& schemas = {}, std::string_view references = {});
-  /// A prim that is not in the world by itself.
+  /// Opens a prim that only others show, by reference.
   void open_class(std::string_view name);
   void close();
   void pose(const Pose& pose, const Vector3& scale = {1, 1, 1});
@@ -33,7 +33,7 @@ class UsdaText {
   static std::string tuple(const Quaternion& q);
   /// The shortest text that reads back as the same numbers of single precision.
   static std::string tuple(const std::array<float, 3>& point);
-  /// Characters that are misread are written byte by byte.
+  /// As a string literal; control characters are written as escaped bytes.
   static std::string quoted(std::string_view text);
 
  private:
