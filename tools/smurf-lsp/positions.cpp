@@ -91,7 +91,8 @@ Json Positions::position(SourceId source, std::uint32_t offset) const {
   std::uint32_t units = before.end - before.begin;
   if (encoding_ != Encoding::utf8) {
     units = place.column - 1;
-    if (place.line == 1 && offset > 0 && text.starts_with(utf8::kByteOrderMark)) ++units;  // the mark
+    if (place.line == 1 && offset > 0 && text.starts_with(utf8::kByteOrderMark))
+      ++units;  // the mark
   }
   if (encoding_ == Encoding::utf16) units += sources_.wide_characters(before);
   return {{"line", place.line - 1}, {"character", units}};
