@@ -131,7 +131,7 @@ Flat flatten_scene(const Scene& self, const py::object& dialect, bool links,
   const auto is_loss = [&](const Diagnostic& one) {
     return loss_in_scene(one, *loaded.sources).has_value();
   };
-  const auto unread = loaded.found.diagnostics();
+  const auto& unread = loaded.found.diagnostics();
   if (std::any_of(unread.begin(), unread.end(), is_loss)) {
     raise_found(self, "has errors", loaded.found);
   }

@@ -87,7 +87,7 @@ TEST_CASE("the report of losses") {
   DiagnosticSink sink;
   sink.report(*find_rule("SML8001"), {SourceId{0}, 10, 12}, "`p` has no place").pointer = "/a";
   const Json report =
-      Json::parse(render_losses_json(sink.diagnostics(), reading.sources, {"smurf2urdf", "0.1.0"}));
+      Json::parse(render_losses_json(sink.take(), reading.sources, {"smurf2urdf", "0.1.0"}));
   check("loss-report.schema.json", report,
         {{"", R"({"losses": null})"},
          {"", R"({"summary": {}})"},

@@ -37,7 +37,7 @@ class Checks {
     std::string names;
     for (const Motor& motor : model.annotations.motors) names += motor.name.value_or("?") + " ";
     if (model.robot) names += std::to_string(model.robot->links.size());
-    parsed_.end_loading(sources_, sink.diagnostics());
+    parsed_.end_loading(sources_, sink);
     parsed_.keep(std::move(model));
     return names;
   }

@@ -224,7 +224,7 @@ bool is_loss(const Diagnostic& finding) {
 }
 
 bool has_losses(const DiagnosticSink& sink) {
-  const auto findings = sink.diagnostics();
+  const auto& findings = sink.diagnostics();
   return std::any_of(findings.begin(), findings.end(), is_loss);
 }
 

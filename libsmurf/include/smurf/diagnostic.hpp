@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <span>
@@ -170,8 +171,7 @@ class DiagnosticSink {
   explicit DiagnosticSink(const Limits& limits)
       : DiagnosticSink(limits.findings, limits.suggestions, limits.all_findings) {}
 
-  /// The reference is valid until the next report. Changes to a finding that is left out have no
-  /// effect.
+  /// The reference is valid until take(). Changes to a finding that is left out have no effect.
   Diagnostic& report(const Rule& rule, Span span, std::string message);
   /// The known name nearest to `name`, for the finding reported last. None when that finding is
   /// left out, or when all suggestions together exceed their limit, which an SML0002 reports. Use
@@ -182,7 +182,7 @@ class DiagnosticSink {
   /// Marks the finding at `place` as a fault of `rule`, too. take() joins the two.
   void add_consequence(Span place, const Rule& rule) { consequences_.push_back({place, &rule}); }
 
-  std::span<const Diagnostic> diagnostics() const { return diagnostics_; }
+  const std::deque<Diagnostic>& diagnostics() const { return diagnostics_; }
   std::vector<Diagnostic> take();
   bool has_errors() const;
   /// How many findings of a rule were reported.
@@ -198,7 +198,7 @@ class DiagnosticSink {
   std::optional<Span> suggestions_end_;  ///< the first finding without a suggestion
   bool is_last_left_out_ = false;
   std::map<const Rule*, std::uint64_t> counts_;
-  std::vector<Diagnostic> diagnostics_;
+  std::deque<Diagnostic> diagnostics_;  ///< so that the results of report() stay valid
   std::vector<std::pair<Span, const Rule*>> consequences_;
   Diagnostic left_out_;
   std::uint64_t most_of_all_;

@@ -3,6 +3,7 @@
 #include "smurf/diagnostic.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "base/limits.hpp"
@@ -117,7 +118,10 @@ std::vector<Diagnostic> DiagnosticSink::take() {
                                    found->second.end());
   }
   consequences_.clear();
-  return std::move(diagnostics_);
+  std::vector<Diagnostic> taken(std::make_move_iterator(diagnostics_.begin()),
+                                std::make_move_iterator(diagnostics_.end()));
+  diagnostics_.clear();
+  return taken;
 }
 
 bool DiagnosticSink::has_errors() const {

@@ -207,7 +207,7 @@ class Run {
     if (kind == InputKind::scene || kind == InputKind::drawing) {
       LinkedScene scene = load_scene(planned.path, context);
       load_old_scenes(scene, context);  // for their findings
-      outcome.parsed.end_loading(outcome.sources, sink.diagnostics());
+      outcome.parsed.end_loading(outcome.sources, sink);
       outcome.judged = judge(scene, outcome.sources, group.selection, sink);
       for (LinkedModel& model : scene.models) take_files(std::move(model), outcome);
       for (const SceneFile& file : scene.scenes) {
@@ -215,7 +215,7 @@ class Run {
       }
     } else {
       LinkedModel model = load_model(planned.path, context);
-      outcome.parsed.end_loading(outcome.sources, sink.diagnostics());
+      outcome.parsed.end_loading(outcome.sources, sink);
       outcome.judged = judge(model, outcome.sources, group.selection, sink);
       take_files(std::move(model), outcome);
     }

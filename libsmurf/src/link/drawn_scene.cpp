@@ -107,10 +107,10 @@ class DrawnSceneReader {
       if (!is_full_) add(entity);
     }
     file_.document = std::move(tree_.document);
-    const auto found = context_.sink.diagnostics().subspan(known);
-    return std::none_of(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
-      return diagnostic.severity == Severity::error;
-    });
+    const auto& found = context_.sink.diagnostics();
+    return std::none_of(
+        found.begin() + static_cast<std::ptrdiff_t>(known), found.end(),
+        [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
   }
 
  private:

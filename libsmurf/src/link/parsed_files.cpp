@@ -51,12 +51,12 @@ const SourceMap& ParsedFiles::home_of(const SourceMap& sources, SourceId source)
   return file.text;
 }
 
-void ParsedFiles::end_loading(const SourceMap& sources, std::span<const Diagnostic> found) {
+void ParsedFiles::end_loading(const SourceMap& sources, const DiagnosticSink& found) {
   std::erase_if(files_, [&](const auto& one) { return !asked_for_.contains(one.first); });
   asked_for_.clear();
   with_findings_.clear();
   has_lost_findings_ = false;
-  for (const Diagnostic& one : found) {
+  for (const Diagnostic& one : found.diagnostics()) {
     with_findings_.insert(one.span.source);
     has_lost_findings_ = has_lost_findings_ || one.rule == &rules::sml0002_file_too_large;
   }

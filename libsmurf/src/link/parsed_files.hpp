@@ -6,7 +6,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/linked.hpp"
@@ -30,7 +29,7 @@ class ParsedFiles {
   const SourceMap& home_of(const SourceMap& sources, SourceId source);
 
   /// Loading has ended and has reported `found`. Gives up what it has not asked for.
-  void end_loading(const SourceMap& sources, std::span<const Diagnostic> found);
+  void end_loading(const SourceMap& sources, const DiagnosticSink& found);
   /// Takes back the files of a loaded model.
   void keep(LinkedModel&& model);
 

@@ -16,7 +16,7 @@ class Habit {
   void add(Span place, std::string message);
   bool is_first() const { return count_ == 0; }
   /// Reports it, and how many more there are: "3 more `others` in this file". Null when there is
-  /// none, else valid until the next report.
+  /// none.
   Diagnostic* report(std::string_view others, Findings& findings) const;
 
  private:

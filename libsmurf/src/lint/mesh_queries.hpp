@@ -71,8 +71,7 @@ struct OpenedMesh {
 std::vector<OpenedMesh> opened_meshes(const LinkedModel& model);
 
 /// One finding for the meshes that have something in common, at the first of them: `one` says what
-/// when there is one such file, `many` what follows "12 mesh files". Null when there is none, else
-/// valid until the next report.
+/// when there is one such file, `many` what follows "12 mesh files". Null when there is none.
 Diagnostic* report_meshes(const LinkedModel& model,
                           const std::function<bool(const OpenedMesh&)>& is_at_fault,
                           std::string_view one, std::string_view many, Findings& findings);

@@ -47,7 +47,7 @@ Subject subject(const urdf::Joint& joint);
 
 /// Reports a reference to a name that is not there: "`subject` names the joint `x`, ...". Says when
 /// the name exists as another kind, else suggests the nearest. Does nothing and returns null when
-/// it is known; else the result is valid until the next report.
+/// it is known.
 Diagnostic* check_reference(const LinkedModel& model, NameKind kind, std::string_view name,
                             Span place, const Subject& subject, Findings& findings);
 
