@@ -11,6 +11,26 @@ import sys
 import tempfile
 import unittest
 
+# A model of two links with a motor, in three files.
+ARM_URDF = """<robot name="arm">
+  <link name="base"/>
+  <link name="forearm">
+    <inertial>
+      <mass value="1"/>
+      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
+    </inertial>
+  </link>
+  <joint name="elbow" type="continuous">
+    <parent link="base"/>
+    <child link="forearm"/>
+    <axis xyz="0 0 1"/>
+    <limit effort="1" velocity="1"/>
+  </joint>
+</robot>
+"""
+ARM_SMURF = "modelname: arm\nfiles:\n- ../urdf/arm.urdf\n- arm_motors.yml\n"
+ARM_MOTORS = "motors:\n- name: elbow\n  joint: elbow\n  type: PID\n  maxEffort: 1.0\n  maxSpeed: 1.0\n"
+
 TOOL = None
 FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
 

@@ -15,27 +15,10 @@ import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
+from cli import ARM_MOTORS as MOTORS, ARM_SMURF as SMURF  # noqa: E402
 
-URDF = """<?xml version="1.0"?>
-<robot name="arm">
-  <link name="base"/>
-  <link name="forearm">
-    <inertial>
-      <mass value="1"/>
-      <inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/>
-    </inertial>
-  </link>
-  <joint name="elbow" type="continuous">
-    <parent link="base"/>
-    <child link="forearm"/>
-    <axis xyz="0 0 1"/>
-    <limit effort="1" velocity="1"/>
-  </joint>
-</robot>
-"""
+URDF = '<?xml version="1.0"?>\n' + cli.ARM_URDF
 BROKEN_URDF = URDF.replace('child link="forearm"', 'child link="forarm"')
-SMURF = "modelname: arm\nfiles:\n- ../urdf/arm.urdf\n- arm_motors.yml\n"
-MOTORS = "motors:\n- name: elbow\n  joint: elbow\n  type: PID\n  maxEffort: 1.0\n  maxSpeed: 1.0\n"
 BROKEN_MOTORS = MOTORS.replace("joint: elbow", "joint: elbwo")
 
 

@@ -8,9 +8,11 @@
 
 #include "base/sanitizer.hpp"
 #include "support/exercise.hpp"
+#include "support/repeat.hpp"
 #include "unit/random.hpp"
 
 using namespace smurf;
+using smurf::test::repeat;
 
 namespace {
 
@@ -23,13 +25,6 @@ std::string read_fixture(const std::string& path) {
   const FileContent content = DiskFiles().read(path, 1U << 20U);
   REQUIRE(content.status == ReadStatus::ok);
   return content.text;
-}
-
-std::string repeat(std::string_view text, std::size_t times) {
-  std::string all;
-  all.reserve(text.size() * times);
-  for (std::size_t i = 0; i < times; ++i) all += text;
-  return all;
 }
 
 /// The number of findings.

@@ -11,17 +11,13 @@
 #include "base/sanitizer.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/load.hpp"
+#include "support/repeat.hpp"
 #include "support/zip_writer.hpp"
 
 using namespace smurf;
+using smurf::test::repeat;
 
 namespace {
-
-std::string repeat(std::string_view text, std::uint64_t times) {
-  std::string all;
-  for (std::uint64_t i = 0; i < times; ++i) all += text;
-  return all;
-}
 
 /// Files that demand `amount` of something, and the one to load.
 struct Demand {

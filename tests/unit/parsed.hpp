@@ -2,6 +2,8 @@
 // A YAML or XML text parsed alone, and its tree as lines that tests compare.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,5 +47,21 @@ struct ParsedXml {
   /// One line an element and attribute.
   Lines lines() const;
 };
+
+struct ErrorCase {
+  std::string text;
+  Lines briefs;
+  bool has_tree = false;
+};
+
+template <class Parsed>
+void check_errors(const std::vector<ErrorCase>& cases) {
+  for (const ErrorCase& one : cases) {
+    CAPTURE(visible(one.text.substr(0, 100)));
+    const Parsed parsed(one.text);
+    CHECK(join(parsed.briefs()) == join(one.briefs));
+    CHECK(parsed.document.has_value() == one.has_tree);
+  }
+}
 
 }  // namespace smurf::test

@@ -8,6 +8,7 @@
 
 #include "smurf/load.hpp"
 #include "support/loaded.hpp"
+#include "support/repeat.hpp"
 
 using namespace smurf;
 using namespace smurf::test;
@@ -50,12 +51,6 @@ struct Rainbow {
 struct KeywordCase {
   std::string schema, section, message;
 };
-
-std::string repeat(const std::string& text, int count) {
-  std::string all;
-  for (int i = 0; i < count; ++i) all += text;
-  return all;
-}
 
 }  // namespace
 

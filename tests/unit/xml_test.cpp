@@ -2,12 +2,16 @@
 // Every XML construct with its bytes, and what is wrong with an XML text and where.
 #include <doctest/doctest.h>
 
+#include "support/repeat.hpp"
 #include "unit/parsed.hpp"
 
 using namespace smurf;
+using smurf::test::check_errors;
+using smurf::test::ErrorCase;
 using smurf::test::join;
 using smurf::test::Lines;
 using smurf::test::ParsedXml;
+using smurf::test::repeat;
 using smurf::test::visible;
 
 namespace {
@@ -28,26 +32,7 @@ void check(const std::vector<TreeCase>& cases) {
   }
 }
 
-struct ErrorCase {
-  std::string text;
-  Lines briefs;
-  bool has_tree = false;
-};
-
-void check(const std::vector<ErrorCase>& cases) {
-  for (const ErrorCase& one : cases) {
-    CAPTURE(visible(one.text.substr(0, 100)));
-    const ParsedXml parsed(one.text);
-    CHECK(join(parsed.briefs()) == join(one.briefs));
-    CHECK(parsed.document.has_value() == one.has_tree);
-  }
-}
-
-std::string repeat(std::string_view text, std::size_t times) {
-  std::string all;
-  for (std::size_t i = 0; i < times; ++i) all += text;
-  return all;
-}
+void check(const std::vector<ErrorCase>& cases) { check_errors<ParsedXml>(cases); }
 
 }  // namespace
 

@@ -2,36 +2,20 @@
 // What is wrong with a YAML text, and where.
 #include <doctest/doctest.h>
 
+#include "support/repeat.hpp"
 #include "unit/parsed.hpp"
 
 using namespace smurf;
+using smurf::test::check_errors;
+using smurf::test::ErrorCase;
 using smurf::test::join;
 using smurf::test::Lines;
 using smurf::test::ParsedYaml;
-using smurf::test::visible;
+using smurf::test::repeat;
 
 namespace {
 
-struct Case {
-  std::string text;
-  Lines briefs;
-  bool has_tree = false;
-};
-
-void check(const std::vector<Case>& cases) {
-  for (const Case& one : cases) {
-    CAPTURE(visible(one.text.substr(0, 100)));
-    const ParsedYaml parsed(one.text);
-    CHECK(join(parsed.briefs()) == join(one.briefs));
-    CHECK(parsed.document.has_value() == one.has_tree);
-  }
-}
-
-std::string repeat(std::string_view text, std::size_t times) {
-  std::string all;
-  for (std::size_t i = 0; i < times; ++i) all += text;
-  return all;
-}
+void check(const std::vector<ErrorCase>& cases) { check_errors<ParsedYaml>(cases); }
 
 }  // namespace
 
