@@ -40,15 +40,6 @@ struct PathUses {
 /// The paths of a model that have this fault.
 std::vector<PathUses> paths_with(const LinkedModel& model, PathFault fault);
 
-/// What MARS makes of a mesh that it does not find, in a collision and elsewhere.
-inline constexpr Fact kMarsWithoutCollision{
-    &readers::mars, Effect::crashes, "ends with an exception on a missing mesh of a collision",
-    "MARS gui_helper_functions.cpp:278-280, NodePhysics.cpp:626-634", "/collision/"};
-constexpr Fact mars_without_mesh(std::string_view where = {}) {
-  return {&readers::mars, Effect::loses, "shows the link without it", "MARS smurf.cpp:1080-1113",
-          where};
-}
-
 /// A fix that writes another path wherever this one stands.
 Fix rewrite(const PathUses& path, std::string_view filename, Applicability applicability);
 

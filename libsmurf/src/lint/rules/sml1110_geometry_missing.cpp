@@ -57,9 +57,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::breaks,
-     "reports an error and drops the visuals and collisions of the link that follow",
-     "urdfdom link.cpp:415-486, run"},
+    urdfdom_drops_shapes(),
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::mujoco, Effect::refuses, "refuses a visual without geometry", kRun, "#visuals-kept"},
     {&readers::mujoco, Effect::ignores, "discards visuals", "MuJoCo (discardvisual), run",

@@ -29,9 +29,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::breaks,
-     "reports an error and drops the visuals and collisions of the link that follow",
-     "urdfdom link.cpp:224, run"},
+    urdfdom_drops_shapes({}, "urdfdom link.cpp:224, run"),
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::mujoco, Effect::takes, "looks for the shape by its name", kRun},
     {&readers::drake, Effect::takes, "looks for the shape by its name",

@@ -23,9 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::breaks,
-     "reports an error and drops the visuals and collisions of the link that follow",
-     "urdfdom link.cpp:415-486, run"},
+    urdfdom_drops_shapes(),
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
     {&readers::drake, Effect::takes, "reads no mass", "Drake detail_common.h:387"},

@@ -30,9 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::breaks,
-     "reports an error and drops the visuals and collisions of the link that follow",
-     "urdfdom link.cpp:224, run"},
+    urdfdom_drops_shapes({}, "urdfdom link.cpp:224, run"),
     {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/capsule/"},
     {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/plane/"},
     {&readers::pybullet, Effect::takes, "knows it", "Bullet UrdfParser.cpp, run", "/cdf/"},

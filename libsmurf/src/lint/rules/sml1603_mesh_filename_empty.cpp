@@ -16,9 +16,7 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::breaks,
-     "reports an error and drops the visuals and collisions of the link that follow",
-     "urdfdom link.cpp:415-486, run"},
+    urdfdom_drops_shapes(),
     {&readers::gazebo, Effect::takes, "needs no texture", kRun, "/texture/"},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},

@@ -25,10 +25,8 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
-     "urdfdom stores it unchecked"},
-    {&readers::gazebo, Effect::loses, "does not look into the file; the link has no such shape",
-     "sdformat parser_urdf.cc:2416-2431"},
+    ros_without_mesh(),
+    gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
 };

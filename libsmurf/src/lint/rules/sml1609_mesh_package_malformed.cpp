@@ -44,8 +44,7 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses, "looks for a folder called `package:`", kRun},
     {&readers::drake, Effect::refuses, "refuses the file",
      "Drake detail_urdf_geometry.cc, package URI pattern"},
-    {&readers::gazebo, Effect::loses, "does not look for the file; the link has no such shape",
-     "sdformat parser_urdf.cc:2416-2431"},
+    gazebo_without_mesh(),
     {&readers::dart, Effect::refuses, "finds no package, and refuses the file", kRun},
 };
 

@@ -35,8 +35,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses,
      "finds no file, or no retriever for the scheme, and refuses the model", kRun},
     {&readers::mujoco, Effect::refuses, "treats the scheme as a part of the path", kRun},
-    {&readers::ros, Effect::loses, "RViz and MoveIt show the link without it",
-     "urdfdom stores it unchecked"},
+    ros_without_mesh(),
     {&readers::gazebo, Effect::loses, "does not look for the file; the link may have no such shape",
      "sdformat parser_urdf.cc:2416-2431"},
 };

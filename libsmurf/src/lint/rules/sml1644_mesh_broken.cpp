@@ -74,8 +74,7 @@ constexpr Fact kFacts[] = {
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file",
      "assimp STLLoader.cpp"},
     {&readers::mujoco, Effect::refuses, "refuses the file", "MuJoCo stl_decoder.cc"},
-    {&readers::gazebo, Effect::loses, "does not look into the file; the link has no such shape",
-     "sdformat parser_urdf.cc:2416-2431"},
+    gazebo_without_mesh(),
 };
 
 }  // namespace

@@ -6,9 +6,7 @@ namespace smurf::rules {
 namespace {
 
 constexpr Fact kFacts[] = {
-    {&readers::urdfdom, Effect::breaks,
-     "reports an error and drops the visuals and collisions of the link that follow",
-     "urdfdom link.cpp:415-486, run", "/@scale/"},
+    urdfdom_drops_shapes("/@scale/"),
     {&readers::urdfdom, Effect::changes, "reads a colour of three numbers as black",
      "urdfdom color.h:88, run", "/@rgba/"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run",
