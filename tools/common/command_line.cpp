@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CLI11 splits the command line into options and values; names, values and messages are ours. Only
-// this file includes the library, because it is slow to compile.
-#include <CLI/CLI.hpp>
+// getopt_long() splits the command line into options, values and operands; values are checked and
+// messages are written here.
+#include <getopt.h>
 
+#include <algorithm>
 #include <map>
 
 #include "common/command.hpp"
@@ -12,30 +13,21 @@
 namespace smurf::tools {
 namespace {
 
-/// The value that CLI11 reports for a flag, and for an option without its optional value.
-constexpr std::string_view kNoValue = "true";
-
 class CommandLine {
  public:
-  CommandLine(const Command& command, std::vector<std::string> arguments)
-      : command_(command), arguments_(std::move(arguments)) {
-    app_.set_help_flag();
-    app_.allow_extras();
-    for (const Option& option : command.options) add_if_written(option);
-    for (const Option& option : standard_options()) add_if_written(option);
+  explicit CommandLine(const Command& command) : command_(command), options_(command.options) {
+    const auto standard = standard_options();
+    options_.insert(options_.end(), standard.begin(), standard.end());
+    values_.resize(options_.size());
   }
 
   /// Returns an error message, or nullopt.
-  std::optional<std::string> parse() {
-    try {
-      app_.parse(std::vector<std::string>(arguments_.rbegin(), arguments_.rend()));
-    } catch (const CLI::ParseError& error) {
-      return explain(error);
-    }
+  std::optional<std::string> parse(int argc, const char* const* argv) {
+    if (auto wrong = split(argc, argv)) return wrong;
     if (has("help") || has("version")) return std::nullopt;
     if (has("generate")) return set(options_[index_of("generate")], value_of("generate"));
     for (std::size_t i = 0; i < options_.size(); ++i) {
-      for (const std::string& value : cli_options_[i]->results()) {
+      for (const std::string& value : values_[i]) {
         if (options_[i].help_page != nullptr && value == "help") {
           page_ = options_[i].help_page();
           return std::nullopt;
@@ -43,115 +35,143 @@ class CommandLine {
         if (auto wrong = set(options_[i], value)) return wrong;
       }
     }
-    return set_operands();
+    for (const std::string& operand : operands_) {
+      if (!command_.set_operand) return "unexpected argument '" + operand + "'";
+      if (auto wrong = command_.set_operand(operand)) return wrong;
+    }
+    return std::nullopt;
   }
 
-  bool has(std::string_view name) const {
-    const std::size_t index = index_of(name);
-    return index < options_.size() && cli_options_[index]->count() > 0;
-  }
+  bool has(std::string_view name) const { return !values_[index_of(name)].empty(); }
 
   /// The page that a value "help" asked for, or "".
   const std::string& page() const { return page_; }
 
   /// Precondition: has(name).
-  std::string value_of(std::string_view name) const {
-    return cli_options_[index_of(name)]->results().back();
+  const std::string& value_of(std::string_view name) const {
+    return values_[index_of(name)].back();
   }
 
  private:
+  /// The codes that getopt_long() returns for long options; smaller ones are letters.
+  static constexpr int kFirstLong = 256;
+  static constexpr int kOperand = 1;
+
+  static std::string long_name(const Option& option) { return "--" + std::string(option.name); }
+
+  static int value_kind(const Option& option) {
+    if (option.metavar.empty()) return no_argument;
+    return option.may_omit_value ? optional_argument : required_argument;
+  }
+
   std::size_t index_of(std::string_view name) const {
     const auto found = std::find_if(options_.begin(), options_.end(),
                                     [&](const Option& option) { return option.name == name; });
     return static_cast<std::size_t>(found - options_.begin());
   }
 
-  /// Setting up all options in CLI11 takes as long as checking a small model, so only those that
-  /// an argument may mean are set up.
-  void add_if_written(const Option& option) {
-    const std::string name = "--" + std::string(option.name);
-    const bool is_written =
-        std::any_of(arguments_.begin(), arguments_.end(), [&](const std::string& argument) {
-          return argument.starts_with(name) || (option.letter != 0 && argument.starts_with('-') &&
-                                                argument.find(option.letter) != std::string::npos);
-        });
-    if (!is_written) return;
-    options_.push_back(option);
-    cli_options_.push_back(add(option));
+  /// Precondition: the code of an option of the table.
+  std::size_t index_of(int code) const {
+    if (code >= kFirstLong) return to_size(code - kFirstLong);
+    const auto found = std::find_if(options_.begin(), options_.end(),
+                                    [&](const Option& option) { return option.letter == code; });
+    return static_cast<std::size_t>(found - options_.begin());
   }
 
-  CLI::Option* add(const Option& option) {
-    std::string names = "--" + std::string(option.name);
-    if (option.letter != 0) names += std::string(",-") + option.letter;
-    CLI::Option* added =
-        option.metavar.empty() ? app_.add_flag(names) : app_.add_option(names)->expected(1);
-    if (option.may_omit_value) added->expected(0, 1);
-    // CLI11 splits values that look like "[a,b]" unless extra arguments are refused.
-    return added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
-  }
-
-  static std::optional<std::string> set(const Option& option, const std::string& written) {
-    const std::string name = "--" + std::string(option.name);
-    const bool is_left_out = option.may_omit_value && (written == kNoValue || written.empty());
-    if (option.metavar.empty() && written != kNoValue) return name + " takes no value";
-    const std::string value = option.metavar.empty() || is_left_out ? "" : written;
-    const auto& allowed = option.values;
-    if (!allowed.empty() && !is_left_out &&
-        std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
-      return name + ": " + none_of(value, allowed);
+  /// Fills values_ and operands_.
+  std::optional<std::string> split(int argc, const char* const* argv) {
+    // "-": operands keep their place; ":": the message about a missing value is ours.
+    std::string letters = "-:";
+    std::vector<std::string> names(options_.size());
+    std::vector<option> table;
+    for (std::size_t i = 0; i < options_.size(); ++i) {
+      const int kind = value_kind(options_[i]);
+      names[i] = options_[i].name;
+      table.push_back({names[i].c_str(), kind, nullptr, kFirstLong + static_cast<int>(i)});
+      if (options_[i].letter == 0) continue;
+      letters += options_[i].letter;
+      if (kind == required_argument) letters += ':';
     }
-    if (!option.set) return std::nullopt;
-    auto wrong = option.set(value);
-    if (wrong) *wrong = name + ": " + *wrong;
-    return wrong;
-  }
-
-  /// The arguments that CLI11 has not used: operands, unknown options, and a "--" that ends
-  /// options.
-  std::optional<std::string> set_operands() const {
-    bool is_option_possible = true;
-    for (const std::string& argument : app_.remaining()) {
-      if (is_option_possible && argument == "--") {
-        is_option_possible = false;
-      } else if (is_option_possible && argument.size() > 1 && argument.starts_with('-')) {
-        return unknown(argument);
-      } else if (!command_.set_operand) {
-        return "unexpected argument '" + argument + "'";
-      } else if (auto wrong = command_.set_operand(argument)) {
-        return wrong;
+    table.push_back({});
+    std::vector<std::string> copies(argv, argv + argc);  // getopt_long() may write into them
+    std::vector<char*> arguments;
+    for (std::string& copy : copies) arguments.push_back(copy.data());
+    arguments.push_back(nullptr);
+    opterr = 0;
+    optind = 0;  // a process may parse several command lines
+    for (int at = 1;; at = optind) {
+      optarg = nullptr;
+      const int code = getopt_long(argc, arguments.data(), letters.c_str(), table.data(), nullptr);
+      if (code == -1) break;
+      if (code == kOperand) {
+        operands_.emplace_back(optarg);
+      } else {
+        const bool is_next = optarg != nullptr && optarg == arguments[to_size(at) + 1];
+        if (auto wrong = take(code, copies[to_size(at)], is_next)) return wrong;
       }
     }
+    operands_.insert(operands_.end(), argv + std::min(optind, argc), argv + argc);
     return std::nullopt;
   }
 
-  /// The message of a missing value starts with the option's name; nothing else can happen here.
-  std::string explain(const CLI::ParseError& error) const {
-    const std::string message = error.what();
-    const std::string name = message.substr(0, message.find(':'));
-    for (const Option& option : options_) {
-      if (name == "--" + std::string(option.name)) {
-        return name + " needs a value: " + std::string(option.metavar);
-      }
+  static std::size_t to_size(int index) { return static_cast<std::size_t>(index); }
+
+  /// Keeps an option that was found in an argument, or says what is wrong with it. `is_next`: its
+  /// value is the next argument.
+  std::optional<std::string> take(int code, const std::string& argument, bool is_next) {
+    if (code == '?' && optopt >= kFirstLong) {
+      return long_name(options_[index_of(optopt)]) + " takes no value";
     }
-    return message;
+    if (code == '?') return unknown(argument);
+    if (code == ':') return missing_value(options_[index_of(optopt)]);
+    const std::size_t index = index_of(code);
+    const Option& option = options_[index];
+    // getopt_long() also takes the beginning of a name, which may mean another option in a later
+    // version.
+    if (code >= kFirstLong && argument.substr(0, argument.find('=')) != long_name(option)) {
+      return unknown(argument);
+    }
+    const std::string_view value = optarg != nullptr ? optarg : "";
+    if (is_next && is_like_option(value)) return missing_value(option);
+    values_[index].emplace_back(value);
+    return std::nullopt;
+  }
+
+  /// "-" is a file and "-1" a number.
+  static bool is_like_option(std::string_view value) {
+    return value.size() > 1 && value[0] == '-' && (value[1] < '0' || value[1] > '9');
+  }
+
+  static std::string missing_value(const Option& option) {
+    return long_name(option) + " needs a value: " + std::string(option.metavar);
+  }
+
+  static std::optional<std::string> set(const Option& option, std::string_view value) {
+    const bool is_left_out = option.metavar.empty() || (option.may_omit_value && value.empty());
+    const auto& allowed = option.values;
+    if (!allowed.empty() && !is_left_out &&
+        std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
+      return long_name(option) + ": " + none_of(value, allowed);
+    }
+    if (!option.set) return std::nullopt;
+    auto wrong = option.set(value);
+    if (wrong) *wrong = long_name(option) + ": " + *wrong;
+    return wrong;
   }
 
   std::string unknown(const std::string& argument) const {
     const std::string name = argument.substr(0, argument.find('='));
     std::vector<std::string> names;
-    for (const Option& option : all_options(command_)) {
-      names.push_back("--" + std::string(option.name));
-    }
+    for (const Option& option : all_options(command_)) names.push_back(long_name(option));
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string hint = did_you_mean(name, known);
     return "unknown option '" + name + "'" + (hint.empty() ? " (see --help)" : hint);
   }
 
   const Command& command_;
-  const std::vector<std::string> arguments_;
-  CLI::App app_;
-  std::vector<Option> options_;  ///< that the command line may contain
-  std::vector<CLI::Option*> cli_options_;
+  std::vector<Option> options_;
+  std::vector<std::vector<std::string>> values_;  ///< by option, as written
+  std::vector<std::string> operands_;
   std::string page_;
 };
 
@@ -159,8 +179,8 @@ class CommandLine {
 
 std::optional<ExitCode> parse_command_line(const Command& command, int argc,
                                            const char* const* argv) {
-  CommandLine line(command, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
-  if (auto wrong = line.parse()) {
+  CommandLine line(command);
+  if (auto wrong = line.parse(argc, argv)) {
     complain(command.name, *wrong);
     return kFailed;
   }
