@@ -27,6 +27,7 @@ void check(const LinkedModel& model, Findings& findings) {
                                              format_rounded(length) + ", not 1");
     diagnostic.note("Bullet moves this joint " + format_rounded(length) +
                     " times as far as commanded");
+    if (joint.type == urdf::JointType::prismatic) diagnostic.construct += "#prismatic";
     diagnostic.help("write " + quoted(unit));
     diagnostic.fixes.push_back({Applicability::unsafe, {{joint.axis.span, unit}}});
   });
@@ -36,7 +37,7 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes,
      "does not normalise it: the joint moves too far or not far enough", "btMultiBody.cpp:237"},
     {&readers::ros, Effect::changes, "MoveIt does not normalise the axis of a prismatic joint",
-     "MoveIt robot_model.cpp"},
+     "MoveIt robot_model.cpp", "#prismatic"},
 };
 
 }  // namespace
