@@ -197,6 +197,14 @@ TEST_CASE("readers do not look at all parts of a joint of every type") {
   CHECK(fixed("mujoco", "xyz=\"0 0 1\"", "xyz=\"foo\"") == Answer::refuses);
 }
 
+TEST_CASE("MoveIt normalises the axis of a revolute joint, but not of a prismatic one") {
+  const std::string turning = damaged("xyz=\"0 0 1\"", "xyz=\"0 0 2\"");
+  CHECK(answer_to("ros", turning) == Answer::takes);
+  std::string sliding = turning;
+  CHECK(answer_to("ros", sliding.replace(sliding.find("revolute"), 8, "prismatic")) ==
+        Answer::loses);
+}
+
 TEST_CASE("a joint that moves the link `world` is refused, and a robot that is the world is none") {
   CHECK(answer_for("gazebo", "\"arm\"", "\"world\"") == Answer::refuses);
   CHECK(answer_for("mujoco", "\"arm\"", "\"world\"") == Answer::refuses);
