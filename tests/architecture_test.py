@@ -38,7 +38,7 @@ THIRD_PARTY = {
     "yaml-cpp": {"syntax"},
     "tinyxml2.h": {"syntax"},
     "minizip": {"archive"},
-    "nlohmann": {"render", "schema", "write"},
+    "nlohmann": {"mesh", "render", "schema", "write"},
     "valijson": {"schema"},
     "Eigen": set(STAGES),
     "urdf_parser": {"convert"},

@@ -6,6 +6,7 @@ import math
 import pathlib
 import re
 import shutil
+import struct
 import sys
 import xml.etree.ElementTree
 import zipfile
@@ -580,6 +581,44 @@ class Assets(FlattenTest):
         self.expect_complaint("--copy-assets copies what models name, and needs --form expand",
                               "scene.smurfs", "--form", "reference", "--copy-assets", "d",
                               "--format", "sdf")
+
+
+class MeshesWithNeighbours(FlattenTest):
+    """A glTF file may have its points in another file, which is read where the model may name files."""
+
+    def mesh(self, uri):
+        self.write("a/b/project/meshes/m.gltf", json.dumps({
+            "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": str(uri)}]}))
+
+    def flatten(self, *options):
+        return self.run_tool("r.urdf", "--format", "gltf", *options, cwd=self.folder / "a/b/project").stderr
+
+    def test_no_others_are_read(self):
+        points = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+        self.write("a/b/project/r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="meshes/m.gltf"/>'
+                   "</geometry></visual></link></robot>")
+        for place in ("a/b/project/meshes/in it.bin", "a/b/project/beside.bin", "secret.bin"):
+            path = self.folder / place
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(points)
+        for uri in ("in%20it.bin", "../beside.bin"):
+            self.mesh(uri)
+            self.assertNotIn("is not in the glTF", self.flatten())
+        self.mesh("../../../../secret.bin")
+        self.assertIn("which cannot be read: it lies outside of the project", self.flatten())
+        self.assertNotIn("is not in the glTF", self.flatten("--allow-outside"))
+        (self.folder / "a/b/project/meshes/link.bin").symlink_to(self.folder / "secret.bin")
+        self.mesh("link.bin")
+        self.assertIn("which cannot be read: it lies outside of the project", self.flatten())
+        for uri in (self.folder / "secret.bin", (self.folder / "secret.bin").as_uri()):
+            self.mesh(uri)
+            for options in ((), ("--allow-outside",)):
+                self.assertIn("which is no file beside it", self.flatten(*options))
+        self.mesh("gone.bin")
+        self.assertIn("has its points in `gone.bin`, which is not there", self.flatten())
 
 
 class NotFinite(FlattenTest):

@@ -3,20 +3,23 @@
 
 A model or scene of several files becomes one text, with a line `%%% NAME` before each file.
 """
+import base64
 import hashlib
 import io
 import json
 import pathlib
+import struct
 import sys
 import zipfile
 
 LARGEST = 20000  # bytes; libFuzzer gets nowhere with large inputs
+MESHES = {".stl", ".obj", ".dae", ".bobj", ".gltf", ".glb"}
 YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
 
 
 def main() -> None:
     fixtures, out = map(pathlib.Path, sys.argv[1:3])
-    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives", "lsp"):
+    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives", "meshes", "lsp"):
         (out / target).mkdir(parents=True, exist_ok=True)
 
     def add(target: str, data: bytes) -> None:
@@ -25,11 +28,15 @@ def main() -> None:
 
     for data in streams():
         add("lsp", data)
+    for data in gltfs():
+        add("meshes", data)
     for path in sorted(fixtures.rglob("*")):
         if not path.is_file() or "crashes" in path.parts:
             continue
         if path.suffix in {".urdf", ".yml"}:
             add("lsp", path.read_bytes())
+        if path.suffix.lower() in MESHES:
+            add("meshes", path.read_bytes())
         if path.suffix == ".urdf":
             add("urdf", path.read_bytes())
             add("differential_urdf", path.read_bytes())
@@ -73,6 +80,28 @@ def streams() -> list[bytes]:
     malformed = [framed(b"{"), framed(b"[[[["), framed(b"\xff"), b"Content-Length: 99\r\n\r\n{}",
                  b"Content-Length: -1\r\n\r\n{}"]
     return [b"".join(whole), b"".join(whole[2:]), *(b"".join([*whole[:3], one, *whole[4:]]) for one in malformed)]
+
+
+def gltfs() -> list[bytes]:
+    """A triangle as text and binary, in a file of its own, and with nodes."""
+    points = struct.pack("<9f3B", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 2) + b"\0"
+    file = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "children": [1], "scale": [1, 2, 3]}, {"mesh": 0, "rotation": [0, 0, 1, 0]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0, "mode": 4}]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                      {"bufferView": 1, "componentType": 5121, "count": 3, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36, "byteStride": 12}, {"buffer": 0, "byteOffset": 36, "byteLength": 3}],
+        "buffers": [{"byteLength": 40}]}
+
+    def text(**buffer) -> bytes:
+        return json.dumps({**file, "buffers": [{"byteLength": 40, **buffer}]}).encode()
+
+    own = text().ljust((len(text()) + 3) // 4 * 4)
+    binary = struct.pack("<II", len(own), 0x4E4F534A) + own + struct.pack("<II", len(points), 0x004E4942) + points
+    return [text(uri="data:;base64," + base64.b64encode(points).decode()), text(uri="m.bin"), text(),
+            b"glTF" + struct.pack("<II", 2, 12 + len(binary)) + binary]
 
 
 def archive(folder: pathlib.Path, method: int) -> bytes:

@@ -327,6 +327,19 @@ DAE = (b'<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COL
        b'<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="%s">'
        b'<input semantic="VERTEX" source="#v" offset="0"/><p>%s</p></triangles></mesh></geometry>'
        b'</library_geometries></COLLADA>')
+
+
+def placed_dae(nodes, corners=b"0 1 2"):
+    """A DAE of three points with these nodes in its library, of which the scene shows n0."""
+    return (DAE % (b"9", b"0 0 0 1 0 0 0 1 0", b"3", b"%d" % (len(corners.split()) // 3), corners)).replace(
+        b"</COLLADA>", b'<library_nodes>%s</library_nodes><library_visual_scenes><visual_scene id="s"><node>'
+        b'<instance_node url="#n0"/></node></visual_scene></library_visual_scenes><scene>'
+        b'<instance_visual_scene url="#s"/></scene></COLLADA>' % nodes)
+
+
+GLTF = (b'{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":%s,"meshes":[{"primitives":[{"attributes":'
+        b'{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],'
+        b'"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"%s"}]}')
 MESHES = {
     "an STL of 4,000,000,000 triangles": ("m.stl", bytes(80) + struct.pack("<I", 4_000_000_000) + TRIANGLE * 10),
     "an STL cut short": ("m.stl", bytes(80) + struct.pack("<I", 10) + TRIANGLE * 9 + TRIANGLE[:20]),
@@ -350,6 +363,28 @@ MESHES = {
     "a BOBJ": ("m.bobj", struct.pack("<i", 1) + b"\xff" * 100),
     "an empty mesh": ("m.stl", b""),
     "zeros": ("m.stl", bytes(MANY)),
+}
+# Those that assimp, which the load check asks, may not end with.
+PLACED = {
+    "a DAE of nodes that double": ("m.dae", placed_dae(b"".join(
+        b'<node id="n%d"><instance_node url="#n%d"/><instance_node url="#n%d"/></node>' % (i, i + 1, i + 1)
+        for i in range(60)) + b'<node id="n60"><instance_geometry url="#g"/></node>')),
+    "a DAE of a node in itself": ("m.dae", placed_dae(b'<node id="n0"><instance_node url="#n0"/></node>')),
+    "a DAE of a chain of 30,000 nodes": ("m.dae", placed_dae(b"".join(
+        b'<node id="n%d"><instance_node url="#n%d"/></node>' % (i, i + 1) for i in range(30_000)))),
+    "a DAE of 30,000 instances of 10,000 triangles": ("m.dae", placed_dae(
+        b'<node id="n0">' + b'<instance_geometry url="#g"/>' * 30_000 + b"</node>", b"0 1 2 " * 10_000)),
+    "a DAE of a polygon with 100,000 corners": ("m.dae", placed_dae(b'<node id="n0"><instance_geometry url="#g"/></node>', b"0 1 2 1 " * 25_000)
+                                                .replace(b"triangles", b"polygons")),
+    "a DAE of entities": ("m.dae", b'<!DOCTYPE a [<!ENTITY a "' + b"0 " * 1000 + b'">' + b"".join(
+        b'<!ENTITY %s "%s">' % (b, b"&%s;" % a * 10) for a, b in zip((b"a", b"b", b"c", b"d", b"e", b"f"), (b"b", b"c", b"d", b"e", b"f", b"g")))
+        + b"]>" + placed_dae(b'<node id="n0"/>', b"&g;")),
+    "a glTF of a node in itself": ("m.gltf", GLTF % (b'[{"mesh":0,"children":[0]}]', b"data:;base64,AAAA")),
+    "a glTF of 100,000 nodes": ("m.gltf", GLTF % (b'[{"mesh":0,"children":[%s]}%s]' % (
+        b",".join(b"%d" % i for i in range(1, 100_000)), b',{"mesh":0}' * 99_999), b"data:;base64," + b"A" * 48 + b"AAAAAAAA")),
+    "a glTF of a device": ("m.gltf", GLTF % (b'[{"mesh":0}]', b"/dev/zero")),
+    "a glTF of a file elsewhere": ("m.gltf", GLTF % (b'[{"mesh":0}]', b"../../../../../../../../../../etc/passwd")),
+    "a glTF of a file of its own": ("m.gltf", GLTF % (b'[{"mesh":0}]', b"m.gltf")),
 }
 
 
@@ -377,10 +412,14 @@ def images():
 
 
 def shapes():
-    for title, (name, data) in MESHES.items():
+    for title, (name, data) in {**MESHES, **PLACED}.items():
         geometry = b"<geometry><mesh filename='%s'/></geometry>" % name.encode()
         urdf = robot(b"<visual>%s</visual><collision>%s</collision>" % (geometry, geometry))
-        yield Case(f"{title}", {"r.smurf": MODEL, "r.urdf": urdf, name: data}, "r.smurf")
+        files = {"r.smurf": MODEL, "r.urdf": urdf, name: data}
+        if title not in PLACED:
+            yield Case(title, files, "r.smurf")
+        yield Case(f"the triangles of {title}", files, "r.smurf", tools=("smurfs-flatten",),
+                   words=("{}", "--force", "--format", "gltf", "-o", "out/scene.gltf"))
     for title, data in images().items():
         yield Case(f"heights: {title}", {"h.png": data, "s.smurfs": b"entities:\n- {name: h, type: heightmap, "
                                          b"file: h.png, width: 6.0, length: 6.0, height: 0.8}\n"}, "s.smurfs",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""gltf and usda: what they show, read by the validator of glTF and by a small reader of USD."""
+"""gltf and usda: what they show, read by the validator of glTF and by a small reader of USD; meshes in mjcf."""
 import base64
 import json
 import math
@@ -7,6 +7,7 @@ import pathlib
 import re
 import struct
 import subprocess
+import xml.etree.ElementTree as ElementTree
 
 import reader
 import usd_physics_test
@@ -42,28 +43,56 @@ def obj():
         "".join("f " + " ".join(str(i + 1) for i in face) + "\n" for face in FACES)
 
 
-# A triangle; neither previews nor OpenUSD show COLLADA.
-DAE = """<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+def dae(nodes="", faces=FACES):
+    """The wedge in half metres, with y up, which is ignored; the last face is red."""
+    points = " ".join(f"{2 * c:g}" for p in WEDGE for c in p)
+    triangles = "".join(
+        f'<triangles count="{len(faces)}" material="{name}"><input semantic="VERTEX" source="#v" offset="0"/><p>'
+        + " ".join(str(i) for face in faces for i in face) + "</p></triangles>"
+        for name, faces in (("plain", faces[:-1]), ("red", faces[-1:])) if faces)
+    return f"""<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit meter="0.5"/><up_axis>Y_UP</up_axis></asset>
+<library_effects><effect id="e"><profile_COMMON><technique sid="t"><phong><diffuse><color>1 0 0 1</color></diffuse></phong>
+</technique></profile_COMMON></effect></library_effects>
+<library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>
 <library_geometries><geometry id="g"><mesh>
-<source id="p"><float_array id="a" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>
-<accessor source="#a" count="3" stride="3"/></technique_common></source>
-<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
-</mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene>
+<source id="p"><float_array id="a" count="12">{points}</float_array><technique_common>
+<accessor source="#a" count="4" stride="3"/></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>{triangles}</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node>{nodes}<instance_geometry url="#g"><bind_material><technique_common>
+<instance_material symbol="red" target="#m"/></technique_common></bind_material></instance_geometry></node></visual_scene>
 </library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
 """
 
 
+def gltf():
+    """The wedge, with its points in a file beside it; y is up in the file."""
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 0.5]}, "alphaMode": "BLEND"}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                      {"bufferView": 1, "componentType": 5123, "count": 3 * len(FACES), "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 6 * len(FACES)}],
+        "buffers": [{"byteLength": 48 + 6 * len(FACES), "uri": "wedge.bin"}]})
+
+
+def gltf_data():
+    return b"".join(struct.pack("<3f", x, z, -y) for x, y, z in WEDGE) + b"".join(struct.pack("<3H", *face) for face in FACES)
+
+
+LOOKAT = "<lookat>0 0 0 1 0 0 0 0 1</lookat>"  # which is not read
+
+
 class PreviewTest(reader.ReaderTest):
     def write_meshes(self):
-        """Four visuals with meshes, two of them with one file, and one with what is not read."""
+        """Visuals with meshes, two of them with one file, and one with what is not read."""
         files = {"wedge.stl": binary_stl(), "text.stl": ascii_stl(), "wedge.obj": obj(),
-                 "part.dae": DAE}
+                 "wedge.dae": dae(), "wedge.gltf": gltf(), "wedge.bin": gltf_data(), "part.dae": dae(LOOKAT)}
         for name, content in files.items():
             self.write("meshes/" + name, content)
         visuals = [("wedge.stl", "1 1 1"), ("wedge.stl", "0.5 -2 3"), ("text.stl", "1 1 1"),
-                   ("wedge.obj", "2 2 2"), ("part.dae", "1 1 1")]
+                   ("wedge.obj", "2 2 2"), ("wedge.dae", "1 3 1"), ("wedge.gltf", "1 1 2"), ("part.dae", "1 1 1")]
         self.write("meshes.urdf", "<robot name='r'><link name='l'>" + "".join(
             f"<visual><origin xyz='{i} 0 0' rpy='0 0 1.5707963267948966'/><geometry>"
             f"<mesh filename='meshes/{file}' scale='{scale}'/></geometry></visual>"
@@ -72,7 +101,7 @@ class PreviewTest(reader.ReaderTest):
                    "- {name: a, file: meshes.urdf, position: [0, 0, 10]}\n"
                    "- {name: b, file: meshes.urdf, rotation: [0, 0, 0.7071067811865476, "
                    "0.7071067811865476]}\n")
-        return visuals[:4]
+        return visuals[:-1]
 
     def expected_bounds(self, entity, index, scale):
         """In the world, from the source alone."""
@@ -133,6 +162,20 @@ class Gltf(PreviewTest):
         data = self.buffer(document)[start:start + 12 * accessor["count"]]
         return list(struct.iter_unpack("<3f", data))
 
+    def points_of_mesh(self, document, mesh):
+        """Those that its triangles have."""
+        points = []
+        for primitive in mesh["primitives"]:
+            accessor = document["accessors"][primitive["indices"]]
+            view = document["bufferViews"][accessor["bufferView"]]
+            start = view["byteOffset"] + accessor.get("byteOffset", 0)
+            self.assertEqual(accessor["componentType"], 5123)
+            indices = struct.unpack_from(f"<{accessor['count']}H", self.buffer(document), start)
+            all_points = self.points(document, primitive["attributes"]["POSITION"])
+            points += [all_points[i] for i in indices]
+        self.assertEqual(len(points), 3 * len(FACES))
+        return points
+
     def test_meshes_fill_the_box_of_their_files(self):
         visuals = self.write_meshes()
         document = self.document("meshes.smurfs")
@@ -147,17 +190,19 @@ class Gltf(PreviewTest):
                          for n in (entity, link, shape)]
                 p, q = compose(compose(poses[0], poses[1]), poses[2])
                 size = shape.get("scale", [1, 1, 1])
-                (primitive,) = document["meshes"][shape["mesh"]]["primitives"]
-                points = self.points(document, primitive["attributes"]["POSITION"])
-                self.assertEqual(len(points), 4)
+                points = self.points_of_mesh(document, document["meshes"][shape["mesh"]])
                 placed = [[a + b for a, b in zip(p, rotate(q, [c * s for c, s in zip(v, size)]))]
                           for v in points]
                 self.assert_bounds(bounds(placed),
                                    self.expected_bounds(entity["name"], index, scale))
-        self.assertEqual(len(document["meshes"]), 3)  # one a file
+        self.assertEqual(len(document["meshes"]), 5)  # one a file
+        self.assertEqual(len(document["meshes"][3]["primitives"]), 2)  # one a colour
+        colors = [document["materials"][p["material"]]["pbrMetallicRoughness"]["baseColorFactor"]
+                  for mesh in document["meshes"][3:] for p in mesh["primitives"]]
+        self.assertEqual(colors[1:], [[1, 0, 0, 1], [0, 0, 1, 0.5]])
         done = self.run_tool("meshes.smurfs", "--format", "gltf")
-        self.assertIn("the mesh `meshes/part.dae`, which is COLLADA, of which no triangles are "
-                      "read, is not in the glTF", done.stderr)
+        self.assertIn("the mesh `meshes/part.dae`, which is placed by <lookat>, which is not read, "
+                      "is not in the glTF", done.stderr)
         self.assertEqual(done.stderr.count("not in the glTF"), 1)
 
     def test_meshes_are_read_where_copies_come_from(self):
@@ -223,6 +268,8 @@ class Usda(PreviewTest):
             for index, (_, scale) in enumerate(visuals):
                 shape = prims[f"World/{entity}/l/shape_{index + 1}"]
                 mesh = prims[shape["references"]]
+                if mesh["references"]:  # with the colours of the file
+                    mesh = prims[mesh["references"]]
                 self.assertEqual((shape["type"], mesh["type"]), ("Mesh", "Mesh"))
                 values = [float(n) for n in numbers.findall(mesh["points"])]
                 points = list(zip(values[::3], values[1::3], values[2::3]))
@@ -230,7 +277,7 @@ class Usda(PreviewTest):
                 self.assert_bounds((extent[:3], extent[3:]), bounds(points))
                 self.assertEqual(mesh["faceVertexCounts"], "[3, 3, 3, 3]")
                 indices = json.loads(mesh["faceVertexIndices"])
-                self.assertEqual((len(indices), sorted(set(indices))), (12, [0, 1, 2, 3]))
+                self.assertEqual((len(indices), sorted(set(indices))), (12, list(range(len(points)))))
                 size = [float(n) for n in
                         numbers.findall(shape.get("xformOp:scale", "(1, 1, 1)"))]
                 p, q = stage.pose(f"World/{entity}/l/shape_{index + 1}")
@@ -238,7 +285,13 @@ class Usda(PreviewTest):
                           for v in points]
                 self.assert_bounds(bounds(placed), self.expected_bounds(entity, index, scale))
         self.assertEqual(prims["Meshes"]["type"], "class")
-        self.assertNotIn("World/a/l/shape_5", prims)  # the COLLADA file
+        self.assertNotIn("World/a/l/shape_7", prims)  # what is not read
+        colored = [prims[prims[f"World/a/l/shape_{i}"]["references"]] for i in (5, 6)]
+        self.assertEqual(colored[0]["primvars:displayColor"],
+                         '[(0.5, 0.5, 0.5), (1, 0, 0)] (interpolation = "uniform")')
+        self.assertEqual(colored[0]["primvars:displayColor:indices"], "[0, 0, 0, 1]")
+        self.assertEqual(colored[1]["primvars:displayColor"], "[(0, 0, 1)]")
+        self.assertEqual(colored[1]["primvars:displayOpacity"], "[0.5]")
 
     @reader.needs_npm("tinyusdz")
     def test_another_reader_checks_the_types(self):
@@ -263,6 +316,42 @@ class Usda(PreviewTest):
         self.assertEqual(prims["World"]["type"], "Xform")
         kinds = {prim["type"] for prim in prims.values()}
         self.assertLessEqual({"Cube", "Sphere", "Cylinder"}, kinds)
+
+
+class Mjcf(PreviewTest):
+    """Meshes that MuJoCo does not read."""
+
+    def world(self):
+        for name, content in {"wedge.dae": dae(), "wedge.gltf": gltf(), "wedge.bin": gltf_data(), "flat.dae": dae(faces=FACES[:1]),
+                              "part.dae": dae(LOOKAT)}.items():
+            self.write("meshes/" + name, content)
+        part = "<{0}><geometry><mesh filename='meshes/{1}' scale='1 {2} 1'/></geometry></{0}>"
+        self.write("r.urdf", "<robot name='r'><link name='l'>" + "".join(
+            part.format("visual", name, 2) + part.format("collision", name, 1)
+            for name in ("wedge.dae", "wedge.gltf", "flat.dae", "part.dae")) + "</link></robot>")
+        return self.write_scene("r.urdf", "mjcf")
+
+    def test_triangles_are_in_the_file(self):
+        root = ElementTree.parse(self.world()).getroot()
+        meshes = root.findall("asset/mesh")
+        self.assertEqual([mesh.get("scale") for mesh in meshes], ["1 2 1", "1 1 1"] * 2)
+        self.assertEqual(len([geom for geom in root.iter("geom") if geom.get("mesh")]), 4)
+        for mesh in meshes:
+            values = [float(n) for n in mesh.get("vertex").split()]
+            self.assert_bounds(bounds(list(zip(values[::3], values[1::3], values[2::3]))), bounds(WEDGE))
+            self.assertEqual(len(mesh.get("face").split()), 3 * len(FACES))
+        done = self.run_tool("r.urdf", "--format", "mjcf")
+        self.assertIn("the mesh `meshes/flat.dae`, which is flat, which MuJoCo refuses, is not in the MJCF", done.stderr)
+        self.assertIn("the mesh `meshes/part.dae`, which is placed by <lookat>, which is not read, is not in the MJCF", done.stderr)
+
+    @reader.needs_npm("@mujoco/mujoco")
+    def test_mujoco_reads_it(self):
+        lines = self.read_with("node", HERE / "mujoco_poses.mjs", reader.NODE_MODULES, self.world())
+        self.assertIn("r/l", lines)
+
+    @reader.needs_built("mujoco_poses")
+    def test_an_older_mujoco_reads_it(self):
+        self.assertIn("r/l", self.read_with(reader.BUILD / "mujoco_poses", self.world()))
 
 
 if __name__ == "__main__":

@@ -23,6 +23,8 @@ SOLIDS = """<robot name="solids"><link name="root">
 <visual><origin xyz="4 0 0"/><geometry><mesh filename="good.stl" scale="2 -1 1"/></geometry></visual>
 <visual><origin xyz="5 0 0"/><geometry><mesh filename="broken.stl"/></geometry></visual>
 <visual><origin xyz="6 0 0"/><geometry><mesh filename="hull.dae"/></geometry></visual>
+<visual><origin xyz="7 0 0"/><geometry><mesh filename="parts.dae" scale="1 2 1"/></geometry></visual>
+<visual><origin xyz="8 0 0"/><geometry><mesh filename="parts.dae"/></geometry><material name="n"><color rgba="1 0.5 0 1"/></material></visual>
 <collision><geometry><box size="0.1 0.2 0.3"/></geometry></collision></link></robot>"""
 STL = """solid s
 facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet
@@ -38,6 +40,13 @@ DAE = """<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COL
 <library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene>
 </library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>
 """
+LOOKAT = DAE.replace("<node>", "<node><lookat>0 0 0 1 0 0 0 0 1</lookat>")
+# Two triangles, one of them red.
+PARTS = DAE.replace("</triangles>", """</triangles><triangles count="1" material="red">
+<input semantic="VERTEX" source="#v" offset="0"/><p>2 1 0</p></triangles>""").replace("<library_geometries>", """<library_effects>
+<effect id="e"><profile_COMMON><technique sid="t"><lambert><diffuse><color>1 0 0.25 1</color></diffuse></lambert></technique>
+</profile_COMMON></effect></library_effects><library_materials><material id="red"><instance_effect url="#e"/></material>
+</library_materials><library_geometries>""")
 
 
 class PosesTest(viewer.ViewerTest):
@@ -129,7 +138,8 @@ class PageTest(viewer.ViewerTest):
         self.write("solids.urdf", SOLIDS)
         self.write("good.stl", STL)
         self.write("broken.stl", STL[:100])
-        self.write("hull.dae", DAE)
+        self.write("hull.dae", LOOKAT)
+        self.write("parts.dae", PARTS)
         done = self.run_tool("solids.urdf", "--format", "html", "-o", "page.html", "--force", "--report", "json=r.json")
         self.assertEqual(done.returncode, 0, done.stderr)
         losses = [d["message"] for d in viewer.json.loads(self.read("r.json"))["diagnostics"] if d["id"] == "SML8205"]
@@ -140,14 +150,22 @@ class PageTest(viewer.ViewerTest):
         triangles = "smurfViewer.shapes.geometries.get('mesh 0').index.count"
         steps = [drawn, colour, triangles, "[...document.querySelectorAll('#unseen-list li')].map((row) => row.textContent)",
                  "smurfViewer.shapes.solids.findLast(({ layer }) => layer === 'unseen').local.elements.slice(12, 15)"]
+        parts = "smurfViewer.shapes.solids.filter(({ shape }) => shape.mesh === 1)"
+        steps.append(f"{parts}.map(({{ batch, local, color }}) => [smurfViewer.shapes.geometries.get(batch.solid.key).index.count,"
+                     " local.elements[12], color.toArray()])")
+        steps.append(f"(({{ min, max }}) => [min.toArray(), max.toArray()])(smurfViewer.shapes.boxAround({parts}.slice(0, 2)))")
         results = self.browse({"page": self.folder / "page.html", "steps": steps})[0]["results"]
         self.assertEqual(results[0], [["visuals", "box"], ["visuals", "sphere"], ["visuals", "cylinder"], ["visuals", "capsule"],
-                                      ["visuals", "mesh"], ["unseen", "box"], ["unseen", "box"], ["collisions", "box"]])
+                                      ["visuals", "mesh"], ["unseen", "box"], ["unseen", "box"], ["visuals", "mesh"], ["visuals", "mesh"],
+                                      ["visuals", "mesh"], ["collisions", "box"]])
         self.assertEqual(results[1], [1, 0.5, 0, 0.5])
         self.assertEqual(results[2], 6)
         self.assertEqual([row.split(" ")[0] for row in results[3]], ["broken.stl", "hull.dae"])
-        self.assertIn("is COLLADA, of which no triangles are read (1 shape)", results[3][1])
+        self.assertIn("is placed by <lookat>, which is not read (1 shape)", results[3][1])
         self.assertEqual(results[4], [6.25, 0.25, 0.25])
+        # The file's colours, unless the visual has one; metres, as the unit says.
+        self.assertEqual(results[5], [[3, 7, [0.78, 0.79, 0.81]], [3, 7, [1, 0, 0.25]], [6, 8, [1, 0.5, 0]]])
+        self.assertEqual(results[6], [[7, 0, 0], [7.5, 1, 0.5]])
 
     def test_a_chain_of_thousands_of_links_opens(self):
         number = 4200

@@ -10,7 +10,8 @@
 //   devices: [{kind: motor or sensor, name, link: that it moves or is on}]
 // entities: [{path, type, model, pose: in the world, anchored: to the world, anchor or parent: {entity, link, pose},
 //   positions, shapes}]
-// meshes: [{file, points: float32, indices: uint16, or uint32 when wide}], both in base64
+// meshes: [{file, points: float32, indices: uint16, or uint32 when wide, parts: [{first: index, color}] when the file has
+//   colours}], points and indices in base64
 // unseen: [{file, why, shapes: how many}]
 //
 // Links, joints, entities, models and meshes are named by their place in these lists. Whatever is unknown is absent.
@@ -84,6 +85,7 @@ export function readScene(text) {
     mesh.indices = mesh.wide
       ? new Uint32Array(bytesOf(mesh.indices))
       : new Uint16Array(bytesOf(mesh.indices));
+    mesh.parts?.forEach((part, i) => (part.end = mesh.parts[i + 1]?.first ?? mesh.indices.length));
   }
   return scene;
 }

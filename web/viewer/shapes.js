@@ -33,6 +33,13 @@ function aroundOf(scene) {
   return { visuals: links <= 100 ? 32 : links <= 500 ? 20 : 12, collisions: 12 };
 }
 
+/** Triangles of a mesh that have one colour, if the file gives colours; else the whole mesh. */
+function partsOf(shape, meshes, layer) {
+  const parts = meshes[shape.mesh]?.parts;
+  if (!parts || shape.color || layer !== Layer.visuals) return [shape];
+  return parts.map((part) => ({ ...shape, part, color: part.color }));
+}
+
 /** {key, make, scale, center}: the triangles that `make` returns, and their scale and centre in the shape's frame. */
 function solidOf(shape, meshes, around) {
   const round = (key, make, scale) => ({ key: `${key} ${around}`, make: () => make().rotateX(kTurn), scale });
@@ -52,8 +59,8 @@ function solidOf(shape, meshes, around) {
   if (shape.plane) return { key: "plane", make: () => new PlaneGeometry(), scale: [...shape.plane, 1] };
   if (shape.mesh !== undefined) {
     return {
-      key: `mesh ${shape.mesh}`,
-      make: () => toGeometry(meshes[shape.mesh]),
+      key: `mesh ${shape.mesh}${shape.part ? ` ${shape.part.first}` : ""}`,
+      make: () => toGeometry(meshes[shape.mesh], shape.part),
       scale: shape.scale,
       flat: true,
     };
@@ -64,10 +71,10 @@ function solidOf(shape, meshes, around) {
   return { key: "box", make: () => new BoxGeometry(), scale: high.sub(low).toArray(), center };
 }
 
-function toGeometry({ points, indices }) {
+function toGeometry({ points, indices }, part) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points, 3));
-  geometry.setIndex(new BufferAttribute(indices, 1));
+  geometry.setIndex(new BufferAttribute(part ? indices.subarray(part.first, part.end) : indices, 1));
   return geometry;
 }
 
@@ -112,6 +119,10 @@ export class Shapes {
   }
 
   add(shape, wanted, entity, link) {
+    for (const part of partsOf(shape, this.scene.meshes, wanted)) this.addPart(part, wanted, entity, link);
+  }
+
+  addPart(shape, wanted, entity, link) {
     const solid = solidOf(shape, this.scene.meshes, this.around[wanted]);
     if (!solid) return;
     const layer = wanted === Layer.visuals && shape.around ? Layer.unseen : wanted;

@@ -6,15 +6,12 @@
 #include <numbers>
 
 #include "base/exact_math.hpp"
+#include "base/vectors.hpp"
 
 namespace smurf {
 namespace {
 
 Quaternion conjugate(const Quaternion& q) { return {q.w, -q.x, -q.y, -q.z}; }
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// Exact at multiples of 90 degrees and symmetric around them: the angle is reduced in degrees,
 /// where the reduction has no rounding error.

@@ -89,7 +89,12 @@ MeshTriangles read_triangles_of(const std::string& path, const FileReader& files
                                 const Limits& limits) {
   const FileContent content = files.read(path, limits.mesh_bytes);
   if (content.status == ReadStatus::ok) {
-    return read_triangles(content.text, path::extension(path));
+    std::uint64_t bytes_left = limits.mesh_bytes;  // of all files that it names
+    return read_triangles(content.text, path::extension(path), [&](const std::string& name) {
+      FileContent neighbour = files.read(path::join(path::parent(path), name), bytes_left);
+      bytes_left -= neighbour.text.size();
+      return neighbour;
+    });
   }
   if (content.status == ReadStatus::not_found) return {{}, {}, "is not there"};
   return {{}, {}, "cannot be read: " + content.reason};

@@ -16,25 +16,17 @@ Box centered(double x, double y, double z) {
   return {{-x / 2, -y / 2, -z / 2}, {x / 2, y / 2, z / 2}};
 }
 
-/// Components as they are in metres with z up.
-Vector3 upright(const Vector3& point, const MeshFacts& facts) {
-  const double unit = facts.unit_meters.value_or(1);
-  const Vector3 p{point[0] * unit, point[1] * unit, point[2] * unit};
-  if (facts.format != MeshFormat::collada || facts.up_axis == 'Z') return p;
-  if (facts.up_axis == 'X') return {-p[1], p[2], p[0]};
-  return {p[0], -p[2], p[1]};
-}
-
 std::optional<Box> mesh_box(const LinkedModel& model, const urdf::Mesh& mesh) {
   const MeshFacts* facts = find_facts(model, mesh);
   if (facts == nullptr || !facts->box || (mesh.scale.written && !mesh.scale)) return std::nullopt;
   const Vector3 scale = mesh.scale.value_or({1, 1, 1});
-  const Vector3 a = upright(facts->box->low, *facts);
-  const Vector3 b = upright(facts->box->high, *facts);
+  const double unit = facts->unit_meters.value_or(1);
   Box box;
   for (std::size_t i = 0; i < 3; ++i) {
-    box.low[i] = std::min(a[i] * scale[i], b[i] * scale[i]);
-    box.high[i] = std::max(a[i] * scale[i], b[i] * scale[i]);
+    const double a = facts->box->low[i] * unit * scale[i];
+    const double b = facts->box->high[i] * unit * scale[i];
+    box.low[i] = std::min(a, b);
+    box.high[i] = std::max(a, b);
   }
   return box;
 }

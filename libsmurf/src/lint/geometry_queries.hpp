@@ -30,9 +30,8 @@ const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& 
 /// What is known of that file's content; null when it was not opened or could not be.
 const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
 
-/// The box of a shape in its own frame, in metres, with the mesh's scale. COLLADA is taken as most
-/// readers take it: in the unit and with the axes that the file says. None when the size is unknown
-/// or not finite.
+/// The box of a shape in its own frame, in metres, with the mesh's scale. COLLADA is placed as its
+/// triangles are (smurf/mesh_triangles.hpp). None when the size is unknown or not finite.
 std::optional<Box> bounding_box(const LinkedModel& model, const urdf::Geometry& geometry);
 
 /// The axis-aligned box, in frame A, around a box given in frame B.

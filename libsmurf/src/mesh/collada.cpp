@@ -1,49 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // COLLADA: units, axes, counts, and the box of the positions through the nodes of the scene.
 // Nothing is rendered, so materials, normals and animations stay unread.
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <unordered_map>
 
 #include "base/numbers.hpp"
+#include "mesh/collada_file.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/surface.hpp"
 #include "mesh/words.hpp"
-#include "smurf/source.hpp"
-#include "syntax/xml_reader.hpp"
 
 namespace smurf {
 namespace {
 
 using xml::View;
-
-std::string_view value(View element, std::string_view attribute) {
-  const xml::Attribute* found = element.attribute(attribute);
-  return found == nullptr ? std::string_view() : found->value();
-}
-
-std::string_view trimmed_text(View element) { return Words(element.text()).rest_of_line(); }
-
-std::vector<double> numbers(std::string_view text) {
-  std::vector<double> all;
-  Words words(text);
-  while (!words.is_at_end()) all.push_back(parse_number(words.next()).value_or(std::nan("")));
-  return all;
-}
-
-bool is_finite(const std::vector<double>& all) {
-  return std::all_of(all.begin(), all.end(), [](double x) { return std::isfinite(x); });
-}
+using namespace collada;
 
 class ColladaReader {
  public:
-  ColladaReader(const SourceMap& sources, const xml::Document& document, MeshFacts& facts)
-      : sources_(sources), document_(document), facts_(facts) {}
+  ColladaReader(const File& file, MeshFacts& facts) : file_(file), facts_(facts) {}
 
   void read() {
-    for (const View child : document_.view()) {
+    for (const View child : file_.document()->view()) {
       const std::string_view name = child.name();
       if (name == "asset") asset(child);
       if (name == "library_geometries") geometries(child);
@@ -52,7 +31,7 @@ class ColladaReader {
       if (name == "library_cameras") extra(child, "cameras");
       if (name == "library_animations") extra(child, "animations");
     }
-    for (const View child : document_.view()) {
+    for (const View child : file_.document()->view()) {
       if (child.name() == "library_visual_scenes") scenes(child);
     }
     if (is_placed_) facts_.box = box_.box();
@@ -60,10 +39,7 @@ class ColladaReader {
 
  private:
   void asset(View asset) {
-    if (const View unit = asset.child("unit")) {
-      const auto meters = parse_number(value(unit, "meter"));
-      if (meters && *meters > 0) facts_.unit_meters = *meters;
-    }
+    facts_.unit_meters = unit_of(asset);
     if (const View up = asset.child("up_axis")) {
       const std::string_view text = trimmed_text(up);
       if (text == "X_UP" || text == "Y_UP" || text == "Z_UP") facts_.up_axis = text.front();
@@ -82,9 +58,7 @@ class ColladaReader {
       const View named = init.child("ref") ? init.child("ref") : init;
       const std::string_view file = trimmed_text(named);
       if (file.empty()) continue;
-      const std::uint32_t line =
-          sources_.line_of(document_.source, named.element().name_span().begin);
-      facts_.dependencies.push_back({std::string(file), true, line});
+      facts_.dependencies.push_back({std::string(file), true, file_.line_of(named)});
     }
   }
 
@@ -93,7 +67,7 @@ class ColladaReader {
       const View mesh = geometry.child("mesh");
       if (!mesh) continue;
       for (const View child : mesh) facts_.triangles += triangles(child);
-      const View points = positions(mesh);
+      const View points = positions_of(mesh);
       if (!points) continue;
       BoxSum box;
       add_points(points, box);
@@ -101,48 +75,33 @@ class ColladaReader {
     }
   }
 
-  /// The source of the positions of a mesh, of which there is one.
-  static View positions(View mesh) {
-    const View vertices = mesh.child("vertices");
-    if (!vertices) return {};
-    for (const View input : vertices) {
-      const std::string_view reference = value(input, "source");
-      if (value(input, "semantic") != "POSITION" || !reference.starts_with('#')) continue;
-      for (const View source : mesh) {
-        if (value(source, "id") == reference.substr(1)) return source;
-      }
-      return {};
-    }
-    return {};
-  }
-
   void add_points(View source, BoxSum& box) {
     const View array = source.child("float_array");
     if (!array) return;
-    std::size_t stride = 3;
-    if (const View technique = source.child("technique_common")) {
-      if (const View accessor = technique.child("accessor")) {
-        const auto written = parse_integer(value(accessor, "stride"));
-        constexpr std::int64_t kMost = 1 << 30;  // one that does not fit would become 0
-        if (written && *written >= 3) stride = static_cast<std::size_t>(std::min(*written, kMost));
-      }
-    }
     const std::vector<double> all = numbers(array.text());
     if (!is_finite(all)) {
       fail(array, "the coordinates of the vertices are not all numbers");
       return;
     }
-    for (std::size_t i = 0; i + 3 <= all.size(); i += stride) {
-      box.add(Vector3{all[i], all[i + 1], all[i + 2]});
-      ++facts_.vertices;
+    const Layout layout = layout_of(source);
+    const std::size_t count = layout.points(all.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t at = layout.offset + i * layout.stride;
+      box.add(
+          Vector3{all[at + layout.axes[0]], all[at + layout.axes[1]], all[at + layout.axes[2]]});
     }
+    facts_.vertices += count;
   }
 
   static std::uint64_t triangles(View primitives) {
     const auto count = parse_integer(value(primitives, "count"));
     const std::uint64_t polygons = count && *count > 0 ? static_cast<std::uint64_t>(*count) : 0;
-    if (primitives.name() == "triangles" || primitives.name() == "polygons") return polygons;
-    if (primitives.name() != "polylist") return 0;
+    const std::string_view name = primitives.name();
+    // A polygon, strip or fan is at least one triangle.
+    if (name == "triangles" || name == "polygons" || name == "tristrips" || name == "trifans") {
+      return polygons;
+    }
+    if (name != "polylist") return 0;
     const View corners = primitives.child("vcount");
     if (!corners) return polygons;
     std::uint64_t sum = 0;
@@ -157,13 +116,13 @@ class ColladaReader {
   void scenes(View library) {
     for (const View scene : library) {
       for (const View child : scene) {
-        if (child.name() == "node") node(child, Eigen::Affine3d::Identity());
+        if (child.name() == "node") node(child, Affine{});
       }
     }
   }
 
   // The depth of the document is bounded by Limits::xml_depth.
-  void node(View node, Eigen::Affine3d X_SN) {
+  void node(View node, Affine X_SN) {
     for (const View child : node) {
       const std::string_view name = child.name();
       if (name == "node") {
@@ -179,53 +138,22 @@ class ColladaReader {
     }
   }
 
-  /// Applies what is a transform; false when it has the wrong numbers.
-  static bool transform(View element, Eigen::Affine3d& X_SN) {
-    const std::string_view name = element.name();
-    const std::size_t count = name == "matrix"                         ? 16
-                              : name == "rotate"                       ? 4
-                              : name == "translate" || name == "scale" ? 3
-                                                                       : 0;
-    if (count == 0) return true;
-    const std::vector<double> all = numbers(element.text());
-    if (all.size() != count || !is_finite(all)) return false;
-    if (name == "matrix") {
-      const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(all.data());
-      X_SN = X_SN * Eigen::Affine3d(Eigen::Matrix4d(matrix));
-      return true;
-    }
-    const Eigen::Vector3d vector(all[0], all[1], all[2]);
-    if (name == "translate") X_SN.translate(vector);
-    if (name == "scale") X_SN.scale(vector);
-    if (name == "rotate" && vector.norm() > 0) {
-      constexpr double kRadians = std::numbers::pi / 180;
-      X_SN.rotate(Eigen::AngleAxisd(all[3] * kRadians, vector.normalized()));
-    }
-    return true;
-  }
-
-  void place(std::string_view url, const Eigen::Affine3d& X_SN) {
-    if (!url.starts_with('#')) return;
-    const auto found = geometry_boxes_.find(url.substr(1));
+  void place(std::string_view url, const Affine& X_SN) {
+    const auto found = geometry_boxes_.find(id_in(url));
     if (found == geometry_boxes_.end()) return;
     const Box& box = found->second;
     for (unsigned corner = 0; corner < 8; ++corner) {
-      const Eigen::Vector3d point((corner & 1U) != 0 ? box.high[0] : box.low[0],
-                                  (corner & 2U) != 0 ? box.high[1] : box.low[1],
-                                  (corner & 4U) != 0 ? box.high[2] : box.low[2]);
-      const Eigen::Vector3d placed = X_SN * point;
-      box_.add(Vector3{placed.x(), placed.y(), placed.z()});
+      box_.add(X_SN * Vector3{(corner & 1U) != 0 ? box.high[0] : box.low[0],
+                              (corner & 2U) != 0 ? box.high[1] : box.low[1],
+                              (corner & 4U) != 0 ? box.high[2] : box.low[2]});
     }
   }
 
   void fail(View at, std::string what) {
-    if (facts_.defect) return;
-    const std::uint32_t offset = at.element().name_span().begin;
-    facts_.defect = {std::move(what), offset, sources_.line_of(document_.source, offset)};
+    if (!facts_.defect) facts_.defect = file_.defect_at(at, std::move(what));
   }
 
-  const SourceMap& sources_;
-  const xml::Document& document_;
+  const File& file_;
   MeshFacts& facts_;
   std::unordered_map<std::string_view, Box> geometry_boxes_;  ///< by id, in their own frame
   BoxSum box_;
@@ -235,23 +163,11 @@ class ColladaReader {
 }  // namespace
 
 void read_collada(std::string_view text, MeshFacts& facts) {
-  // The tree takes some hundred bytes an element; real files have few, as numbers lie in lists.
-  constexpr auto kMostElements = 1000000;
-  if (std::count(text.begin(), text.end(), '<') > kMostElements) return;
-  SourceMap sources;
-  const SourceId source = sources.add("", std::string(text));
-  DiagnosticSink sink;
-  const auto document = parse_xml(sources, source, Limits{}, sink);
-  if (document) {
-    ColladaReader(sources, *document, facts).read();
-    return;
-  }
-  facts.defect = {"it is no XML", 0, 1};
-  for (const Diagnostic& diagnostic : sink.diagnostics()) {
-    if (diagnostic.severity != Severity::error) continue;
-    facts.defect = {diagnostic.message, diagnostic.span.begin,
-                    sources.position(source, diagnostic.span.begin).line};
-    return;
+  const File file(text);
+  if (file.document() != nullptr) {
+    ColladaReader(file, facts).read();
+  } else if (file.defect()) {
+    facts.defect = file.defect();
   }
 }
 

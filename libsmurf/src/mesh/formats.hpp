@@ -3,9 +3,11 @@
 // linear in the file. `surface` is empty before the call.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "mesh/surface.hpp"
+#include "mesh/triangle_collector.hpp"
 #include "smurf/mesh.hpp"
 
 namespace smurf {
@@ -15,6 +17,14 @@ void read_ascii_stl(std::string_view text, MeshFacts& facts, SurfaceSum& surface
 void read_obj(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
 void read_collada(std::string_view text, MeshFacts& facts);
 void read_bobj(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface);
+
+/// Reads triangles, in metres and the axes of URDF. Returns why there are none: "is broken: ...",
+/// which is empty when they were read, whatever `triangles` has to say.
+std::string read_collada_triangles(std::string_view text, TriangleCollector& triangles);
+std::string read_gltf_triangles(std::string_view bytes, const MeshNeighbours& neighbours,
+                                TriangleCollector& triangles);
+/// "is broken: the file ends inside a facet (line 3)".
+std::string why_broken(const MeshDefect& defect);
 
 /// Size of a binary STL: a header of 80 bytes, a count, 50 bytes a triangle.
 inline constexpr std::size_t kStlHeaderBytes = 84;

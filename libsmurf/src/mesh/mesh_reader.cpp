@@ -39,7 +39,10 @@ bool is_obj(std::string_view text) {
   return false;
 }
 
-MeshFormat format_of(std::string_view bytes, std::string_view extension) {
+}  // namespace
+
+MeshFormat format_of_mesh(std::string_view bytes, std::string_view written_extension) {
+  const std::string extension = path::to_lower(written_extension);
   using enum MeshFormat;
   if (bytes.starts_with("version https://git-lfs")) return lfs_pointer;
   if (bytes.starts_with("glTF")) return gltf;
@@ -58,8 +61,6 @@ MeshFormat format_of(std::string_view bytes, std::string_view extension) {
   // A size that does not fit the count: cut short, most likely.
   return extension == ".stl" ? stl_binary : unknown;
 }
-
-}  // namespace
 
 std::string_view to_string(MeshFormat format) {
   switch (format) {
@@ -80,7 +81,7 @@ MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
   MeshFacts facts;
   SurfaceSum surface(visit);
   facts.bytes = bytes.size();
-  facts.format = format_of(bytes, path::to_lower(extension));
+  facts.format = format_of_mesh(bytes, extension);
   switch (facts.format) {
   case MeshFormat::stl_binary: read_binary_stl(bytes, facts, surface); break;
   case MeshFormat::stl_ascii: read_ascii_stl(bytes, facts, surface); break;

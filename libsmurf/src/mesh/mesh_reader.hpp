@@ -14,10 +14,13 @@ using TriangleVisitor = std::function<void(const Vector3& a, const Vector3& b, c
 
 /// Reads a whole mesh file. What is broken is a defect of the result; nothing is reported here,
 /// as the place a person looks at is where the mesh is used. `extension` (".stl", any case) helps
-/// only when the bytes alone could be several things. `visit` may be empty; COLLADA has nothing for
-/// it.
+/// only when the bytes alone could be several things. `visit` may be empty; COLLADA and glTF, whose
+/// triangles only read_triangles() places, have nothing for it.
 MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
                     const TriangleVisitor& visit = {});
+
+/// `extension` as above.
+MeshFormat format_of_mesh(std::string_view bytes, std::string_view extension);
 
 /// The texture files that a material library (.mtl) names.
 std::vector<MeshDependency> read_material_library(std::string_view text);

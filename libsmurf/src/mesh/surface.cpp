@@ -4,18 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vectors.hpp"
+
 namespace smurf {
 namespace {
-
-Vector3 difference(const Vector3& a, const Vector3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 double length(const Vector3& a) { return std::sqrt(dot(a, a)); }
 

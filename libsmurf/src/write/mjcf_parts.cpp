@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "base/floating.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/vectors.hpp"
 #include "write/body_inertia.hpp"
 
 namespace smurf {
@@ -42,12 +44,46 @@ std::optional<Geom> solid_geom(const FlatGeometry& geometry) {
 
 constexpr const char* kAllBits = "65535";  // of MARS
 
+/// The least bytes of three numbers and of an index.
+constexpr PreviewMeshes::Cost kCost{6, 2};
+
+bool is_mesh_of_mujoco(const FlatMesh& mesh) {
+  const std::string extension = path::to_lower(path::extension(mesh.file));
+  return extension == ".stl" || extension == ".obj";
+}
+
+using Point = std::array<float, 3>;
+
+Vector3 between(const Point& a, const Point& b) {
+  return difference({b[0], b[1], b[2]}, {a[0], a[1], a[2]});
+}
+
+/// The points are in one plane, so that they enclose no volume.
+bool is_flat(const std::vector<Point>& points) {
+  constexpr double kThin = 1e-12;  // of a square of lengths
+  Vector3 along{};
+  Vector3 normal{};
+  for (const Point& point : points) {
+    const Vector3 to = between(points.front(), point);
+    if (dot(to, to) > dot(along, along)) along = to;
+  }
+  for (const Point& point : points) {
+    const Vector3 area = cross(along, between(points.front(), point));
+    if (dot(area, area) > dot(normal, normal)) normal = area;
+  }
+  const double least = kThin * dot(normal, normal) * dot(along, along);
+  return std::all_of(points.begin(), points.end(), [&](const Point& point) {
+    const double height = dot(normal, between(points.front(), point));
+    return height * height <= least;
+  });
+}
+
 }  // namespace
 
 std::string quaternion_text(const Quaternion& q) { return join_numbers({q.w, q.x, q.y, q.z}); }
 
 MjcfParts::MjcfParts(const SceneExport& scene)
-    : scene_(scene), losses_(scene, SceneColumn::mjcf, "MJCF") {
+    : scene_(scene), losses_(scene, SceneColumn::mjcf, "MJCF"), files_(scene, kCost) {
   for (const LinkedModel& model : scene.scene.models) {
     for (const CollisionAnnotation& entry : model.annotations.collisions) {
       if (entry.bitmask) has_bitmasks_ = true;
@@ -133,16 +169,14 @@ void MjcfParts::add_meshes_of_entities() {
     for (const FlatShape& shape : flat(i).shapes) {
       const auto* mesh = std::get_if<FlatMesh>(&shape.geometry);
       if (mesh == nullptr || !flat(i).X_WE || meshes_.contains(mesh_key(*mesh))) continue;
-      std::string reason = "is neither STL nor OBJ";
-      if (is_mesh_of_mujoco(*mesh) && scene_.meshes.triangles) {
-        const MeshTriangles triangles = scene_.meshes.triangles(mesh->file);
-        reason = triangles.indices.empty() ? triangles.reason : "";
+      const Span place = place_of(scene_.scene.entity(linked(i)));
+      std::string reason;
+      if (is_mesh_of_mujoco(*mesh)) {
+        reason = scene_.meshes.triangles ? scene_.meshes.triangles(mesh->file).reason
+                                         : "is not available";
       }
-      if (reason.empty()) {
-        declare_mesh(*mesh);
-      } else {
-        losses_.unseen_shape(place_of(scene_.scene.entity(linked(i))), shape.geometry, reason);
-      }
+      if (reason.empty()) reason = declare_mesh(*mesh, place);
+      if (!reason.empty()) losses_.unseen_shape(place, shape.geometry, reason);
     }
   }
 }
@@ -200,16 +234,46 @@ std::string MjcfParts::mesh_key(const FlatMesh& mesh) {
   return mesh.file + " " + join_numbers(mesh.scale);
 }
 
-void MjcfParts::declare_mesh(const FlatMesh& mesh) {
+std::string MjcfParts::declare_mesh(const FlatMesh& mesh, Span place) {
   const std::string mesh_name = "mesh_" + std::to_string(meshes_.size());
-  if (!meshes_.emplace(mesh_key(mesh), mesh_name).second) return;
-  xml_.empty("mesh",
-             {{"name", mesh_name}, {"file", mesh.file}, {"scale", join_numbers(mesh.scale)}});
+  if (is_mesh_of_mujoco(mesh)) {
+    xml_.empty("mesh",
+               {{"name", mesh_name}, {"file", mesh.file}, {"scale", join_numbers(mesh.scale)}});
+  } else {
+    std::string reason = declare_triangles(mesh_name, mesh, place);
+    if (!reason.empty()) return reason;
+  }
+  meshes_.emplace(mesh_key(mesh), mesh_name);
+  return {};
 }
 
-bool MjcfParts::is_mesh_of_mujoco(const FlatMesh& mesh) {
-  const std::string extension = path::to_lower(path::extension(mesh.file));
-  return extension == ".stl" || extension == ".obj";
+std::string MjcfParts::declare_triangles(const std::string& name, const FlatMesh& mesh,
+                                         Span place) {
+  const std::string& file = files_.first_name(mesh.file);
+  const auto known = why_none_.find(file);
+  if (known != why_none_.end()) return known->second;
+  MeshTriangles triangles = files_.read(file, place);
+  if (triangles.reason.empty() && is_flat(triangles.points)) {
+    triangles.reason = "is flat, which MuJoCo refuses";
+  }
+  if (!triangles.reason.empty()) return why_none_[file] = triangles.reason;
+  std::string points;
+  for (const std::array<float, 3>& point : triangles.points) {
+    for (const float coordinate : point) {
+      if (!points.empty()) points += ' ';
+      points += shortest(coordinate);
+    }
+  }
+  std::string faces;
+  for (const std::uint32_t index : triangles.indices) {
+    if (!faces.empty()) faces += ' ';
+    faces += std::to_string(index);
+  }
+  xml_.empty("mesh", {{"name", name},
+                      {"vertex", std::move(points)},
+                      {"face", std::move(faces)},
+                      {"scale", join_numbers(mesh.scale)}});
+  return {};
 }
 
 void MjcfParts::add_free_joint(std::size_t i) {

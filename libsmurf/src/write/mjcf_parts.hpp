@@ -7,6 +7,7 @@
 #include <string>
 
 #include "write/contacts.hpp"
+#include "write/preview_meshes.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/xml_text.hpp"
@@ -46,8 +47,9 @@ class MjcfParts {
   /// Inside <asset>: meshes of what is no model.
   void add_meshes_of_entities();
   static std::string mesh_key(const FlatMesh& mesh);
-  static bool is_mesh_of_mujoco(const FlatMesh& mesh);
-  void declare_mesh(const FlatMesh& mesh);
+  /// Names the file of a mesh that MuJoCo reads, and writes out the triangles of any other one.
+  /// Returns why there are none: "is flat, which MuJoCo refuses".
+  std::string declare_mesh(const FlatMesh& mesh, Span place);
   /// The joint of a body that nothing holds. Not <freejoint/>, which DART takes for a weld.
   void add_free_joint(std::size_t i);
   /// The positions of the next joint, in the order in which joints are written.
@@ -67,7 +69,10 @@ class MjcfParts {
 
  private:
   void add_class(const std::string& name, const std::vector<XmlText::Attribute>& geom);
+  std::string declare_triangles(const std::string& name, const FlatMesh& mesh, Span place);
 
+  PreviewMeshes files_;
+  std::map<std::string, std::string> why_none_;  ///< of files without triangles for MuJoCo
   bool has_bitmasks_ = false;
   std::set<std::size_t> heightmaps_;  ///< instances whose hfield is declared
 };

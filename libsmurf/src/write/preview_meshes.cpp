@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/preview_meshes.hpp"
 
+#include <algorithm>
+
 #include "base/limits.hpp"
 #include "base/rules.hpp"
 
 namespace smurf {
+
+bool has_colors(const std::vector<MeshPart>& parts) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [](const MeshPart& part) { return part.color.has_value(); });
+}
 
 const std::string& PreviewMeshes::first_name(const std::string& file) {
   const auto [known, is_new] = by_name_.try_emplace(file);

@@ -11,6 +11,9 @@
 
 namespace smurf {
 
+/// Whether the file gives any part a colour.
+bool has_colors(const std::vector<MeshPart>& parts);
+
 class PreviewMeshes {
  public:
   /// The least bytes that a format needs for a point and for an index of a triangle.

@@ -38,8 +38,14 @@ class GltfWriter {
   enum class Solid : std::uint8_t { box, sphere, cylinder, square };
   /// Points that several meshes share: a solid, or the file of a mesh.
   using Points = std::variant<Solid, std::string>;
+  /// Triangles of one colour.
+  struct Part {
+    std::size_t indices = 0;
+    std::optional<Rgba> color;
+  };
   struct Accessors {
     std::size_t points = 0, indices = 0;
+    std::vector<Part> parts;  ///< of a file that has colours
     std::optional<std::size_t> normals;
     std::string why_none;
   };
@@ -158,13 +164,25 @@ class GltfWriter {
     const auto [known, is_new] = meshes_.try_emplace({points, color}, meshes_.size());
     if (!is_new) return known->second;
     const Accessors& accessors = accessors_of(points);
-    std::string mesh = "{\"primitives\": [{\"attributes\": {\"POSITION\": ";
-    mesh += std::to_string(accessors.points);
-    if (accessors.normals) mesh += ", \"NORMAL\": " + std::to_string(*accessors.normals);
-    mesh += "}, \"indices\": " + std::to_string(accessors.indices) +
-            ", \"material\": " + std::to_string(material_of(color)) + "}]}";
+    std::string mesh;
+    if (color || accessors.parts.empty()) {
+      mesh = primitive(accessors, accessors.indices, color);
+    } else {
+      for (const Part& part : accessors.parts) {
+        mesh += (mesh.empty() ? "" : ", ") + primitive(accessors, part.indices, part.color);
+      }
+    }
+    mesh = "{\"primitives\": [" + mesh + "]}";
     mesh_texts_.push_back(std::move(mesh));
     return known->second;
+  }
+
+  std::string primitive(const Accessors& accessors, std::size_t indices,
+                        const std::optional<Rgba>& color) {
+    std::string text = "{\"attributes\": {\"POSITION\": " + std::to_string(accessors.points);
+    if (accessors.normals) text += ", \"NORMAL\": " + std::to_string(*accessors.normals);
+    text += "}, \"indices\": " + std::to_string(indices);
+    return text + ", \"material\": " + std::to_string(material_of(color)) + "}";
   }
 
   std::size_t material_of(const std::optional<Rgba>& color) {
@@ -215,6 +233,16 @@ class GltfWriter {
     const bool is_small = mesh.points.size() <= std::numeric_limits<std::uint16_t>::max();
     accessors.indices = is_small ? add_indices<std::uint16_t>(mesh.indices)
                                  : add_indices<std::uint32_t>(mesh.indices);
+    if (!has_colors(mesh.parts)) return accessors;
+    const std::size_t view = views_.size() - 1;
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+      const std::size_t begin = mesh.parts[i].first_index;
+      const std::size_t end =
+          i + 1 < mesh.parts.size() ? mesh.parts[i + 1].first_index : mesh.indices.size();
+      const std::size_t size = is_small ? 2 : 4;
+      const std::size_t indices = add_accessor(view, begin * size, size, end - begin);
+      accessors.parts.push_back({indices, mesh.parts[i].color});
+    }
     return accessors;
   }
 
@@ -223,11 +251,16 @@ class GltfWriter {
     const std::size_t start = buffer_.size();
     for (const Index index : indices) append_bytes(buffer_, static_cast<Written>(index));
     add_view(start, "34963");  // ELEMENT_ARRAY_BUFFER
-    constexpr std::string_view kType = sizeof(Written) == 2 ? "5123" : "5125";
-    accessors_.push_back("{\"bufferView\": " + std::to_string(views_.size() - 1) +
-                         ", \"componentType\": " + std::string(kType) +
-                         ", \"type\": \"SCALAR\", \"count\": " + std::to_string(indices.size()) +
-                         "}");
+    return add_accessor(views_.size() - 1, 0, sizeof(Written), indices.size());
+  }
+
+  /// Indices of `size` bytes each in a view.
+  std::size_t add_accessor(std::size_t view, std::size_t offset, std::size_t size,
+                           std::size_t count) {
+    accessors_.push_back("{\"bufferView\": " + std::to_string(view) +
+                         (offset > 0 ? ", \"byteOffset\": " + std::to_string(offset) : "") +
+                         ", \"componentType\": " + (size == 2 ? "5123" : "5125") +
+                         ", \"type\": \"SCALAR\", \"count\": " + std::to_string(count) + "}");
     return accessors_.size() - 1;
   }
 

@@ -103,9 +103,9 @@ class MjcfWriter : MjcfSensors {
     const auto* mesh = flat_geometry ? std::get_if<FlatMesh>(&*flat_geometry) : nullptr;
     if (mesh == nullptr || meshes_.contains(mesh_key(*mesh))) return;
     const bool exists = existing_.contains(*std::get<urdf::Mesh>(geometry.shape).filename);
-    if (exists && is_mesh_of_mujoco(*mesh)) return declare_mesh(*mesh);
-    losses_.shape(span, "the mesh `" + mesh->file + "`" +
-                            (exists ? ", which is neither STL nor OBJ," : ", which is missing,"));
+    const std::string reason = exists ? declare_mesh(*mesh, span) : "is missing";
+    if (!reason.empty())
+      losses_.shape(span, "the mesh `" + mesh->file + "`, which " + reason + ",");
   }
 
   void add_top_level(std::size_t i) {

@@ -23,6 +23,8 @@ constexpr std::string_view kAsGazebo =
 constexpr std::string_view kPlugin = "lost: Gazebo leaves them to a plug-in that reads the URDF";
 constexpr std::string_view kNearest = "changed: the nearest that the simulator accepts";
 constexpr std::string_view kTenGrams = "added: 10 g in a ball of 1 cm, the default of MARS";
+constexpr std::string_view kReadMeshes =
+    "kept: meshes that are STL, OBJ, bobj, COLLADA or glTF, without skins and textures";
 constexpr std::string_view kColours = "lost: shapes have colours";
 
 constexpr SceneThing kThings[] = {
@@ -36,13 +38,12 @@ constexpr SceneThing kThings[] = {
      .cells = {kNearest, kNearest, kNearest, kKept, kKept, kKept, kKept,
                "changed: USD computes moments of inertia of 0 from shapes"}},
     {.title = "visual shapes",
-     .cells = {kKept, "kept: capsules are lost", "kept: meshes that are STL or OBJ", kKept, kKept,
-               "kept: meshes that are STL or OBJ", "kept: meshes that are STL or OBJ",
-               "kept: meshes that are STL or OBJ"}},
+     .cells = {kKept, "kept: capsules are lost", kReadMeshes, kKept, kKept, kReadMeshes,
+               kReadMeshes, kReadMeshes}},
     {.title = "collision shapes",
      .in_model = things::collision_shapes,
-     .cells = {kKept, "kept: capsules are lost", "kept: meshes that are STL or OBJ", kKept, kKept,
-               "kept: meshes that are STL or OBJ", kShown, "kept: meshes that are STL or OBJ"}},
+     .cells = {kKept, "kept: capsules are lost", kReadMeshes, kKept, kKept, kReadMeshes, kShown,
+               kReadMeshes}},
     {.title = kEmptyShapes,
      .cells = {kKept, kKept, "lost: MuJoCo refuses them", kKept, kKept, kKept, kKept, kKept}},
     {.title = "names of visuals and collisions",

@@ -204,7 +204,9 @@ class UsdaWriter {
       text_.line("double width = " + format_number(plane->length));
     } else if (const Mesh* mesh = mesh_of(shape)) {
       if (solid.collides) schemas.emplace_back("PhysicsMeshCollisionAPI");
-      text_.open("Mesh", solid.prim, schemas, "/Meshes/" + mesh->name);
+      const bool has_own_colors = !shape.color && !mesh->colored_name.empty();
+      text_.open("Mesh", solid.prim, schemas,
+                 "/Meshes/" + (has_own_colors ? mesh->colored_name : mesh->name));
       if (solid.collides) add_approximation(solid);
       scale = std::get<FlatMesh>(shape.geometry).scale;
     } else {
@@ -253,6 +255,8 @@ class UsdaWriter {
     std::string name;
     std::string text;  ///< its attributes, a line each
     std::string why_none;
+    std::string colored_name = {};  ///< of the same with the colours of the file, if there are any
+    std::string colors = {};        ///< attributes, a line each
   };
 
   /// Null when the shape has no triangles; that was reported.
@@ -295,9 +299,44 @@ class UsdaWriter {
     }
     const std::string extent =
         "float3[] extent = [" + UsdaText::tuple(low) + ", " + UsdaText::tuple(high) + "]";
-    return {mesh_names_.add(safe_name(path::stem(file))),
-            extent + "\n" + points + "]\n" + counts + "]\n" + indices + "]\n",
-            {}};
+    Mesh mesh{mesh_names_.add(safe_name(path::stem(file))),
+              extent + "\n" + points + "]\n" + counts + "]\n" + indices + "]\n",
+              {}};
+    if (has_colors(triangles.parts)) {
+      mesh.colored_name = mesh_names_.add(mesh.name + "_colored");
+      mesh.colors = colors_of(triangles);
+    }
+    return mesh;
+  }
+
+  /// A list of the colours and, if there are several, the place of each triangle's in it.
+  static std::string colors_of(const MeshTriangles& mesh) {
+    std::string colors;
+    std::string opacities;
+    std::string places;
+    bool is_opaque = true;
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+      const std::optional<Rgba>& color = mesh.parts[i].color;
+      const Rgba c = color ? linear_color(*color) : Rgba{0.5, 0.5, 0.5, 1};
+      is_opaque = is_opaque && c[3] == 1;
+      const std::string comma = i > 0 ? ", " : "";
+      colors += comma + UsdaText::tuple({c[0], c[1], c[2]});
+      opacities += comma + format_number(c[3]);
+      const std::size_t end =
+          i + 1 < mesh.parts.size() ? mesh.parts[i + 1].first_index : mesh.indices.size();
+      for (std::size_t k = mesh.parts[i].first_index; k < end; k += 3) {
+        places += (places.empty() ? "" : ", ") + std::to_string(i);
+      }
+    }
+    const auto primvar = [&](const std::string& type, const std::string& name,
+                             const std::string& values) {
+      const std::string line = type + "[] primvars:" + name + " = [" + values + "]";
+      if (mesh.parts.size() == 1) return line + "\n";
+      return line + " (interpolation = \"uniform\")\nint[] primvars:" + name + ":indices = [" +
+             places + "]\n";
+    };
+    return primvar("color3f", "displayColor", colors) +
+           (is_opaque ? "" : primvar("float", "displayOpacity", opacities));
   }
 
   /// What shapes refer to stands beside the world, so that it is not seen by itself.
@@ -308,14 +347,22 @@ class UsdaWriter {
       if (!mesh.why_none.empty()) continue;
       text_.open("Mesh", mesh.name);
       text_.line("uniform token subdivisionScheme = \"none\"");
-      for (std::size_t begin = 0; begin < mesh.text.size();) {
-        const std::size_t end = mesh.text.find('\n', begin);
-        text_.line(std::string_view(mesh.text).substr(begin, end - begin));
-        begin = end + 1;
-      }
+      add_lines(mesh.text);
+      text_.close();
+      if (mesh.colored_name.empty()) continue;
+      text_.open("Mesh", mesh.colored_name, {}, "/Meshes/" + mesh.name);
+      add_lines(mesh.colors);
       text_.close();
     }
     text_.close();
+  }
+
+  void add_lines(std::string_view text) {
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = text.find('\n', begin);
+      text_.line(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
   }
 
   const SceneExport& scene_;

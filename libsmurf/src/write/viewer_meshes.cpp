@@ -26,6 +26,7 @@ ViewerMeshes::Known ViewerMeshes::read(const std::string& file, Span place) {
   Shown shown{.file = file,
               .points = {},
               .indices = {},
+              .parts = mesh.parts,
               .is_wide = mesh.points.size() > std::numeric_limits<std::uint16_t>::max()};
   std::string bytes;
   for (const std::array<float, 3>& point : mesh.points) {
@@ -45,6 +46,24 @@ ViewerMeshes::Known ViewerMeshes::read(const std::string& file, Span place) {
   return {shown_.size() - 1, {}};
 }
 
+void ViewerMeshes::print_parts(const std::vector<MeshPart>& parts, JsonPrinter& json) {
+  json.key("parts");
+  json.begin_list();
+  for (const MeshPart& part : parts) {
+    json.begin_object();
+    json.key("first");
+    json.integer(part.first_index);
+    if (part.color) {
+      json.key("color");
+      json.begin_list();
+      for (const double value : *part.color) json.number(value);
+      json.end();
+    }
+    json.end();
+  }
+  json.end();
+}
+
 void ViewerMeshes::print(JsonPrinter& json) const {
   json.begin_list(JsonPrinter::Layout::block);
   for (const Shown& mesh : shown_) {
@@ -57,6 +76,7 @@ void ViewerMeshes::print(JsonPrinter& json) const {
     json.text(mesh.indices);
     json.key("wide");
     json.boolean(mesh.is_wide);
+    if (has_colors(mesh.parts)) print_parts(mesh.parts, json);
     json.end();
   }
   json.end();

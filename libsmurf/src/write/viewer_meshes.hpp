@@ -26,9 +26,11 @@ class ViewerMeshes {
  private:
   struct Shown {
     std::string file, points, indices;  ///< the latter two in base64
-    bool is_wide = false;               ///< four bytes an index, else two
+    std::vector<MeshPart> parts;
+    bool is_wide = false;  ///< four bytes an index, else two
   };
   Known read(const std::string& file, Span place);
+  static void print_parts(const std::vector<MeshPart>& parts, JsonPrinter& json);
 
   PreviewMeshes files_;
   std::unordered_map<std::string, Known> known_;

@@ -23,12 +23,12 @@ extern constinit const Rule sml1631_dae_up_axis{
     .name = "dae-up-axis",
     .severity = Severity::warning,
     .summary = "A COLLADA mesh declares an up axis other than Z, or none, which means Y.",
-    .why = "Bullet turns the mesh, RViz, MoveIt and urdf-loader do not: a mesh that looks right in "
-           "one is turned in another.",
+    .why = "Bullet turns the mesh, RViz, Gazebo, MoveIt and urdf-loader do not: a mesh that looks "
+           "right in one is turned in another.",
     .remedy = "Export the mesh with Z up and the rotation applied.",
     .sources =
-        "Bullet LoadMeshFromCollada.cpp:538-550, geometric_shapes mesh_operations.cpp:252-258, "
-        "urdf-loader URDFLoader.js:667; 226 of 932 public files.",
+        "Bullet LoadMeshFromCollada.cpp:538-550, RViz assimp_loader.cpp:201, gz-common "
+        "ColladaLoader.cc:718, geometric_shapes mesh_operations.cpp:252-258, urdf-loader URDFLoader.js:667; 226 of 932 public files.",
     .check_model = check};
 
 }  // namespace smurf::rules

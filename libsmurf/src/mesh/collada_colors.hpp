@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The diffuse colours of the materials of COLLADA.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+
+#include "mesh/collada_file.hpp"
+#include "smurf/mesh_triangles.hpp"
+
+namespace smurf::collada {
+
+/// The ids of materials by the symbols that a geometry has for them.
+using Bindings = std::unordered_map<std::string_view, std::string_view>;
+Bindings bindings_of(xml::View instance);
+
+class Colors {
+ public:
+  explicit Colors(xml::View root);
+
+  /// None for a texture.
+  std::optional<Rgba> of(std::string_view material) const;
+
+ private:
+  std::unordered_map<std::string_view, std::optional<Rgba>> colors_;  ///< by the id of a material
+};
+
+}  // namespace smurf::collada

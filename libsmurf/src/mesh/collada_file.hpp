@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the two readers of COLLADA share: one looks for facts, the other for triangles.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/affine.hpp"
+#include "smurf/mesh.hpp"
+#include "smurf/source.hpp"
+#include "smurf/xml.hpp"
+
+namespace smurf::collada {
+
+/// A file as a tree. Stays where it is, because the tree points into it.
+class File {
+ public:
+  explicit File(std::string_view text);
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  /// Null when the file is no XML, or has too many elements.
+  const xml::Document* document() const { return document_ ? &*document_ : nullptr; }
+  bool has_too_many_elements() const { return has_too_many_elements_; }
+  /// Why it is no XML.
+  const std::optional<MeshDefect>& defect() const { return defect_; }
+  /// A defect at an element.
+  MeshDefect defect_at(xml::View element, std::string what) const;
+  std::uint32_t line_of(xml::View element) const;
+
+ private:
+  SourceMap sources_;
+  std::optional<xml::Document> document_;
+  std::optional<MeshDefect> defect_;
+  bool has_too_many_elements_ = false;
+};
+
+/// Empty when there is no such attribute.
+std::string_view value(xml::View element, std::string_view attribute);
+std::string_view trimmed_text(xml::View element);
+/// The id in a reference to an element of the same file; empty for any other.
+std::string_view id_in(std::string_view reference);
+/// What is no number is NaN.
+std::vector<double> numbers(std::string_view text);
+bool is_finite(const std::vector<double>& all);
+
+/// The source of the positions of a mesh, of which there is one.
+xml::View positions_of(xml::View mesh);
+/// Where the coordinates of a point are in the numbers of a source.
+struct Layout {
+  std::size_t offset = 0, stride = 3;
+  std::size_t axes[3] = {0, 1, 2};  ///< from the beginning of a point
+
+  /// The number of points in so many numbers.
+  std::size_t points(std::size_t numbers) const;
+};
+Layout layout_of(xml::View source);
+
+/// Metres in a unit of the file; none when it is not written.
+std::optional<double> unit_of(xml::View asset);
+
+/// Applies a child of a node to the transform of the node when it is <matrix>, <translate>,
+/// <rotate> or <scale>. False when it has the wrong numbers.
+bool transform(xml::View element, Affine& X);
+
+}  // namespace smurf::collada

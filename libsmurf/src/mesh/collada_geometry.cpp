@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/collada_geometry.hpp"
+
+#include <algorithm>
+
+#include "base/numbers.hpp"
+#include "base/quoted.hpp"
+#include "mesh/words.hpp"
+
+namespace smurf::collada {
+namespace {
+
+using xml::View;
+
+bool has_triangles(std::string_view element) {
+  constexpr std::string_view kNames[] = {"triangles", "polylist", "polygons", "tristrips",
+                                         "trifans"};
+  return std::find(std::begin(kNames), std::end(kNames), element) != std::end(kNames);
+}
+
+/// Every second triangle of a strip names its corners the other way around.
+void add_strip(const std::vector<std::uint32_t>& strip, std::vector<std::uint32_t>& corners) {
+  for (std::size_t i = 2; i < strip.size(); ++i) {
+    const bool is_turned = i % 2 == 1;
+    corners.insert(corners.end(),
+                   {strip[i - (is_turned ? 1 : 2)], strip[i - (is_turned ? 2 : 1)], strip[i]});
+  }
+}
+
+void add_fan(const std::vector<std::uint32_t>& fan, std::vector<std::uint32_t>& corners) {
+  for (std::size_t i = 2; i < fan.size(); ++i) {
+    corners.insert(corners.end(), {fan[0], fan[i - 1], fan[i]});
+  }
+}
+
+}  // namespace
+
+Geometry GeometryReader::read(View element) {
+  Geometry geometry;
+  const View mesh = element.child("mesh");
+  if (!mesh || problem_) return geometry;
+  bool is_read = false;
+  for (const View child : mesh) {
+    if (!has_triangles(child.name())) continue;
+    if (!is_read && !read_points(mesh, geometry)) return geometry;
+    is_read = true;
+    read_primitives(child, geometry);
+    if (problem_) return geometry;
+  }
+  return geometry;
+}
+
+bool GeometryReader::read_points(View mesh, Geometry& geometry) {
+  const View source = positions_of(mesh);
+  const View array = source ? source.child("float_array") : View();
+  if (!array) return fail(mesh, "the points of the mesh are not there");
+  const std::vector<double> all = numbers(array.text());
+  if (!is_finite(all)) return fail(array, "the coordinates of the vertices are not all numbers");
+  const Layout layout = layout_of(source);
+  const std::size_t count = layout.points(all.size());
+  geometry.points.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* point = &all[layout.offset + i * layout.stride];
+    geometry.points.push_back(
+        {point[layout.axes[0]], point[layout.axes[1]], point[layout.axes[2]]});
+  }
+  return true;
+}
+
+void GeometryReader::read_primitives(View element, Geometry& geometry) {
+  Geometry::Part part{value(element, "material"), {}};
+  if (add(element, geometry, part.corners) && !part.corners.empty()) {
+    geometry.parts.push_back(std::move(part));
+  }
+}
+
+std::optional<GeometryReader::Indices> GeometryReader::indices_of(View primitives) {
+  Indices indices;
+  bool has_points = false;
+  for (const View input : primitives) {
+    if (input.name() != "input") continue;
+    constexpr std::int64_t kMost = 1000;
+    const auto offset = parse_integer(value(input, "offset"));
+    if (!offset || *offset < 0 || *offset > kMost) {
+      fail(input, "the offset of an input is not a small number");
+      return std::nullopt;
+    }
+    const auto place = static_cast<std::size_t>(*offset);
+    indices.stride = std::max(indices.stride, place + 1);
+    if (value(input, "semantic") != "VERTEX" || has_points) continue;
+    indices.offset = place;
+    has_points = true;
+  }
+  if (has_points) return indices;
+  fail(primitives, "no input of a primitive has the semantic VERTEX");
+  return std::nullopt;
+}
+
+bool GeometryReader::read_corners(View list, const Indices& indices, std::size_t points) {
+  corners_.clear();
+  Words words(list.text());
+  std::size_t count = 0;
+  for (; !words.is_at_end(); ++count) {
+    const std::string_view word = words.next();
+    if (count % indices.stride != indices.offset) continue;
+    const auto index = parse_integer(word);
+    if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= points) {
+      return fail(list, "the index " + quoted(word) + " names none of " + std::to_string(points) +
+                            " points");
+    }
+    corners_.push_back(static_cast<std::uint32_t>(*index));
+  }
+  return count % indices.stride == 0 || fail(list, "the indices end inside a corner");
+}
+
+bool GeometryReader::add(View primitives, const Geometry& geometry,
+                         std::vector<std::uint32_t>& corners) {
+  const std::string_view name = primitives.name();
+  if (name == "polylist") return add_polygons(primitives, geometry, corners);
+  std::optional<Indices> indices;
+  for (const View list : primitives) {
+    // A polygon with holes.
+    if (list.name() == "ph")
+      return fail(list, "has polygons with holes, which are not read", false);
+    if (list.name() != "p") continue;
+    if (!indices) indices = indices_of(primitives);
+    if (!indices || !read_corners(list, *indices, geometry.points.size())) return false;
+    if (name == "tristrips") {
+      add_strip(corners_, corners);
+    } else if (name == "trifans") {
+      add_fan(corners_, corners);
+    } else if (name == "polygons") {
+      splitter_.split(corners_, geometry.points, corners);
+    } else if (corners_.size() % 3 == 0) {
+      corners.insert(corners.end(), corners_.begin(), corners_.end());
+    } else {
+      return fail(list, "the indices end inside a triangle");
+    }
+  }
+  return true;
+}
+
+bool GeometryReader::add_polygons(View primitives, const Geometry& geometry,
+                                  std::vector<std::uint32_t>& corners) {
+  const View counts = primitives.child("vcount");
+  const View list = primitives.child("p");
+  if (!counts || !list) return true;  // none
+  const std::optional<Indices> indices = indices_of(primitives);
+  if (!indices || !read_corners(list, *indices, geometry.points.size())) return false;
+  std::size_t begin = 0;
+  Words words(counts.text());
+  while (!words.is_at_end()) {
+    const auto count = parse_integer(words.next());
+    const std::size_t left = corners_.size() - begin;
+    if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > left) {
+      return fail(counts, "the polygons have more corners than there are indices");
+    }
+    const auto size = static_cast<std::size_t>(*count);
+    splitter_.split({corners_.data() + begin, size}, geometry.points, corners);
+    begin += size;
+  }
+  return begin == corners_.size() ||
+         fail(counts, "there are more indices than corners of the polygons");
+}
+
+bool GeometryReader::fail(View element, std::string what, bool is_defect) {
+  if (!problem_) problem_ = Problem{element, std::move(what), is_defect};
+  return false;
+}
+
+}  // namespace smurf::collada

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The data of glTF 2.0: the JSON, the buffers beside it, and the numbers in them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include <nlohmann/json.hpp>
+
+#include "smurf/mesh_triangles.hpp"
+#include "smurf/pose.hpp"
+
+namespace smurf::gltf {
+
+using Json = nlohmann::json;
+
+/// Null when `object` is no object, or has no such member.
+const Json* member(const Json& object, const char* name);
+/// None for what is no natural number.
+std::optional<std::uint64_t> natural(const Json* value);
+bool is_text(const Json* value, std::string_view text);
+/// Finite numbers only.
+bool read_numbers(const Json* list, std::span<double> numbers);
+
+/// The numbers of an accessor, read when they are asked for: accessors may overlap any number of
+/// times.
+struct Accessor {
+  std::string_view bytes;  ///< from the first number on
+  std::size_t stride = 0;
+  std::uint64_t count = 0;
+  std::uint64_t type = 0;  ///< of a component
+
+  /// Precondition: the type is one of indices, and place < count.
+  std::uint32_t index(std::uint64_t place) const;
+  /// Precondition: the type is float, and place < count.
+  Vector3 point(std::uint64_t place) const;
+};
+
+/// Types of components.
+inline constexpr std::uint64_t kByte = 5121;
+inline constexpr std::uint64_t kShort = 5123;
+inline constexpr std::uint64_t kInt = 5125;
+inline constexpr std::uint64_t kFloat = 5126;
+
+class Data {
+ public:
+  /// Both must outlive this.
+  Data(std::string_view bytes, const MeshNeighbours& neighbours);
+
+  /// Why the file cannot be read; empty while it can.
+  const std::string& reason() const { return reason_; }
+  /// Always false.
+  bool fail_broken(const std::string& what);
+  bool fail_unread(std::string what);
+
+  const Json& json() const { return json_; }
+  /// An item of a list of the file; null, and a reason, when it is not there.
+  const Json* item(const char* list, const Json* index);
+  /// None, and a reason, when it cannot be read. `type` is that of the accessor: "VEC3".
+  std::optional<Accessor> accessor(const Json* index, std::string_view type);
+
+ private:
+  bool read_binary(std::string_view bytes);
+  bool read_json(std::string_view text);
+  bool check_extensions();
+  std::optional<std::string_view> buffer(const Json* index);
+  bool read_buffer(const Json& buffer, std::string& bytes);
+
+  const MeshNeighbours& neighbours_;
+  Json json_;
+  std::string_view chunk_;  ///< the buffer in a binary file
+  bool has_chunk_ = false;
+  std::unordered_map<std::uint64_t, std::string> buffers_;
+  std::string reason_;
+};
+
+}  // namespace smurf::gltf
