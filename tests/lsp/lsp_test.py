@@ -368,6 +368,23 @@ class Names(LspTest):
         changed = {pathlib.Path(path_of(one["textDocument"]["uri"])).name for one in edit["documentChanges"]}
         self.assertEqual(changed, {"a.urdf", "a.yml", "b.yml"})
 
+    def test_rename_in_a_package(self):
+        """What a model only reads is not changed: an editor would write to files that nobody opened."""
+        robot = self.write("opt/pkg/r.urdf", '<robot name="r"><link name="a"/></robot>\n')
+        (self.folder / "opt/pkg/.git").mkdir()
+        (self.folder / "own/.git").mkdir(parents=True)
+        self.write("own/r.smurf", "modelname: r\nfiles: [../opt/pkg/r.urdf, m.yml]\n")
+        sensors = self.write("own/m.yml", "sensors:\n- {name: s, type: NodeIMU, link: a}\n")
+        other = self.another([self.folder / "own"], capabilities=ALL, cwd=self.folder)
+        other.open(self.folder / "own/r.smurf")
+        other.open(sensors)
+        at = other.texts[str(sensors)].index("link: a") + len("link: ")
+        with self.assertRaisesRegex(client.RequestError, "r.urdf' is in no project of the named files$"):
+            other.at("textDocument/rename", sensors, at, newName="b")
+        other.open(robot)
+        edit = other.at("textDocument/rename", sensors, at, newName="b")
+        self.assertEqual({path_of(one["textDocument"]["uri"]) for one in edit["documentChanges"]}, {str(robot), str(sensors)})
+
     def test_srdf(self):
         """Alone in the editor: definition, references and another name."""
         srdf = self.write("arm/srdf/arm.srdf", '<robot name="arm">\n  <group name="all"><joint name="joint1_waist"/>'
