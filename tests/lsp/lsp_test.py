@@ -253,6 +253,13 @@ class Actions(LspTest):
         self.client.replace(urdf, self.applied(urdf, action["edit"]))
         self.assertEqual([one["code"] for one in self.client.published(urdf) if one["code"] == found[0]["code"]], [])
 
+    def test_no_comment_before_the_declaration_of_xml(self):
+        robot = self.write("r.urdf", '\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>\n')
+        self.assertEqual([one["code"] for one in self.open(robot)], ["SML1005"])
+        titles = [one["title"] for one in self.actions(robot, 0)]
+        self.assertTrue(titles)
+        self.assertFalse([one for one in titles if one.startswith("Ignore")], titles)
+
     def test_safe_fixes(self):
         """All at once, and each as a preferred one."""
         fixed = 0
