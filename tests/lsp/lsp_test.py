@@ -392,6 +392,21 @@ class Names(LspTest):
         edit = other.at("textDocument/rename", sensors, at, newName="b")
         self.assertEqual({path_of(one["textDocument"]["uri"]) for one in edit["documentChanges"]}, {str(robot), str(sensors)})
 
+    def test_lines_that_an_editor_counts_differently(self):
+        """A carriage return alone ends a line in some editors: an edit of a file that they open for it would hit another line."""
+        self.write("cr/r.smurf", "modelname: r\nfiles: [r.urdf, m.yml]\n")
+        robot = self.write("cr/r.urdf", '<robot name="r"><link name="a"/></robot>\n')
+        (self.folder / "cr/m.yml").write_bytes(b"# a\rb\nsensors:\n- {name: s, type: NodeIMU, link: a}\n")
+        self.write("cr/.git/HEAD", "")
+        self.open(robot)
+        self.open(self.folder / "cr/r.smurf")
+        at = self.find(robot, 'link name="a', behind=True)
+        with self.assertRaisesRegex(client.RequestError, "cr/m.yml' contains a carriage return alone"):
+            self.client.at("textDocument/rename", robot, at, newName="b")
+        self.client.open(self.folder / "cr/m.yml")
+        edit = self.client.at("textDocument/rename", robot, at, newName="b")
+        self.assertEqual(len(edit["documentChanges"]), 2)
+
     def test_srdf(self):
         """Alone in the editor: definition, references and another name."""
         srdf = self.write("arm/srdf/arm.srdf", '<robot name="arm">\n  <group name="all"><joint name="joint1_waist"/>'
@@ -794,6 +809,19 @@ class Protocol(LspTest):
             self.assertEqual(columns[encoding], units(text[:text.rindex('"a"') + 1]))
             self.assertEqual(other.stop(), 0)
         self.assertEqual(len(set(columns.values())), 3)
+
+    def test_halves_of_characters(self):
+        """An editor may send one half of a character, then the other: the server keeps the text that the editor has."""
+        text = self.open(self.motors) or self.client.texts[str(self.motors)]
+        start = {"line": 0, "character": 0}
+        self.client.change(self.motors, [{"range": {"start": start, "end": start}, "text": "# \\ud83d \ud83d\n"}])
+        middle = {"line": 0, "character": 10}
+        self.client.change(self.motors, [{"range": {"start": middle, "end": middle}, "text": "\ude00"}])
+        self.client.texts[str(self.motors)] = "# \\ud83d \ufffd\ufffd\n" + text
+        self.assertEqual(self.client.published(self.motors), [])
+        self.client.edit(self.motors, *[self.find(self.motors, "joint: joint1_waist", behind=end) for end in (False, True)], "joint: no")
+        found, = [one for one in self.client.published(self.motors) if one["code"] == "SML3101"]
+        self.assertEqual(text_in(self.client.texts[str(self.motors)], found["range"]), "no")
 
     def test_crlf(self):
         path = self.write("r.urdf", "")
