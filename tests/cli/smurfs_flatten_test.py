@@ -7,6 +7,7 @@ import pathlib
 import re
 import shutil
 import struct
+import subprocess
 import sys
 import xml.etree.ElementTree
 import zipfile
@@ -665,6 +666,41 @@ physics: {{gravity: {{x: {gravity}, y: {gravity}, z: 0}}, stepsize: {step}}}
                     elif done.returncode == 0 and "--explain" not in run:
                         numbers = re.findall(r"(?<![\w.\"'])[+-]?(?:nan|inf(?:inity)?)(?![\w\"'])", done.stdout)
                         self.assertEqual(numbers, [], (key, value, run, done.stdout))
+
+
+class NumbersOfAnnotations(FlattenTest):
+    """Only URDFs and scenes were checked for numbers that cannot be computed with."""
+    URDF = ('<robot name="r"><link name="a"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+            '</inertial><collision name="c"><geometry><box size="1 1 1"/></geometry></collision></link><link name="b"><inertial>'
+            '<mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><joint name="j" '
+            'type="revolute"><parent link="a"/><child link="b"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>')
+    ENTRIES = ("motors: [{{name: m, joint: j, type: PID, maxEffort: {0}, maxSpeed: 1, p: 2}}]",
+               "motors: [{{name: m, joint: j, type: PID, maxEffort: 1, maxSpeed: {0}}}]",
+               "motors: [{{name: m, joint: j, type: PID, maxEffort: 1, maxSpeed: 1, p: {0}}}]",
+               "collision: [{{name: c, link: a, cfriction1: {0}}}]",
+               "joint: [{{name: j, springDamping: {0}}}]",
+               "sensors: [{{name: s, type: CameraSensor, link: a, width: {0}, opening_width: {0}}}]",
+               "sensors: [{{name: s, type: CameraSensor, link: a, position_offset: {{x: {0}}}}}]",
+               "sensors: [{{name: s, type: CameraSensor, link: a, orientation_offset: {{roll: {0}, pitch: {0}}}}}]",
+               "sensors: [{{name: s, type: CameraSensor, link: a, orientation_offset: {{x: {0}, w: {0}}}}}]",
+               "sensors: [{{name: s, type: RotatingRaySensor, link: a, horizontal_resolution: {0}, opening_height: {0}}}]",
+               "sensors: [{{name: s, type: RotatingRaySensor, link: a, opening_width: {0}}}]",
+               "sensors: [{{name: s, type: RaySensor, link: a, max_distance: {0}}}]",
+               "sensors: [{{name: s, type: NodeIMU, link: a, rate: {0}}}]")
+
+    def test_no_result_has_one(self):
+        self.write("r.urdf", self.URDF)
+        self.write("r.smurf", "modelname: r\nfiles: [r.urdf, r.yml]\n")
+        export = [pathlib.Path(cli.TOOL).with_name("smurf2urdf"), "r.smurf", "--force", "--sensors", "gazebo", "--apply", "all"]
+        for entry in self.ENTRIES:
+            for value in (".nan", ".inf", "-.inf", "1e308", "-1e308", "1e-320"):
+                self.write("r.yml", entry.format(value) + "\n")
+                runs = [("r.smurf", "--force", "--quiet", "--format", name) for name in ("mjcf", "sdf", "urdf", "usda", "gltf")]
+                results = [self.run_tool(*run) for run in runs]
+                results.append(subprocess.run(export, capture_output=True, text=True, cwd=self.folder, timeout=60, check=False))
+                for done in results:
+                    self.assertEqual(done.returncode, 0, (entry, value, done.stderr))
+                    self.assertNotRegex(done.stdout, r"(?i)(?<![\w.])[+-]?(nan|inf(inity)?)(?!\w)", (entry, value))
 
 
 class OfGazebo(FlattenTest):

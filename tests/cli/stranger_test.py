@@ -139,6 +139,37 @@ class Configuration(StrangerTest):
         self.expect(2, "smurf-lint", "--fix", "--allow-outside", "l.urdf", "sound.urdf")  # which is about reading
         self.assertEqual((self.victim / "mine").read_text(), text)
 
+    def test_fixes_change_nothing_that_a_model_only_reads(self):
+        """An installed package and the current folder may be read. That a model lists a file of them is no order to fix it."""
+        text = '<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/>' \
+               '<child link="b"/><dynamics/></joint></robot>\n'
+        installed = self.victim / "pkg/r.urdf"
+        installed.parent.mkdir()
+        installed.write_text(text)
+        (self.victim / "pkg/.git").mkdir()
+        self.write("m.smurf", "modelname: r\nfiles: [../victim/pkg/r.urdf]\n")
+        self.write("own.urdf", text)
+        for options, cwd in ((["--package", f"pkg={installed.parent}"], self.project), ([], self.folder)):
+            model, own = self.project / "m.smurf", self.project / "own.urdf"
+            own.write_text(text)
+            done = self.expect(1, "smurf-lint", "--fix", *options, model, own, cwd=cwd)
+            self.assertEqual(installed.read_text(), text)
+            self.assertNotEqual(own.read_text(), text)
+            self.assertIn("SML1425", done.stdout)
+            self.assertNotIn("fixable", done.stdout)
+            self.assertEqual(self.expect(0, "smurf-lint", "--diff", *options, model, cwd=cwd).stdout, "")
+            done = self.expect(2, "smurf-lint", "--rename", "joint:j=k", *options, model, cwd=cwd)
+            self.assertIn("r.urdf' is in no project of the named files; name it, too", done.stderr)
+            self.assertEqual(installed.read_text(), text)
+            self.expect(1, "smurf-lint", "--rename", "joint:j=k", *options, model, installed, cwd=cwd)
+            self.assertIn('name="k"', installed.read_text())
+            installed.write_text(text)
+            self.expect(0, "smurf-lint", "--fix", *options, model, installed, cwd=cwd)
+            self.assertNotEqual(installed.read_text(), text)
+            installed.write_text(text)
+        self.expect(0, "smurf-lint", "--fix", "--allow-outside", "m.smurf")
+        self.assertNotEqual(installed.read_text(), text)
+
 
 class Pipes(StrangerTest):
     def test_a_pipe_that_nobody_reads(self):

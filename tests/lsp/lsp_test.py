@@ -253,6 +253,13 @@ class Actions(LspTest):
         self.client.replace(urdf, self.applied(urdf, action["edit"]))
         self.assertEqual([one["code"] for one in self.client.published(urdf) if one["code"] == found[0]["code"]], [])
 
+    def test_no_comment_before_the_declaration_of_xml(self):
+        robot = self.write("r.urdf", '\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>\n')
+        self.assertEqual([one["code"] for one in self.open(robot)], ["SML1005"])
+        titles = [one["title"] for one in self.actions(robot, 0)]
+        self.assertTrue(titles)
+        self.assertFalse([one for one in titles if one.startswith("Ignore")], titles)
+
     def test_safe_fixes(self):
         """All at once, and each as a preferred one."""
         fixed = 0
@@ -367,6 +374,38 @@ class Names(LspTest):
         edit = self.client.at("textDocument/rename", own, self.find(own, "elbow") + 1, newName="knee")
         changed = {pathlib.Path(path_of(one["textDocument"]["uri"])).name for one in edit["documentChanges"]}
         self.assertEqual(changed, {"a.urdf", "a.yml", "b.yml"})
+
+    def test_rename_in_a_package(self):
+        """What a model only reads is not changed: an editor would write to files that nobody opened."""
+        robot = self.write("opt/pkg/r.urdf", '<robot name="r"><link name="a"/></robot>\n')
+        (self.folder / "opt/pkg/.git").mkdir()
+        (self.folder / "own/.git").mkdir(parents=True)
+        self.write("own/r.smurf", "modelname: r\nfiles: [../opt/pkg/r.urdf, m.yml]\n")
+        sensors = self.write("own/m.yml", "sensors:\n- {name: s, type: NodeIMU, link: a}\n")
+        other = self.another([self.folder / "own"], capabilities=ALL, cwd=self.folder)
+        other.open(self.folder / "own/r.smurf")
+        other.open(sensors)
+        at = other.texts[str(sensors)].index("link: a") + len("link: ")
+        with self.assertRaisesRegex(client.RequestError, "r.urdf' is in no project of the named files$"):
+            other.at("textDocument/rename", sensors, at, newName="b")
+        other.open(robot)
+        edit = other.at("textDocument/rename", sensors, at, newName="b")
+        self.assertEqual({path_of(one["textDocument"]["uri"]) for one in edit["documentChanges"]}, {str(robot), str(sensors)})
+
+    def test_lines_that_an_editor_counts_differently(self):
+        """A carriage return alone ends a line in some editors: an edit of a file that they open for it would hit another line."""
+        self.write("cr/r.smurf", "modelname: r\nfiles: [r.urdf, m.yml]\n")
+        robot = self.write("cr/r.urdf", '<robot name="r"><link name="a"/></robot>\n')
+        (self.folder / "cr/m.yml").write_bytes(b"# a\rb\nsensors:\n- {name: s, type: NodeIMU, link: a}\n")
+        self.write("cr/.git/HEAD", "")
+        self.open(robot)
+        self.open(self.folder / "cr/r.smurf")
+        at = self.find(robot, 'link name="a', behind=True)
+        with self.assertRaisesRegex(client.RequestError, "cr/m.yml' contains a carriage return alone"):
+            self.client.at("textDocument/rename", robot, at, newName="b")
+        self.client.open(self.folder / "cr/m.yml")
+        edit = self.client.at("textDocument/rename", robot, at, newName="b")
+        self.assertEqual(len(edit["documentChanges"]), 2)
 
     def test_srdf(self):
         """Alone in the editor: definition, references and another name."""
@@ -770,6 +809,19 @@ class Protocol(LspTest):
             self.assertEqual(columns[encoding], units(text[:text.rindex('"a"') + 1]))
             self.assertEqual(other.stop(), 0)
         self.assertEqual(len(set(columns.values())), 3)
+
+    def test_halves_of_characters(self):
+        """An editor may send one half of a character, then the other: the server keeps the text that the editor has."""
+        text = self.open(self.motors) or self.client.texts[str(self.motors)]
+        start = {"line": 0, "character": 0}
+        self.client.change(self.motors, [{"range": {"start": start, "end": start}, "text": "# \\ud83d \ud83d\n"}])
+        middle = {"line": 0, "character": 10}
+        self.client.change(self.motors, [{"range": {"start": middle, "end": middle}, "text": "\ude00"}])
+        self.client.texts[str(self.motors)] = "# \\ud83d \ufffd\ufffd\n" + text
+        self.assertEqual(self.client.published(self.motors), [])
+        self.client.edit(self.motors, *[self.find(self.motors, "joint: joint1_waist", behind=end) for end in (False, True)], "joint: no")
+        found, = [one for one in self.client.published(self.motors) if one["code"] == "SML3101"]
+        self.assertEqual(text_in(self.client.texts[str(self.motors)], found["range"]), "no")
 
     def test_crlf(self):
         path = self.write("r.urdf", "")

@@ -12,9 +12,12 @@ namespace {
 
 /// Why a file must not be changed: it cannot be written, or other models read it, too.
 std::vector<std::string> problems_of(const std::string& path, const LoadedNames& loaded,
-                                     ModelsAround& around) {
+                                     const FileReader& changeable, ModelsAround& around) {
   if (!DiskFiles().is_file(path)) {
     return {"'" + path + "' is in an archive, which is not written"};
+  }
+  if (changeable.is_denied(path)) {
+    return {"'" + path + "' is in no project of the named files; name it, too"};
   }
   std::vector<std::string> problems;
   for (const std::string& model : around.listing(path)) {
@@ -27,7 +30,7 @@ std::vector<std::string> problems_of(const std::string& path, const LoadedNames&
 }  // namespace
 
 Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const Rename> renames,
-                       Session& session, const std::string& input) {
+                       Session& session, const FileReader& changeable, const std::string& input) {
   settings.opens_meshes = false;
   LoadedNames before(plan, settings, session);
   if (!before.problem().empty()) return {{}, {}, {before.problem()}};
@@ -36,7 +39,7 @@ Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const
   ModelsAround around(session.files());
   for (const FixedText& file : renamed.texts) {
     if (file.path == input) continue;
-    renamed.problems = problems_of(file.path, before, around);
+    renamed.problems = problems_of(file.path, before, changeable, around);
     if (!renamed.problems.empty()) return renamed;
   }
   before.release();  // both at once would need twice the memory

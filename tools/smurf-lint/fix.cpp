@@ -47,23 +47,55 @@ bool has_left_out(const Report& report) {
 
 /// A link that comes with the files does not choose what is written.
 bool leads_outside(const std::string& path, const LintOptions& options) {
+  if (options.allow_outside) return false;
   const std::string folder(path::parent(path));
   ConfinedFiles project;
-  confine(project, std::array{folder.empty() ? std::string(".") : folder}, options.packages,
-          options.allow_outside);
-  return project.read(path, 0).status == ReadStatus::denied;
+  confine_to_projects(project, std::array{folder.empty() ? std::string(".") : folder});
+  return project.is_denied(path);
 }
+
+/// Tells which fixes may be applied.
+class Changeable {
+ public:
+  Changeable(const LintOptions& options, const LintPlan& plan) : input_(plan.standard_input) {
+    confine_to_changeable(files_, options, plan);
+  }
+
+  void keep_own(std::vector<Diagnostic>& diagnostics, const SourceMap& sources) {
+    for (Diagnostic& one : diagnostics) {
+      std::erase_if(one.fixes, [&](const Fix& fix) {
+        return std::any_of(fix.edits.begin(), fix.edits.end(), [&](const Edit& edit) {
+          return is_foreign(sources.path(edit.span.source));
+        });
+      });
+    }
+  }
+
+ private:
+  /// A file may have thousands of fixes.
+  bool is_foreign(const std::string& path) {
+    const auto [known, is_new] = known_.try_emplace(path);
+    if (is_new) known->second = path != input_ && files_.is_denied(path);
+    return known->second;
+  }
+
+  ConfinedFiles files_;
+  const std::string input_;
+  std::map<std::string, bool> known_;
+};
 
 }  // namespace
 
-Fixed fix_all(const LintOptions& options, Session& session, Report report,
+Fixed fix_all(const LintOptions& options, const LintPlan& plan, Session& session, Report report,
               const std::function<Report()>& check) {
   const Applicability most = options.unsafe_fixes ? Applicability::unsafe : Applicability::safe;
   Fixed fixed;
   fixed.report = std::move(report);
   std::uint64_t total = 0;
   int counted = 0;
+  Changeable changeable(options, plan);
   for (int round = 0;; ++round) {
+    changeable.keep_own(fixed.report.diagnostics, session.sources());
     AppliedFixes applied = apply_fixes(fixed.report.diagnostics, session.sources(), most);
     if (applied.texts.empty()) return fixed;
     if (counted == kRounds) {

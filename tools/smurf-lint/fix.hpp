@@ -33,8 +33,10 @@ struct Fixed {
 };
 
 /// Applies fixes and checks again until a round finds none, or the limit is reached. The fixed
-/// texts go to the session, in front of those on the disk; nothing is written.
-Fixed fix_all(const LintOptions& options, Session& session, Report report,
+/// texts go to the session, in front of those on the disk; nothing is written. The fixes of files
+/// that are in no project of the plan are removed from the report: a model may read an installed
+/// package, but it does not choose that the package is changed.
+Fixed fix_all(const LintOptions& options, const LintPlan& plan, Session& session, Report report,
               const std::function<Report()>& check);
 
 /// Writes every changed file but standard input, all or none. False when one could not be written,

@@ -146,7 +146,7 @@ ExitCode give_out(const LintOptions& options, const LintPlan& plan, Session& ses
 
 ExitCode fix(const LintOptions& options, const LintPlan& plan, Session& session, Report found,
              const std::function<Report()>& check) {
-  const Fixed fixed = fix_all(options, session, std::move(found), check);
+  const Fixed fixed = fix_all(options, plan, session, std::move(found), check);
   if (fixed.end == FixEnd::no_end) {
     complain(kTool, "the fixes undo each other; nothing was changed (this is a bug of smurf-lint)");
     return kFailed;

@@ -73,6 +73,12 @@ std::vector<std::string> searched_or_named(const LintOptions& options) {
   return options.paths.empty() ? std::vector<std::string>{"."} : options.paths;
 }
 
+void append_planned(const LintPlan& plan, std::vector<std::string>& paths) {
+  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
+    for (const PlannedFile& file : *planned) paths.push_back(file.path);
+  }
+}
+
 class Planner {
  public:
   Planner(const LintOptions& options, MemoryFiles& files)
@@ -304,12 +310,18 @@ void confine_to_inputs(ConfinedFiles& files, const LintOptions& options) {
 
 void confine_to_found(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan) {
   std::vector<std::string> found = plan.configs;
-  for (const auto* planned : {&plan.scenes, &plan.models, &plan.strays}) {
-    for (const PlannedFile& file : *planned) found.push_back(file.path);
-  }
+  append_planned(plan, found);
   confine(files, found, options.packages, options.allow_outside);
   files.allow(options.config);
   files.allow(options.baseline);
+}
+
+void confine_to_changeable(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan) {
+  if (options.allow_outside) return files.allow("/");
+  std::vector<std::string> inputs = searched_or_named(options);
+  inputs.push_back(options.stdin_filename);
+  append_planned(plan, inputs);
+  confine_to_projects(files, inputs);
 }
 
 LintPlan make_plan(const LintOptions& options, MemoryFiles& files) {

@@ -24,6 +24,10 @@ void confine_to_inputs(ConfinedFiles& files, const LintOptions& options);
 /// same whether it is named or found in a folder.
 void confine_to_found(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan);
 
+/// Lets be changed what is in the projects of the named and the found files; with --allow-outside,
+/// everything.
+void confine_to_changeable(ConfinedFiles& files, const LintOptions& options, const LintPlan& plan);
+
 /// Standard input, if it is read, goes to `files`.
 LintPlan make_plan(const LintOptions& options, MemoryFiles& files);
 

@@ -11,8 +11,10 @@ namespace smurf::tools {
 
 std::optional<std::map<std::string, Change>> rename_all(const LintOptions& options,
                                                         const LintPlan& plan, Session& session) {
-  Renamed renamed =
-      rename_planned(plan, check_settings(options), options.renames, session, plan.standard_input);
+  ConfinedFiles changeable;
+  confine_to_changeable(changeable, options, plan);
+  Renamed renamed = rename_planned(plan, check_settings(options), options.renames, session,
+                                   changeable, plan.standard_input);
   for (const std::string& problem : renamed.problems) {
     complain("smurf-lint", "nothing was renamed: " + problem);
   }

@@ -77,6 +77,15 @@ Json workspace_edit(const Context& context, std::span<const Edit> edits, const S
   return {{"changes", std::move(changes)}};
 }
 
+bool is_counted_differently(const Context& context, SourceId source, const SourceMap& sources) {
+  if (context.workspace.document(sources.path(source)) != nullptr) return false;
+  const std::string_view text = sources.text(source);
+  for (std::size_t at = text.find('\r'); at != text.npos; at = text.find('\r', at + 1)) {
+    if (!text.substr(at + 1).starts_with('\n')) return true;
+  }
+  return false;
+}
+
 namespace {
 
 /// Escapes markup, so that a name cannot become a link, a picture or an element.

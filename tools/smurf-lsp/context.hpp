@@ -69,6 +69,10 @@ const Reference* reference_at(Context& context, const PlaceView& place);
 Json location(const Context& context, Span span);
 /// A WorkspaceEdit of edits in these sources.
 Json workspace_edit(const Context& context, std::span<const Edit> edits, const SourceMap& sources);
+/// Whether an editor may count the lines of a file differently than this server, which does not
+/// have the editor's text: an edit would hit another place. It is a file that is not open and
+/// contains a carriage return alone, which ends a line in some editors only.
+bool is_counted_differently(const Context& context, SourceId source, const SourceMap& sources);
 /// Makes Markdown of paragraphs with names in backquotes. All other markup in them is escaped.
 Json markdown(std::span<const std::string> lines);
 Json markdown(std::string_view line);

@@ -67,6 +67,8 @@ Json rename_files(Context& context, const Json& params) {
   if (!renames.is_array()) return nullptr;
   for (const std::string& file : files_of(context)) {
     for (const FileView& view : context.workspace.views(file)) {
+      if (is_counted_differently(context, view.source, context.workspace.loaded_sources()))
+        continue;
       for (const FileLink& link : links_in(context, view)) {
         for (const Json& one : renames) {
           const std::string from = path_of_uri(text_at(one, {"oldUri"}));

@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rename, with the engine of `smurf-lint --rename`.
+#include <set>
+
 #include "smurf-lsp/capabilities.hpp"
 
 namespace smurf::lsp {
 namespace {
+
+/// Refuses edits that would hit other places in the editor.
+void check_lines(const Context& context, std::span<const Edit> edits) {
+  const SourceMap& sources = context.workspace.loaded_sources();
+  std::set<SourceId> seen;  // a file may have thousands of edits
+  for (const Edit& edit : edits) {
+    const SourceId source = edit.span.source;
+    if (!seen.insert(source).second || !is_counted_differently(context, source, sources)) continue;
+    throw RequestError(kRequestFailed, "nothing was renamed: '" + sources.path(source) +
+                                           "' contains a carriage return alone, which not all "
+                                           "editors count as the end of a line; open the file");
+  }
+}
 
 /// Removes the advice for the command line.
 std::string reason(const std::string& problem) {
@@ -32,6 +47,7 @@ Json rename(Context& context, const Json& params) {
       throw RequestError(kRequestFailed,
                          "nothing was renamed: " + reason(renamed.problems.front()));
     }
+    check_lines(context, renamed.edits);
     return workspace_edit(context, renamed.edits, context.workspace.loaded_sources());
   }
   throw RequestError(kRequestFailed, "there is no name here");

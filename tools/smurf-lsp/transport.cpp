@@ -2,6 +2,7 @@
 #include "smurf-lsp/transport.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <istream>
 #include <ostream>
 #include <string_view>
@@ -36,6 +37,43 @@ std::optional<std::int64_t> length_in(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t", colon + 1), line.size()));
   while (line.ends_with(' ')) line.remove_suffix(1);
   return parse_integer(line);
+}
+
+/// The unit of UTF-16 that `\uXXXX` at the start of a text of JSON names.
+std::optional<unsigned> unit_at(std::string_view text) {
+  constexpr std::size_t kSize = 6;
+  if (text.size() < kSize || !text.starts_with("\\u")) return std::nullopt;
+  unsigned unit = 0;
+  const char* end = text.data() + kSize;
+  const auto read = std::from_chars(text.data() + 2, end, unit, 16);
+  return read.ptr == end ? std::optional(unit) : std::nullopt;
+}
+
+/// Replaces halves of surrogate pairs, which editors send while somebody types, and which no UTF-8
+/// has. The replacement is one unit, too, so that positions stay the same. Without the message, the
+/// server and the editor would no longer have the same text.
+std::string without_halves(std::string_view text) {
+  std::string whole;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t size = text[at] == '\\' ? 2 : 1;
+    bool is_half = false;
+    if (const auto unit = unit_at(text.substr(at))) {
+      const auto next = unit_at(text.substr(at + 6));
+      const bool is_pair = *unit >> 10U == 0x36 && next && *next >> 10U == 0x37;
+      is_half = !is_pair && *unit >> 11U == 0x1b;
+      size = is_pair ? 12 : 6;
+    }
+    whole += is_half ? "\\ufffd" : text.substr(at, size);
+    at += size;
+  }
+  return whole;
+}
+
+/// Deeper values are dropped: printing or comparing them would need a deep stack.
+Json parse(std::string_view text) {
+  constexpr int kDeepest = 200;
+  const auto keep = [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; };
+  return Json::parse(text, keep, false);
 }
 
 }  // namespace
@@ -77,10 +115,8 @@ Inbox::~Inbox() { reader_.join(); }
 
 void Inbox::read(std::istream& in) {
   while (const auto text = read_message(in)) {
-    // Deeper values are dropped: printing or comparing them would need a deep stack.
-    constexpr int kDeepest = 200;
-    const auto keep = [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; };
-    Json message = Json::parse(*text, keep, false);
+    Json message = parse(*text);
+    if (message.is_discarded()) message = parse(without_halves(*text));
     const bool is_last = text_at(message, {"method"}) == "exit";
     take(std::move(message));
     if (is_last) break;

@@ -13,6 +13,7 @@
 #include "smurf-lsp/edited_text.hpp"
 #include "smurf-lsp/uri.hpp"
 #include "smurf/config.hpp"
+#include "smurf/confine.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -376,8 +377,12 @@ Plan Workspace::plan_of_rename(const std::string& defined_in, const Rename& rena
 Renamed Workspace::rename(std::size_t part, const Reference& reference, const std::string& to) {
   const Rename rename{reference.kind, std::string(reference.name), to};
   const Plan plan = plan_of_rename(place_of_definition(part, reference), rename);
+  std::vector<std::string> named = folders_;
+  for (const auto& [path, document] : documents_) named.push_back(path);
+  ConfinedFiles changeable;
+  confine_to_projects(changeable, named);
   Renamed renamed =
-      tools::rename_planned(plan, settings_of_check(), std::span(&rename, 1), session_);
+      tools::rename_planned(plan, settings_of_check(), std::span(&rename, 1), session_, changeable);
   for (const FixedText& file : renamed.texts) changed_.push_back(file.path);
   put_texts();
   return renamed;

@@ -28,6 +28,10 @@ namespace smurf {
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside);
 
+/// Allows what is in the projects of the inputs, and nothing in the current folder or the packages.
+/// Fixes and new names change only such files: what else a model names was not given to be changed.
+void confine_to_projects(ConfinedFiles& files, std::span<const std::string> inputs);
+
 /// Is this a shared folder, or a link to one?
 bool is_shared_folder(const std::string& path);
 

@@ -110,10 +110,16 @@ void allow_project(ConfinedFiles& files, const std::string& folder) {
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside) {
   if (allow_outside) return files.allow("/");
+  if (!is_shared_folder(".")) files.allow(".");
+  confine_to_projects(files, inputs);
+  for (const auto& [name, folder] : packages) files.allow(folder);
+  for (const std::string& folder : ros_package_folders()) files.allow(folder);
+}
+
+void confine_to_projects(ConfinedFiles& files, std::span<const std::string> inputs) {
   for (const std::string_view name : kHistories) {
     files.deny_named(std::string(name), name == ".git" ? kGitExclude : "");
   }
-  if (!is_shared_folder(".")) files.allow(".");
   std::set<std::string> folders;
   std::set<std::string_view> seen;  // folders of files
   std::error_code ignored;
@@ -128,8 +134,6 @@ void confine(ConfinedFiles& files, std::span<const std::string> inputs,
     }
   }
   for (const std::string& folder : folders) allow_project(files, folder);
-  for (const auto& [name, folder] : packages) files.allow(folder);
-  for (const std::string& folder : ros_package_folders()) files.allow(folder);
 }
 
 bool is_shared_folder(const std::string& path) {

@@ -8,6 +8,7 @@
 
 #include "base/edits.hpp"
 #include "base/numbers.hpp"
+#include "base/quantity.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
 #include "convert/sensor_keys.hpp"
@@ -70,7 +71,7 @@ class GazeboSensor {
   /// The lines inside <sensor>; "" when Gazebo has no such sensor.
   std::string content(std::string_view type) const {
     std::string text;
-    if (sensor_.rate && *sensor_.rate > 0) {
+    if (sensor_.rate && *sensor_.rate > 0 && is_quantity(1000 / *sensor_.rate)) {
       text += "    " + leaf("update_rate", 1000 / *sensor_.rate) + "\n";
     }
     if (type == "CameraSensor") return text + camera();
@@ -96,7 +97,8 @@ class GazeboSensor {
   std::string lidar() const {
     const double width = keys_.number("opening_width", 2 * std::numbers::pi);
     const double step = keys_.number("horizontal_resolution", std::numbers::pi / 180);
-    const double samples = step > 0 ? std::max(1.0, std::round(width / step)) : 1;
+    const double steps = step > 0 ? std::round(width / step) : 1;
+    const double samples = is_quantity(steps) ? std::max(1.0, steps) : 1;
     return pose({0, 0, 0}, keys_.rpy("rotation_offset")) + "    <lidar>\n      <scan>\n" +
            fan("horizontal", samples, keys_.number("horizontal_offset", 0), width) +
            fan("vertical", keys_.number("lasers", 32),

@@ -6,6 +6,7 @@
 
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "base/quantity.hpp"
 #include "base/rules.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
@@ -143,8 +144,9 @@ class Application {
     std::map<std::string_view, double> wanted;
     for (const yaml::View key : yaml::View(*document, entry.node)) {
       const auto value = dynamics_value(key.key());
-      if (!value || !key.number()) continue;
-      wanted.emplace(*value == DynamicsValue::damping ? "damping" : "friction", *key.number());
+      const std::optional<double> number = key.number();
+      if (!value || !number || !is_quantity(*number)) continue;
+      wanted.emplace(*value == DynamicsValue::damping ? "damping" : "friction", *number);
     }
     Attributes attributes;
     for (const auto& [name, number] : wanted) {

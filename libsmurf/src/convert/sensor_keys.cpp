@@ -4,12 +4,14 @@
 #include <numbers>
 
 #include "base/exact_math.hpp"
+#include "base/quantity.hpp"
 
 namespace smurf {
 
 std::optional<double> SensorKeys::find(std::string_view key) const {
   const yaml::View value = keys_.find(key);
-  return value ? value.number() : std::nullopt;
+  const std::optional<double> number = value ? value.number() : std::nullopt;
+  return number && is_quantity(*number) ? number : std::nullopt;
 }
 
 double SensorKeys::number(std::string_view key, double fallback) const {

@@ -14,7 +14,7 @@ class SensorKeys {
  public:
   explicit SensorKeys(yaml::View keys) : keys_(keys) {}
 
-  /// None when the key is absent or no number.
+  /// None when the key is absent, no number, or a number that cannot be computed with.
   std::optional<double> find(std::string_view key) const;
   double number(std::string_view key, double fallback) const;
   /// x, y and z below a key, each 0 when absent, in m.

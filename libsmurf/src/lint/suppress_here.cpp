@@ -47,6 +47,14 @@ bool is_between_tags(const xml::Document& document, std::string_view text, std::
   return open == std::string_view::npos || (close != std::string_view::npos && open < close);
 }
 
+/// Whether the XML declaration comes after a place. A comment there would make the file ill-formed
+/// for more readers.
+bool is_before_declaration(const xml::Document& document, std::string_view text, std::uint32_t at) {
+  const std::size_t root =
+      document.elements.empty() ? text.size() : document.elements[0].span.begin;
+  return text.substr(0, root).find("<?xml", at) != std::string_view::npos;
+}
+
 std::string words(const Diagnostic& diagnostic) {
   return "smurf-lint: ignore[" + std::string(diagnostic.rule->id) + "]";
 }
@@ -72,6 +80,7 @@ std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const yaml::Docu
 std::optional<Edit> suppress_here(const Diagnostic& diagnostic, const xml::Document& document,
                                   std::string_view text) {
   const Span span = diagnostic.span;
+  if (is_before_declaration(document, text, span.begin)) return std::nullopt;
   const std::string comment = "<!-- " + words(diagnostic) + " -->";
   const std::uint32_t end = end_of_line(text, span.begin);
   if (is_between_tags(document, text, end)) return Edit{{span.source, end, end}, " " + comment};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/contacts.hpp"
 
+#include "base/quantity.hpp"
 #include "flatten/shapes.hpp"
 
 namespace smurf {
@@ -35,7 +36,8 @@ Contacts CollisionContacts::of(const urdf::Collision& collision, const urdf::Lin
   const yaml::View keys(*document, entry.node);
   const auto number = [&](std::string_view key) {
     const yaml::View value = keys.find(key);
-    return value ? value.number() : std::nullopt;
+    const std::optional<double> number = value ? value.number() : std::nullopt;
+    return number && is_quantity(*number) ? number : std::nullopt;
   };
   contacts.friction1 = number("cfriction1");
   contacts.friction2 = number("cfriction2");

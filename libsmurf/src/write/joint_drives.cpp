@@ -2,6 +2,7 @@
 #include "write/joint_drives.hpp"
 
 #include "base/numbers.hpp"
+#include "base/quantity.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/import.hpp"
 #include "convert/passes.hpp"
@@ -9,8 +10,9 @@
 namespace smurf {
 namespace {
 
+/// A limit that is too large to be computed with is as good as none.
 std::optional<double> above_zero(std::optional<double> value) {
-  return value && *value > 0 ? value : std::nullopt;
+  return value && *value > 0 && is_quantity(*value) ? value : std::nullopt;
 }
 
 DriveKind kind_of(std::string_view interface) {
@@ -127,7 +129,9 @@ std::vector<JointDrive> joint_drives(const LinkedModel& model) {
 
 double speed_gain(const JointDrive& drive) {
   constexpr double kWithoutLimits = 100;
-  return drive.effort && drive.speed ? 10 * *drive.effort / *drive.speed : kWithoutLimits;
+  const double gain =
+      drive.effort && drive.speed ? 10 * *drive.effort / *drive.speed : kWithoutLimits;
+  return is_quantity(gain) ? gain : kWithoutLimits;
 }
 
 std::vector<DrivenFollower> driven_followers(const LinkedModel& model) {
