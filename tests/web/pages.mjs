@@ -2,7 +2,7 @@
 // Opens pages in Chromium and runs steps in them. usage: node pages.mjs NODE_MODULES CHROMIUM <JOBS >RESULTS
 // JOBS: [{page, hash, width, height, scheme, steps}]. A page is a file, or an address on this machine, which begins with
 // nothing kept from others. A step is a script (a text), {key}, {type: TEXT}, {click: [x, y]}, {shot: FILE}, {axe: true},
-// {until: SCRIPT}, {drop: PATHS}, {choose: SELECTOR, paths}, {downloads: FOLDER} or {load: HASH}.
+// {until: SCRIPT}, {drop: PATHS}, {choose: SELECTOR, paths}, {downloads: FOLDER}, {file: one that is there soon} or {load: HASH}.
 // RESULTS: [{results: one for each step, errors that the page logged, addresses that it asked for}]
 import fs from "node:fs";
 import { createRequire } from "node:module";
@@ -21,6 +21,11 @@ async function drop(page, files) {
     await client.send("Input.dispatchDragEvent", { type, x: width / 2, y: height / 2, data });
 }
 
+/** A download has another name until it is complete. */
+async function appears(file) {
+  while (!fs.existsSync(file)) await new Promise((done) => setTimeout(done, 50));
+}
+
 async function load(page, hash) {
   await page.goto("about:blank");
   await page.goto(page.address + hash, { timeout: kTime });
@@ -35,6 +40,7 @@ async function take(page, step) {
   if (step.drop) return drop(page, step.drop);
   if (step.choose) return (await page.$(step.choose)).uploadFile(...step.paths);
   if (step.load !== undefined) return load(page, step.load);
+  if (step.file) return appears(step.file);
   if (step.downloads) {
     const client = await page.createCDPSession();
     return void (await client.send("Page.setDownloadBehavior", { behavior: "allow", downloadPath: step.downloads }));

@@ -34,7 +34,7 @@ const kExamples = [
     title: "A scene in a scene on a robot",
     targets: [],
     from: "fixtures/scenes/nested",
-    mistakes: [["outer.smurfs", "Base::flange", "Base::flang"]],
+    mistakes: [["base_motors.yml", "joint: j1", "joint: j_1"]],
   },
 ];
 

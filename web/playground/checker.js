@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks the files after each change and shows the report, which is the page of smurf-lint --format html.
 import { byId, element } from "../common/dom.js";
+import { kSeverities } from "../report/filters.js";
 import { Page } from "../report/page.js";
 import { Picture } from "../report/picture.js";
 import { bytesOf, textOf } from "./bytes.js";
@@ -14,6 +15,7 @@ const reportIn = (page) => JSON.parse(page.match(/id="report" [^>]*>([^<]*)/)[1]
 export class Checker {
   constructor(playground) {
     this.playground = playground;
+    this.byFile = new Map(); // findings
     byId("fix").addEventListener("click", () => this.fixAll());
     byId("show-robot").addEventListener("click", () => this.showRobot());
     byId("save-report").addEventListener("click", () =>
@@ -65,6 +67,9 @@ export class Checker {
       onFix: (finding) => this.playground.fix(finding),
     };
     this.page = new Page(report, { actions, signal: this.keys.signal });
+    this.byFile = new Map();
+    for (const finding of report.diagnostics)
+      if (!this.byFile.get(finding.file)?.push(finding)) this.byFile.set(finding.file, [finding]);
     this.showBar(report);
     const { shown, files, convert } = this.playground;
     const first = report.diagnostics.find(({ file }) => files.all.has(file))?.file ?? convert.source;
@@ -115,11 +120,9 @@ export class Checker {
 
   /** How many findings a file has, as the list of files shows it. */
   countIn(name) {
-    const own = this.page?.report.diagnostics.filter(({ file }) => file === name) ?? [];
-    if (own.length === 0) return undefined;
-    const worst = ["error", "warning", "info"].find((severity) =>
-      own.some((one) => one.severity === severity),
-    );
+    const own = this.byFile.get(name);
+    if (!own) return undefined;
+    const worst = kSeverities.find((severity) => own.some((one) => one.severity === severity));
     return element(
       "span",
       { class: `severity ${worst}` },

@@ -43,7 +43,9 @@ class Playground {
     onClick("save", () => download(this.files.all, "robot"));
     onClick("share", () => this.share());
     onClick("stop", () => this.tools.stop());
+    const hasFiles = (event) => event.dataTransfer.types.includes("Files");
     const mark = (event, isOver) => {
+      if (!hasFiles(event)) return; // text that is moved in the text field
       event.preventDefault();
       document.body.classList.toggle("dropping", isOver);
     };
@@ -51,7 +53,7 @@ class Playground {
     document.addEventListener("dragleave", (event) => mark(event, false));
     document.addEventListener("drop", (event) => {
       mark(event, false);
-      this.take(dropped(event.dataTransfer));
+      if (hasFiles(event)) this.take(dropped(event.dataTransfer));
     });
     window.addEventListener("hashchange", () => this.readAddress());
   }
@@ -157,10 +159,16 @@ class Playground {
 
   showNames() {
     const { all } = this.files;
+    const names = [...all.keys()].sort();
+    // A list of thousands takes longer than a key stroke should.
+    const listed = JSON.stringify([this.shown, names]);
+    if (listed === this.listed && this.checker.byFile === this.counted) return;
+    this.listed = listed;
+    this.counted = this.checker.byFile;
     byId("robot-title").textContent = all.size === 1 ? "1 file" : `${all.size.toLocaleString("en")} files`;
     const hadFocus = byId("names").contains(document.activeElement);
     byId("names").replaceChildren(
-      ...[...all.keys()].sort().map((name) => {
+      ...names.map((name) => {
         const count = this.checker.countIn(name);
         return element(
           "li",

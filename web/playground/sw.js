@@ -7,7 +7,7 @@ const kCache = kPrefix + kVersion;
 
 async function keep() {
   const cache = await caches.open(kCache);
-  await cache.addAll(kFiles.map((file) => new Request(file, { cache: "reload" })));
+  await cache.addAll(kFiles.map((file) => new Request(file, { cache: "no-cache" })));
 }
 
 async function begin() {
