@@ -212,15 +212,20 @@ class Playground {
   /** Applies the fix of a finding. */
   fix(finding) {
     if (this.checker.checked !== this.files.all) return; // the new findings are on their way
+    if (!finding.edits.every(({ file }) => this.has(file))) return;
     this.shown = finding.edits[0].file;
     this.files.change(edited(this.files.all, finding.edits));
   }
 
+  /** Whether a file can be changed; if not, this is said. */
+  has(file) {
+    const isThere = this.files.all.has(file);
+    this.tell(isThere ? "" : `${file} is in an archive: unpack it to change it.`);
+    return isThere;
+  }
+
   edit(finding) {
-    if (!this.files.all.has(finding.file)) {
-      this.tell(`${finding.file} is in an archive; unpack it to edit it.`);
-      return;
-    }
+    if (!this.has(finding.file)) return;
     this.showFile(finding.file);
     this.editor.select(finding);
   }
