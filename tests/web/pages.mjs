@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens pages in Chromium and runs steps in them. usage: node pages.mjs NODE_MODULES CHROMIUM <JOBS >RESULTS
-// JOBS: [{page, hash, width, height, scheme, steps}]. A step is a script (a text), {key}, {click: [x, y]}, {shot: FILE} or
-// {axe: true}. RESULTS: [{results: one for each step, errors that the page logged, addresses that it asked for}]
+// JOBS: [{page, hash, width, height, scheme, steps}]. A page is a file, or an address on this machine, which begins with
+// nothing kept from others. A step is a script (a text), {key}, {type: TEXT}, {click: [x, y]}, {shot: FILE}, {axe: true},
+// {until: SCRIPT}, {drop: PATHS}, {choose: SELECTOR, paths}, {downloads: FOLDER}, {file: one that is there soon} or {load: HASH}.
+// RESULTS: [{results: one for each step, errors that the page logged, addresses that it asked for}]
 import fs from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
@@ -10,9 +12,39 @@ const [modules, chromium] = process.argv.slice(2);
 const require = createRequire(`${modules}/`);
 const kTime = 600_000; // ms; machines of CI are slow and busy
 
+/** Drops files and folders in the middle of the page. */
+async function drop(page, files) {
+  const { width, height } = page.viewport();
+  const client = await page.createCDPSession();
+  const data = { items: [], files, dragOperationsMask: 1 };
+  for (const type of ["dragEnter", "dragOver", "drop"])
+    await client.send("Input.dispatchDragEvent", { type, x: width / 2, y: height / 2, data });
+}
+
+/** A download has another name until it is complete. */
+async function appears(file) {
+  while (!fs.existsSync(file)) await new Promise((done) => setTimeout(done, 50));
+}
+
+async function load(page, hash) {
+  await page.goto("about:blank");
+  await page.goto(page.address + hash, { timeout: kTime });
+  await page.waitForSelector("html[data-ready]");
+}
+
 async function take(page, step) {
   if (typeof step === "string") return page.evaluate(step);
   if (step.key) return page.keyboard.press(step.key);
+  if (step.type) return page.keyboard.type(step.type);
+  if (step.until) return void (await page.waitForFunction(step.until, { timeout: kTime }));
+  if (step.drop) return drop(page, step.drop);
+  if (step.choose) return (await page.$(step.choose)).uploadFile(...step.paths);
+  if (step.load !== undefined) return load(page, step.load);
+  if (step.file) return appears(step.file);
+  if (step.downloads) {
+    const client = await page.createCDPSession();
+    return void (await client.send("Page.setDownloadBehavior", { behavior: "allow", downloadPath: step.downloads }));
+  }
   if (step.click) return page.mouse.click(...step.click);
   if (step.shot) return void (await page.screenshot({ path: step.shot }));
   await page.evaluate(fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8"));
@@ -21,7 +53,10 @@ async function take(page, step) {
 }
 
 async function run(browser, { page: file, hash = "", width = 1280, height = 800, scheme = "light", steps }) {
-  const page = await browser.newPage();
+  const isServed = file.startsWith("http://");
+  const context = isServed ? await browser.createBrowserContext() : undefined;
+  const page = await (context ?? browser).newPage();
+  page.address = isServed ? file : pathToFileURL(file).href;
   page.setDefaultTimeout(kTime);
   const errors = [];
   const addresses = [];
@@ -33,12 +68,14 @@ async function run(browser, { page: file, hash = "", width = 1280, height = 800,
   page.on("request", (request) => addresses.push(request.url()));
   await page.setViewport({ width, height });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
-  await page.goto(pathToFileURL(file).href + hash, { timeout: kTime });
+  await page.goto(page.address + hash, { timeout: kTime });
   await page.waitForSelector("html[data-ready]");
   const results = [];
   for (const step of steps) results.push((await take(page, step)) ?? null);
-  await page.close();
-  const isOther = (address) => address.split("#")[0] !== pathToFileURL(file).href;
+  const isOther = isServed
+    ? (address) => !address.startsWith(page.address)
+    : (address) => address.split("#")[0] !== page.address;
+  await (context ?? page).close();
   return { results, errors, addresses: addresses.filter(isOther) };
 }
 

@@ -31,7 +31,7 @@ export class Sources {
 }
 
 /** A column counts characters; an index, units of UTF-16. */
-function indexOf(line, column) {
+export function indexOf(line, column) {
   if (!/[\ud800-\udbff]/.test(line)) return Math.min(column - 1, line.length);
   let index = 0;
   for (let at = 1; at < column && index < line.length; ++at)

@@ -53,7 +53,7 @@ function figures(finding, sources) {
   return [source(finding, finding.pointer, linesAt(finding, marks, sources)), ...elsewhere.flat()];
 }
 
-function fixOf({ is_safe: isSafe, hunks }, file) {
+function fixOf({ fix: { is_safe: isSafe, hunks }, file }, onFix) {
   const kind = isSafe ? "Safe fix" : "Unsafe fix";
   const meaning = isSafe
     ? "it keeps the meaning of the file in every program that loads it"
@@ -72,6 +72,7 @@ function fixOf({ is_safe: isSafe, hunks }, file) {
     { class: "fix", open: true },
     element("summary", {}, element("b", { class: isSafe ? "safe" : "unsafe" }, kind), `: ${meaning}`),
     ...parts.filter((part) => part !== undefined),
+    onFix && element("button", { type: "button", class: "apply", onclick: onFix }, "Apply this fix"),
   );
 }
 
@@ -112,8 +113,8 @@ function explanationOf(rule) {
   return details;
 }
 
-/** Buttons at the right of the title: the rule, and the picture where there is one. */
-function tools(finding, { onRule, onPicture }) {
+/** Buttons at the right of the title: the rule, the picture where there is one, and the place in an editor. */
+function tools(finding, { onRule, onPicture, onEdit }) {
   const attributes = { type: "button", class: "rule", title: "Show the findings of this rule only" };
   const rule = element(
     "button",
@@ -122,9 +123,17 @@ function tools(finding, { onRule, onPicture }) {
   );
   const picture =
     onPicture && element("button", { type: "button", class: "pictured", onclick: onPicture }, "Show in 3D");
-  return element("div", { class: "tools" }, rule, picture);
+  const edit =
+    onEdit &&
+    finding.file &&
+    element("button", { type: "button", class: "edited", onclick: () => onEdit(finding) }, "Edit");
+  return element("div", { class: "tools" }, rule, picture || undefined, edit || undefined);
 }
 
+/**
+ * `actions`: onRule shows the findings of a rule, onPicture shows what the finding is about. Where a page can change
+ * the files, onEdit opens the place of a finding, and onFix applies its fix.
+ */
 export function card(finding, report, actions) {
   const title = `title-${finding.number}`;
   const remarks = [
@@ -147,7 +156,9 @@ export function card(finding, report, actions) {
     ),
     ...figures(finding, report.sources),
     ...remarks,
-    finding.fix?.hunks.length > 0 ? fixOf(finding.fix, finding.file) : undefined,
+    finding.fix?.hunks.length > 0
+      ? fixOf(finding, actions.onFix && (() => actions.onFix(finding)))
+      : undefined,
     explanationOf(report.rules[finding.id]),
   );
 }

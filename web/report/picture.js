@@ -84,14 +84,18 @@ export class Picture {
     return this.loaded;
   }
 
+  open(text) {
+    if (!this.isOpen) this.before = document.activeElement;
+    byId("picture").hidden = false;
+    byId("pictured").textContent = text;
+    document.body.classList.add("split");
+    return this.viewer();
+  }
+
   async show(finding) {
     const thing = this.find(finding);
     if (!thing) return;
-    if (!this.isOpen) this.before = document.activeElement;
-    byId("picture").hidden = false;
-    byId("pictured").textContent = `${thing.kind} ${thing.name}`;
-    document.body.classList.add("split");
-    const viewer = await this.viewer();
+    const viewer = await this.open(`${thing.kind} ${thing.name}`);
     viewer.goTo(thing.entity, thing.link);
   }
 

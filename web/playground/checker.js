@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks the files after each change and shows the report, which is the page of smurf-lint --format html.
+import { byId, element } from "../common/dom.js";
+import { kSeverities } from "../report/filters.js";
+import { Page } from "../report/page.js";
+import { Picture } from "../report/picture.js";
+import { bytesOf, textOf } from "./bytes.js";
+import { download } from "./download.js";
+
+const kPause = 400; // ms after the last letter
+
+/** The data of a page of smurf-lint, in which there is no "<". */
+const reportIn = (page) => JSON.parse(page.match(/id="report" [^>]*>([^<]*)/)[1]);
+
+export class Checker {
+  constructor(playground) {
+    this.playground = playground;
+    this.byFile = new Map(); // findings
+    byId("fix").addEventListener("click", () => this.fixAll());
+    byId("show-robot").addEventListener("click", () => this.showRobot());
+    byId("save-report").addEventListener("click", () =>
+      download(new Map([["report.html", bytesOf(this.html)]]), "report"),
+    );
+  }
+
+  checkSoon() {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.check(), kPause);
+  }
+
+  /** Checks now, or when the check that runs has ended. */
+  async check() {
+    clearTimeout(this.timer);
+    const { files } = this.playground;
+    if (files.all.size === 0 || this.isChecking) return;
+    this.isChecking = true;
+    const [checked, targets] = [files.all, this.playground.targets];
+    const place = files.freeName("report.html");
+    const target = targets.length > 0 ? [`--target=${targets.join(",")}`] : [];
+    const args = ["--format=json", `--format=html=${place}`, ...target, "."];
+    const result = await this.playground.run("smurf-lint", args, checked);
+    this.isChecking = false;
+    if (!result) return;
+    this.checked = checked;
+    this.show(result, result.files.get(place));
+    if (files.all !== checked || String(this.playground.targets) !== String(targets)) this.check();
+  }
+
+  show({ stdout, stderr }, page) {
+    const wasOpen = this.close();
+    this.playground.fail(stderr);
+    this.html = page && textOf(page);
+    byId("save-report").hidden = !this.html;
+    if (!this.html) {
+      byId("report").replaceChildren();
+      this.page = undefined;
+      return;
+    }
+    byId("report").replaceChildren(byId("report-page").content.cloneNode(true));
+    const report = reportIn(this.html);
+    JSON.parse(stdout).diagnostics.forEach(
+      ({ fix }, index) => (report.diagnostics[index].edits = fix?.edits),
+    );
+    this.keys = new AbortController();
+    const actions = {
+      onEdit: (finding) => this.playground.edit(finding),
+      onFix: (finding) => this.playground.fix(finding),
+    };
+    this.page = new Page(report, { actions, signal: this.keys.signal });
+    this.byFile = new Map();
+    for (const finding of report.diagnostics)
+      if (!this.byFile.get(finding.file)?.push(finding)) this.byFile.set(finding.file, [finding]);
+    this.showBar(report);
+    const { shown, files, convert } = this.playground;
+    const first = report.diagnostics.find(({ file }) => files.all.has(file))?.file ?? convert.source;
+    this.playground.showFile(shown ?? (files.all.has(first) ? first : undefined));
+    if (wasOpen) this.showRobot();
+  }
+
+  showBar({ diagnostics }) {
+    const safe = diagnostics.filter(({ fix }) => fix?.is_safe).length;
+    byId("fix").hidden = safe === 0;
+    byId("fix").textContent =
+      safe === 1 ? "Apply the safe fix" : `Apply all ${safe.toLocaleString("en")} safe fixes`;
+    byId("show-robot").hidden = byId("conversion").hidden;
+  }
+
+  /** Ends what the last report listens to; whether its picture was open. */
+  close() {
+    this.keys?.abort();
+    const isOpen = this.page?.picture.isOpen ?? false;
+    document.body.classList.remove("split");
+    return isOpen;
+  }
+
+  async fixAll() {
+    const { files } = this.playground;
+    const before = files.all;
+    const result = await this.playground.run("smurf-lint", ["--fix", "--fix-only", "."]);
+    if (!result || files.all !== before) return;
+    this.playground.fail(result.stderr);
+    if (result.files.size > 0) files.change(new Map([...before, ...result.files]));
+  }
+
+  /** Opens the picture. The report has none where nothing was found, or where there are several robots. */
+  async showRobot() {
+    const { page } = this;
+    const { source } = this.playground.convert;
+    if (!page.picture.page) {
+      const place = this.playground.files.freeName("robot.html");
+      const args = ["--format=html", "--force", "-o", place, "--", source];
+      const result = await this.playground.run("smurfs-flatten", args);
+      const html = result?.files.get(place);
+      if (page !== this.page || !result) return;
+      if (!html) return void this.playground.fail(result.stderr);
+      page.picture = new Picture(textOf(html));
+    }
+    await page.picture.open(source);
+  }
+
+  /** How many findings a file has, as the list of files shows it. */
+  countIn(name) {
+    const own = this.byFile.get(name);
+    if (!own) return undefined;
+    const worst = kSeverities.find((severity) => own.some((one) => one.severity === severity));
+    return element(
+      "span",
+      { class: `severity ${worst}` },
+      String(own.length),
+      element("span", { class: "unseen" }, own.length === 1 ? " finding" : " findings"),
+    );
+  }
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the robot for other programs, and offers the result.
+import { byId, element } from "../common/dom.js";
+import { sizeOf, textOf } from "./bytes.js";
+import { download } from "./download.js";
+import { kindOf } from "./files.js";
+
+const kMostShown = 20000; // characters of a result
+
+const flattened = (format) => (file, output) => [
+  "smurfs-flatten",
+  ["--format", format, "-o", output, "--", file],
+];
+const exported = (file, output) => ["smurf2urdf", ["-o", output, "--", file]];
+const imported = (file, output) => ["urdf2smurf", ["-o", output, "--", file]];
+
+const kScene = ["urdf", "smurf", "smurfs", "smurfa", "zsmurf", "zsmurfs"];
+/** [what is made, the end of its name, kinds of files that it is made of, the command] */
+const kForms = [
+  ["URDF", ".urdf", ["smurf"], exported],
+  ["SMURF", "_smurf", ["urdf"], imported],
+  ["SDF (Gazebo)", ".sdf", kScene, flattened("sdf")],
+  ["MJCF (MuJoCo)", ".xml", kScene, flattened("mjcf")],
+  ["one merged URDF", ".urdf", ["smurfs", "smurfa", "zsmurfs"], flattened("urdf")],
+  ["OpenUSD (Isaac Sim)", ".usda", kScene, flattened("usda")],
+  ["glTF (viewers)", ".gltf", kScene, flattened("gltf")],
+  ["JSON", ".json", kScene, flattened("json")],
+  ["a page in 3D", ".html", kScene, flattened("html")],
+];
+
+const formsOf = (file) => kForms.filter(([, , kinds]) => kinds.includes(kindOf(file)));
+
+function setOptions(select, values, nameOf = (value) => value) {
+  const before = select.value;
+  select.replaceChildren(
+    ...values.map((value) => element("option", { value: nameOf(value) }, nameOf(value))),
+  );
+  if (values.some((value) => nameOf(value) === before)) select.value = before;
+}
+
+/** Scenes first, since they contain the models; then models, which contain the URDFs. */
+const rankOf = (name) => -kScene.indexOf(kindOf(name).replace("z", ""));
+
+export class Convert {
+  /** `run` runs a tool; `files` are the Files. */
+  constructor(files, run) {
+    this.files = files;
+    this.run = run;
+    byId("source").addEventListener("change", () => this.showForms());
+    byId("convert").addEventListener("click", () => this.convert());
+    byId("save-result").addEventListener("click", () => download(this.result, this.name));
+    byId("keep-result").addEventListener("click", () => {
+      this.files.change(new Map([...this.files.all, ...this.result]));
+      byId("result").hidden = true;
+    });
+  }
+
+  /** The file that is converted and shown. */
+  get source() {
+    return byId("source").value;
+  }
+
+  update() {
+    const names = [...this.files.all.keys()].filter(kindOf).sort((a, b) => rankOf(a) - rankOf(b));
+    setOptions(byId("source"), names);
+    byId("conversion").hidden = names.length === 0;
+    this.showForms();
+  }
+
+  showForms() {
+    setOptions(byId("form"), formsOf(this.source), ([name]) => name);
+  }
+
+  async convert() {
+    const [, end, , command] = formsOf(this.source).find(([name]) => name === byId("form").value);
+    const stem = this.source.replace(/.*\//, "").replace(/\.[^.]*$/, "");
+    this.name = this.files.freeName(stem + end);
+    const [tool, args] = command(this.source, this.name);
+    const result = await this.run(tool, byId("despite").checked ? ["--force", ...args] : args);
+    if (result) this.show(result);
+  }
+
+  show({ stderr, files }) {
+    this.result = files;
+    byId("result").hidden = false;
+    byId("result-title").textContent = files.size > 0 ? `Written: ${this.name}` : "Nothing was written";
+    byId("said").textContent = stderr;
+    byId("said").hidden = stderr === "";
+    for (const id of ["save-result", "keep-result"]) byId(id).hidden = files.size === 0;
+    byId("result-files").replaceChildren(
+      ...[...files].map(([name, bytes]) => {
+        const text = textOf(bytes) ?? "This file is no text.";
+        const shown = text.length > kMostShown ? `${text.slice(0, kMostShown)}\n\u2026` : text;
+        return element(
+          "details",
+          {},
+          element("summary", {}, `${name} (${sizeOf(bytes.length)})`),
+          element("pre", { tabindex: "0", "aria-label": name }, shown),
+        );
+      }),
+    );
+  }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads what was dropped or chosen: files, folders, or a zip file.
+import { sizeOf } from "./bytes.js";
+import { cleaned } from "./files.js";
+import { unzip } from "./zip.js";
+
+const kMostBytes = 200e6;
+const kMostFiles = 5000;
+const kLeftOut = /(^|\/)(\.git|\.hg|\.svn|__MACOSX|\.DS_Store)(\/|$)/;
+
+const tooMany = () => new Error(`more than ${kMostFiles.toLocaleString("en")} files; open a smaller folder`);
+
+const ask = (method) => new Promise((done, failed) => method(done, failed));
+
+/** Adds [path, File] of an entry and all below it. */
+async function addEntry(entry, found) {
+  if (kLeftOut.test(entry.fullPath)) return;
+  if (entry.isFile) {
+    found.push([entry.fullPath, await ask((done, failed) => entry.file(done, failed))]);
+    if (found.length > kMostFiles) throw tooMany();
+    return;
+  }
+  const reader = entry.createReader();
+  for (;;) {
+    const some = await ask((done, failed) => reader.readEntries(done, failed));
+    if (some.length === 0) return;
+    for (const each of some) await addEntry(each, found);
+  }
+}
+
+/** [[path, File]] of what was dropped. The entries must be asked for before anything is awaited. */
+export async function dropped({ items }) {
+  const entries = [...items].map((item) => item.webkitGetAsEntry?.()).filter(Boolean);
+  const found = [];
+  for (const entry of entries) await addEntry(entry, found);
+  return found;
+}
+
+/** [[path, File]] of what was chosen. */
+export const chosen = (files) => [...files].map((file) => [file.webkitRelativePath || file.name, file]);
+
+/** Files by their paths. A zip file that comes alone is unpacked. */
+export async function contentsOf(found) {
+  const size = found.reduce((sum, [, file]) => sum + file.size, 0);
+  if (size > kMostBytes)
+    throw new Error(`${sizeOf(size)} are too much; at most ${sizeOf(kMostBytes)} can be opened`);
+  const read = async (file) => new Uint8Array(await file.arrayBuffer());
+  const isZip = found.length === 1 && /\.zip$/i.test(found[0][0]);
+  const contents = isZip
+    ? await unzip(await read(found[0][1]), kMostBytes)
+    : new Map(await Promise.all(found.map(async ([path, file]) => [path, await read(file)])));
+  const files = new Map();
+  for (const [path, bytes] of contents) if (!kLeftOut.test(path)) files.set(cleaned(path), bytes);
+  if (files.size > kMostFiles) throw tooMany();
+  return files;
+}

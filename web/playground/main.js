@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The playground: opens files, lets the tools check, fix and convert them in a worker, and shows what they say.
+// Nothing leaves the browser: the only requests are for the files of this page.
+import { byId, element } from "../common/dom.js";
+import { chosen, contentsOf, dropped } from "./intake.js";
+import { Checker } from "./checker.js";
+import { Convert } from "./convert.js";
+import { download } from "./download.js";
+import { Editor } from "./editor.js";
+import { Files, edited, fromJson } from "./files.js";
+import { fromHash, kMostShared, toHash } from "./share.js";
+import { Stopped, Tools } from "./tools.js";
+
+const kPatience = 1.5; // s without a message
+
+class Playground {
+  /** `about`: {targets: [{name, title}], examples: [{title, targets, files}]} */
+  constructor({ targets, examples }) {
+    this.files = new Files(() => this.update());
+    this.tools = new Tools((seconds) => this.showWork(seconds));
+    this.editor = new Editor((name, bytes) => this.files.set(name, bytes, name));
+    this.convert = new Convert(this.files, (...job) => this.run(...job));
+    this.checker = new Checker(this);
+    this.addTargets(targets);
+    this.addExamples(examples);
+    this.listen();
+    this.readAddress();
+  }
+
+  listen() {
+    const onClick = (id, action) => byId(id).addEventListener("click", action);
+    for (const [button, input] of [
+      ["open-folder", "folder"],
+      ["open-files", "files"],
+    ]) {
+      onClick(button, () => byId(input).click());
+      byId(input).addEventListener("change", ({ target }) => {
+        this.take(Promise.resolve(chosen(target.files)));
+        target.value = "";
+      });
+    }
+    onClick("undo", () => this.files.undo());
+    onClick("save", () => download(this.files.all, "robot"));
+    onClick("share", () => this.share());
+    onClick("stop", () => this.tools.stop());
+    const hasFiles = (event) => event.dataTransfer.types.includes("Files");
+    const mark = (event, isOver) => {
+      if (!hasFiles(event)) return; // text that is moved in the text field
+      event.preventDefault();
+      document.body.classList.toggle("dropping", isOver);
+    };
+    document.addEventListener("dragover", (event) => mark(event, true));
+    document.addEventListener("dragleave", (event) => mark(event, false));
+    document.addEventListener("drop", (event) => {
+      mark(event, false);
+      if (hasFiles(event)) this.take(dropped(event.dataTransfer));
+    });
+    window.addEventListener("hashchange", () => this.readAddress());
+  }
+
+  addTargets(targets) {
+    byId("programs").append(
+      ...targets.map(({ name, title }) =>
+        element("label", {}, element("input", { type: "checkbox", value: name }), ` ${title}`),
+      ),
+    );
+    byId("programs").addEventListener("change", () => this.chooseTargets(this.targets));
+  }
+
+  addExamples(examples) {
+    byId("examples").append(
+      ...examples.map(({ title, files, targets }) =>
+        element("button", { type: "button", onclick: () => this.open(fromJson(files), targets) }, title),
+      ),
+    );
+  }
+
+  get targets() {
+    return [...byId("programs").querySelectorAll(":checked")].map(({ value }) => value);
+  }
+
+  chooseTargets(targets) {
+    const boxes = [...byId("programs").querySelectorAll("input")];
+    for (const box of boxes) box.checked = targets.includes(box.value);
+    byId("chosen").textContent = this.targets.join(", ") || "none";
+    this.checker.check();
+  }
+
+  tell(text) {
+    byId("message").textContent = text;
+  }
+
+  /** Opens [[path, File]]. */
+  async take(found) {
+    try {
+      const files = await contentsOf(await found);
+      if (files.size === 0) throw new Error("there are no files in it");
+      this.open(files, this.targets);
+    } catch (error) {
+      this.tell(`This cannot be opened: ${error.message}.`);
+    }
+  }
+
+  /** Replaces all files. */
+  open(files, targets) {
+    this.tell("");
+    if (location.hash) history.replaceState(null, "", location.pathname + location.search);
+    byId("result").hidden = true;
+    this.shown = undefined;
+    this.files.change(files);
+    this.chooseTargets(targets);
+  }
+
+  async readAddress() {
+    try {
+      const shared = await fromHash(location.hash);
+      if (!shared) return;
+      this.open(shared.files, shared.targets);
+    } catch (error) {
+      this.tell(`This link cannot be opened: ${error.message}.`);
+    }
+  }
+
+  async share() {
+    const hash = await toHash(this.files.all, this.targets);
+    if (hash.length > kMostShared) {
+      const [length, most] = [hash.length, kMostShared].map((count) => count.toLocaleString("en"));
+      byId("shared").textContent =
+        `These files are too large for a link: it would have ${length} characters, and many programs cut links of more than ${most}. Download them instead.`;
+      return;
+    }
+    history.replaceState(null, "", hash);
+    const isCopied = await navigator.clipboard?.writeText(location.href).then(
+      () => true,
+      () => false,
+    );
+    byId("shared").textContent =
+      `The files are in the address of this page${isCopied ? ", which was copied" : ""}. Whoever has the link can read them.`;
+  }
+
+  /** Shows the files as they are now. */
+  update() {
+    const { all } = this.files;
+    document.body.classList.toggle("empty", all.size === 0);
+    byId("robot").hidden = all.size === 0;
+    byId("findings").hidden = all.size === 0;
+    byId("undo").disabled = !this.files.canUndo;
+    byId("shared").textContent = "";
+    this.convert.update();
+    this.showFile(all.has(this.shown) ? this.shown : undefined);
+    this.checker.checkSoon();
+  }
+
+  showFile(name) {
+    this.shown = name;
+    this.editor.show(name, this.files.all.get(name));
+    this.showNames();
+  }
+
+  showNames() {
+    const { all } = this.files;
+    const names = [...all.keys()].sort();
+    // A list of thousands takes longer than a key stroke should.
+    const listed = JSON.stringify([this.shown, names]);
+    if (listed === this.listed && this.checker.byFile === this.counted) return;
+    this.listed = listed;
+    this.counted = this.checker.byFile;
+    byId("robot-title").textContent = all.size === 1 ? "1 file" : `${all.size.toLocaleString("en")} files`;
+    const hadFocus = byId("names").contains(document.activeElement);
+    byId("names").replaceChildren(
+      ...names.map((name) => {
+        const count = this.checker.countIn(name);
+        return element(
+          "li",
+          {},
+          element(
+            "button",
+            {
+              type: "button",
+              "aria-current": name === this.shown && "true",
+              onclick: () => this.showFile(name),
+            },
+            element("span", {}, name),
+            count,
+          ),
+        );
+      }),
+    );
+    const current = byId("names").querySelector("[aria-current]");
+    if (hadFocus) current?.focus();
+    if (current) byId("names").scrollTop = current.offsetTop - byId("names").clientHeight / 2;
+  }
+
+  /** The result of a tool; undefined when it could not be run, which is shown. */
+  async run(tool, args, files = this.files.all) {
+    try {
+      byId("failure").hidden = true;
+      return await this.tools.run(tool, args, files);
+    } catch (error) {
+      this.fail(
+        error instanceof Stopped ? "Stopped. Change a file to check again." : `${tool}: ${error.message}`,
+      );
+      return undefined;
+    }
+  }
+
+  fail(text) {
+    byId("failure").textContent = text;
+    byId("failure").hidden = text === "";
+  }
+
+  /** Applies the fix of a finding. */
+  fix(finding) {
+    if (this.checker.checked !== this.files.all) return; // the new findings are on their way
+    if (!finding.edits.every(({ file }) => this.has(file))) return;
+    this.shown = finding.edits[0].file;
+    this.files.change(edited(this.files.all, finding.edits));
+  }
+
+  /** Whether a file can be changed; if not, this is said. */
+  has(file) {
+    const isThere = this.files.all.has(file);
+    this.tell(isThere ? "" : `${file} is in an archive: unpack it to change it.`);
+    return isThere;
+  }
+
+  edit(finding) {
+    if (!this.has(finding.file)) return;
+    this.showFile(finding.file);
+    this.editor.select(finding);
+  }
+
+  showWork(seconds = 0) {
+    const isLong = seconds >= kPatience;
+    const count = Math.floor(seconds / 10) * 10;
+    const text = count === 0 ? "Working\u2026" : `Working for ${count} seconds. Large robots take long.`;
+    byId("work-status").textContent = isLong ? text : "";
+    byId("stop").hidden = !isLong;
+  }
+}
+
+async function workOffline() {
+  if (!navigator.serviceWorker) return; // not from https or this computer
+  await navigator.serviceWorker.register("sw.js");
+  await navigator.serviceWorker.ready;
+  byId("offline").hidden = false;
+}
+
+const about = await (await fetch("about.json")).json();
+window.smurfPlayground = new Playground(about);
+document.documentElement.dataset.ready = "true";
+workOffline().catch(() => {}); // the page works without
