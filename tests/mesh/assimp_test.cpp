@@ -9,6 +9,7 @@
 
 #include <assimp/Importer.hpp>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 
@@ -56,10 +57,7 @@ std::optional<ShapeSums> read_by_assimp(const std::string& path, bool turns_y_to
   return sums;
 }
 
-ShapeSums read_here(const std::string& path) {
-  const MeshTriangles mesh = read_triangles_of(path, DiskFiles(), Limits{});
-  CAPTURE(mesh.reason);
-  REQUIRE(mesh.reason.empty());
+ShapeSums sums_of(const MeshTriangles& mesh) {
   ShapeSums sums;
   const auto point = [&](std::uint32_t index) -> Vector3 {
     const auto& p = mesh.points[index];
@@ -69,6 +67,13 @@ ShapeSums read_here(const std::string& path) {
     sums.add(point(mesh.indices[i]), point(mesh.indices[i + 1]), point(mesh.indices[i + 2]));
   }
   return sums;
+}
+
+ShapeSums read_here(const std::string& path) {
+  const MeshTriangles mesh = read_triangles_of(path, DiskFiles(), Limits{});
+  CAPTURE(mesh.reason);
+  REQUIRE(mesh.reason.empty());
+  return sums_of(mesh);
 }
 
 }  // namespace
@@ -105,5 +110,26 @@ TEST_CASE("assimp: places the triangles of glTF in the same way") {
     const ShapeSums ours = read_here(folder / file.name);
     CHECK(ours.triangles > 0);
     REQUIRE(ours.difference(*theirs) == "");
+  }
+}
+
+/// Not run by itself, because nobody's files lie here, and because assimp reads some in its own
+/// way.
+TEST_CASE("assimp: the files in the folder SMURF_TEST_MESHES" *
+          doctest::skip(std::getenv("SMURF_TEST_MESHES") == nullptr)) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(std::getenv("SMURF_TEST_MESHES"))) {
+    const std::string extension = entry.path().extension().string();
+    const bool is_collada = extension == ".dae";
+    if (!is_collada && extension != ".gltf" && extension != ".glb") continue;
+    const MeshTriangles mesh = read_triangles_of(entry.path().string(), DiskFiles(), Limits{});
+    const auto theirs = read_by_assimp(entry.path().string(), !is_collada);
+    std::string found = theirs ? "is read by assimp alone: " + mesh.reason : "is read here alone";
+    if (!theirs && !mesh.reason.empty()) found = "is read by none: " + mesh.reason;
+    if (theirs && mesh.reason.empty()) {
+      found = sums_of(mesh).difference(*theirs);
+      if (found.empty()) found = "is the same";
+    }
+    MESSAGE(entry.path().string() << " " << found);
   }
 }

@@ -179,10 +179,17 @@ class Writer {
     return out;
   }
 
+  /// Of unit length: assimp takes another one for a matrix that is no rotation.
+  std::string axis() {
+    const Quaternion q = normalized({0, random_.between(-1, 1), random_.between(-1, 1), 0.1});
+    return text(q.x) + text(q.y) + text(q.z);
+  }
+
+  /// None that is nearly the identity, which assimp leaves out (aiProcess_PreTransformVertices).
   std::string transform() {
     switch (random_.below(4)) {
     case 0: return "<translate>" + numbers(3, -9, 9) + "</translate>";
-    case 1: return "<rotate>" + numbers(3, -1, 1) + numbers(1, -360, 360) + "</rotate>";
+    case 1: return "<rotate>" + axis() + numbers(1, 10, 350) + "</rotate>";
     case 2: return "<scale>" + numbers(3, 0.3, 3) + "</scale>";
     default: return "<matrix>" + numbers(12, -2, 2) + "0 0 0 1</matrix>";
     }

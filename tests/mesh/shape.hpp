@@ -51,10 +51,14 @@ struct ShapeSums {
     const auto differ = [&](double a, double b, double scale) {
       return !(std::fabs(a - b) <= kPrecision * scale);
     };
-    if (differ(area, other.area, reach * reach)) return "areas differ";
+    if (differ(area, other.area, reach * reach)) {
+      return "areas differ: " + std::to_string(area) + ", " + std::to_string(other.area);
+    }
     for (std::size_t i = 0; i < 3; ++i) {
-      if (differ(low[i], other.low[i], reach)) return "boxes differ";
-      if (differ(high[i], other.high[i], reach)) return "boxes differ";
+      if (differ(low[i], other.low[i], reach) || differ(high[i], other.high[i], reach)) {
+        return "boxes differ: " + std::to_string(low[i]) + " to " + std::to_string(high[i]) + ", " +
+               std::to_string(other.low[i]) + " to " + std::to_string(other.high[i]);
+      }
       if (differ(area_vector[i], other.area_vector[i], reach * reach)) return "sides differ";
       if (differ(moment[i], other.moment[i], reach * reach * reach)) return "centroids differ";
     }

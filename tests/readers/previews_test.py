@@ -334,7 +334,7 @@ class Mjcf(PreviewTest):
     def test_triangles_are_in_the_file(self):
         root = ElementTree.parse(self.world()).getroot()
         meshes = root.findall("asset/mesh")
-        self.assertEqual([mesh.get("scale") for mesh in meshes], ["1 2 1", "1 1 1"] * 2)
+        self.assertEqual([mesh.get("scale") for mesh in meshes], ["1 2 1"] * 2 + ["1 1 1"] * 2)
         self.assertEqual(len([geom for geom in root.iter("geom") if geom.get("mesh")]), 4)
         for mesh in meshes:
             values = [float(n) for n in mesh.get("vertex").split()]

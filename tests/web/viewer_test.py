@@ -32,7 +32,7 @@ facet normal 0 0 1 outer loop vertex 1 0 0 vertex 1 1 0 vertex 0 1 0 endloop end
 endsolid s
 """
 DAE = """<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset>
-<unit meter="0.5"/><up_axis>Z_UP</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="p">
+<unit meter="0.5"/><up_axis>Y_UP</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="p">
 <float_array id="pa" count="9">0 0 0 1 0 0 0 1 1</float_array><technique_common><accessor source="#pa" count="3" stride="3">
 <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common>
 </source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="1">
@@ -163,7 +163,7 @@ class PageTest(viewer.ViewerTest):
         self.assertEqual([row.split(" ")[0] for row in results[3]], ["broken.stl", "hull.dae"])
         self.assertIn("is placed by <lookat>, which is not read (1 shape)", results[3][1])
         self.assertEqual(results[4], [6.25, 0.25, 0.25])
-        # The file's colours, unless the visual has one; metres, as the unit says.
+        # The file's colours, unless the visual has one; metres, as the unit says; <up_axis> is ignored, in boxes too.
         self.assertEqual(results[5], [[3, 7, [0.78, 0.79, 0.81]], [3, 7, [1, 0, 0.25]], [6, 8, [1, 0.5, 0]]])
         self.assertEqual(results[6], [[7, 0, 0], [7.5, 1, 0.5]])
 

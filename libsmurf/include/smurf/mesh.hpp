@@ -23,7 +23,7 @@ enum class MeshFormat : std::uint8_t {
   obj,
   collada,
   bobj,  ///< MARS: records of vertices, normals and triangles
-  gltf,  ///< JSON or binary; recognised, not read
+  gltf,  ///< JSON or binary; has no facts here
   lfs_pointer
 };
 /// "binary STL".
