@@ -407,6 +407,22 @@ class Names(LspTest):
         edit = self.client.at("textDocument/rename", robot, at, newName="b")
         self.assertEqual(len(edit["documentChanges"]), 2)
 
+    def test_memory_of_many_uses(self):
+        """A megabyte of one name: its places are printed one by one, as trees of all take a gigabyte."""
+        model = self.write("many/r.smurf", "modelname: r\nfiles: [r.urdf, m.yml]\n")
+        self.write("many/r.urdf", '<robot name="r"><link name="a"/></robot>\n')
+        sensors = self.write("many/m.yml", "sensors:\n- {name: s, type: NodePosition, links: [a" + ", a" * 330_000 + "]}\n")
+        self.client.open(model)
+        self.client.open(sensors)
+        at = self.find(sensors, "[a") + 1
+        self.assertGreater(len(self.client.at("textDocument/references", sensors, at, context={"includeDeclaration": True})), 330_000)
+        edit = self.client.at("textDocument/rename", sensors, at, newName="b")
+        self.assertEqual(sum(len(one["edits"]) for one in edit["documentChanges"]), 330_002)
+        status = pathlib.Path(f"/proc/{self.client.process.pid}/status").read_text()
+        most = int(re.search(r"VmHWM:\s+(\d+) kB", status).group(1)) / 1024
+        if not cli.is_sanitized(TOOL):
+            self.assertLess(most, 800)
+
     def test_srdf(self):
         """Alone in the editor: definition, references and another name."""
         srdf = self.write("arm/srdf/arm.srdf", '<robot name="arm">\n  <group name="all"><joint name="joint1_waist"/>'

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "render/printable.hpp"
@@ -54,24 +55,31 @@ Json location(const Context& context, Span span) {
           {"range", loaded_positions(context).range(span)}};
 }
 
-Json workspace_edit(const Context& context, std::span<const Edit> edits, const SourceMap& sources) {
+Json workspace_edit(Context& context, std::span<const Edit> edits, const SourceMap& sources) {
   const Positions positions(sources, context.client.encoding);
-  std::map<std::string, Json> files;
-  std::set<std::pair<std::string, Json>> seen;  // two models that share a file have read it twice
+  std::map<std::string, std::string> files;  // text: a name may have hundreds of thousands of uses
+  // Two models that share a file have read it twice.
+  std::set<std::tuple<std::string_view, std::uint32_t, std::uint32_t, std::string_view>> seen;
   for (const Edit& edit : edits) {
     const std::string& path = sources.path(edit.span.source);
-    Json& list = files.try_emplace(path, Json::array()).first->second;
-    Json one = {{"range", positions.range(edit.span)}, {"newText", edit.text}};
-    if (seen.emplace(path, one).second) list.push_back(std::move(one));
+    if (!seen.emplace(path, edit.span.begin, edit.span.end, edit.text).second) continue;
+    std::string& list = files[path];
+    list += (list.empty() ? "[" : ",") +
+            dump({{"range", positions.range(edit.span)}, {"newText", edit.text}});
   }
   Json changes = Json::object();
   Json documents = Json::array();
   for (auto& [path, list] : files) {
     const OpenDocument* open = context.workspace.document(path);
     const std::string uri = context.workspace.uri_of(path);
+    Json whole = context.lists.add(std::move(list += ']'));
+    if (!context.client.takes_document_changes) {
+      changes[uri] = std::move(whole);
+      continue;
+    }
     const Json version = open != nullptr ? Json(open->version) : Json(nullptr);
-    documents.push_back({{"textDocument", {{"uri", uri}, {"version", version}}}, {"edits", list}});
-    changes[uri] = std::move(list);
+    documents.push_back(
+        {{"textDocument", {{"uri", uri}, {"version", version}}}, {"edits", std::move(whole)}});
   }
   if (context.client.takes_document_changes) return {{"documentChanges", std::move(documents)}};
   return {{"changes", std::move(changes)}};

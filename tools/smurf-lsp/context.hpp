@@ -68,7 +68,7 @@ const Reference* reference_at(Context& context, const PlaceView& place);
 /// The Location of a span in the loaded sources.
 Json location(const Context& context, Span span);
 /// A WorkspaceEdit of edits in these sources.
-Json workspace_edit(const Context& context, std::span<const Edit> edits, const SourceMap& sources);
+Json workspace_edit(Context& context, std::span<const Edit> edits, const SourceMap& sources);
 /// Whether an editor may count the lines of a file differently than this server, which does not
 /// have the editor's text: an edit would hit another place. It is a file that is not open and
 /// contains a carriage return alone, which ends a line in some editors only.

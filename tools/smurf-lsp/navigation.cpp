@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Definition, references and highlights, from the table of references.
+#include <cstdint>
 #include <set>
+#include <tuple>
 
 #include "smurf-lsp/capabilities.hpp"
 
@@ -19,32 +21,42 @@ void for_each_place(Context& context, const Json& params, const Visit& visit) {
   }
 }
 
-/// Removes repeated places: several models may have the same.
+/// Removes repeated places: several models may have the same. A name may have hundreds of thousands
+/// of places, so they are kept as text.
 class Places {
  public:
-  void add(Json place) {
-    if (seen_.insert(place).second) places_.push_back(std::move(place));
+  explicit Places(Context& context) : context_(context) {}
+  /// `path` outlives this.
+  void add(const std::string& path, Span span, const Json& place) {
+    const bool is_new = seen_.emplace(path, span.begin, span.end).second;
+    if (is_new) text_ += (text_.empty() ? "" : ",") + dump(place);
   }
-  bool empty() const { return places_.empty(); }
-  Json take() { return std::move(places_); }
+  void add(const Reference& one) {
+    add(context_.workspace.loaded_sources().path(one.span.source), one.span,
+        location(context_, one.span));
+  }
+  bool empty() const { return text_.empty(); }
+  Json take() { return context_.lists.add("[" + text_ + "]"); }
 
  private:
-  std::set<Json> seen_;
-  Json places_ = Json::array();
+  Context& context_;
+  std::set<std::tuple<std::string_view, std::uint32_t, std::uint32_t>> seen_;
+  std::string text_;
 };
 
 }  // namespace
 
 Json definition(Context& context, const Json& params) {
-  Places places;
+  Places places(context);
   for_each_place(context, params, [&](const Reference& one) {
-    if (one.is_definition) places.add(location(context, one.span));
+    if (one.is_definition) places.add(one);
   });
   if (!places.empty()) return places.take();
   // The name of a file leads to the file.
   for (const FileLink& link : links_at(context, params)) {
     const Json start = {{"line", 0}, {"character", 0}};
-    places.add({{"uri", context.workspace.uri_of(link.path)},
+    places.add(link.path, {},
+               {{"uri", context.workspace.uri_of(link.path)},
                 {"range", {{"start", start}, {"end", start}}}});
   }
   return places.take();
@@ -52,9 +64,9 @@ Json definition(Context& context, const Json& params) {
 
 Json references(Context& context, const Json& params) {
   const bool with_definition = flag_at(params, {"context", "includeDeclaration"}, true);
-  Places places;
+  Places places(context);
   for_each_place(context, params, [&](const Reference& one) {
-    if (with_definition || !one.is_definition) places.add(location(context, one.span));
+    if (with_definition || !one.is_definition) places.add(one);
   });
   return places.take();
 }
@@ -63,10 +75,11 @@ Json highlights(Context& context, const Json& params) {
   constexpr int kRead = 2;  // DocumentHighlightKind
   constexpr int kWrite = 3;
   const std::string path = path_in(params);
-  Places places;
+  Places places(context);
   for_each_place(context, params, [&](const Reference& one) {
     if (context.workspace.loaded_sources().path(one.span.source) != path) return;
-    places.add({{"range", loaded_positions(context).range(one.span)},
+    places.add(path, one.span,
+               {{"range", loaded_positions(context).range(one.span)},
                 {"kind", one.is_definition ? kWrite : kRead}});
   });
   return places.take();
