@@ -214,6 +214,32 @@ class Models(Diff):
             self.assertEqual(done.stdout, "")
             self.assertIn(f"error[{rule}]", done.stderr)
 
+    def test_a_page_for_a_browser(self):
+        self.write("old.urdf", ROBOT)
+        self.write("new.urdf", ROBOT.replace('value="0.35"', 'value="0.4"'))
+        self.assertEqual(self.expect(1, "old.urdf", "new.urdf", "--format", "html", "-o", "page.html").stdout, "")
+        page = self.read("page.html")
+        self.assertTrue(page.startswith("<!doctype html>"), page[:80])
+        self.assertNotRegex(page, r"""<(?:script|link|img)[^>]*(?:src|href)=|@REPORT@|@SCRIPT_HASH@|VIEWER_""")
+        self.assertEqual(self.expect(1, "old.urdf", "new.urdf", "--format", "html").stdout, page)
+        piped = self.expect(1, "old.urdf", "-", "--stdin-filename", "new.urdf", "--format", "html", stdin=self.read("new.urdf")).stdout
+        for key in ("new", "new_title"):
+            piped = piped.replace(f'"{key}": "-"', f'"{key}": "new.urdf"')
+        self.assertEqual(piped, page)
+        self.assertEqual(self.expect(1, "old.urdf", "new.urdf", "--format", "html", "--quiet").stdout, "")
+        self.assertIn('"differences": []', self.expect(0, "old.urdf", "old.urdf", "--format", "html").stdout)
+        self.write("broken.urdf", "<robot")
+        self.assertEqual(self.expect(2, "old.urdf", "broken.urdf", "--format", "html", "-o", "none.html").stdout, "")
+        self.assertFalse((self.folder / "none.html").exists())
+
+    def test_a_page_does_not_replace_a_mesh(self):
+        self.write("old.urdf", ROBOT)
+        self.write("new.urdf", ROBOT.replace('<box size="0.1 0.1 0.2"/>', '<mesh filename="a.stl"/>'))
+        self.write("a.stl", "solid s\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid s\n")
+        done = self.expect(2, "old.urdf", "new.urdf", "--format", "html", "-o", "a.stl")
+        self.assertIn("a.stl", done.stderr)
+        self.assertTrue(self.read("a.stl").startswith("solid"))
+
     def test_standard_input_output_and_silence(self):
         self.write("r.urdf", ROBOT)
         new = ROBOT.replace("0.35", "0.4")

@@ -13,9 +13,9 @@
 #include "base/canonical_paths.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
-#include "base/utf8.hpp"
 #include "common/output.hpp"
 #include "smurf/archive_files.hpp"
+#include "smurf/source.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -36,7 +36,7 @@ int read_all(std::string& text, std::uint64_t most) {
 }
 
 bool is_xml(std::string_view text) {
-  if (text.starts_with(utf8::kByteOrderMark)) text.remove_prefix(utf8::kByteOrderMark.size());
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && text[first] == '<';
 }

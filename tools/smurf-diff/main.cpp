@@ -9,6 +9,7 @@
 #include "common/process.hpp"
 #include "smurf-diff/git.hpp"
 #include "smurf-diff/options.hpp"
+#include "smurf-diff/picture.hpp"
 #include "smurf-diff/versions.hpp"
 #include "smurf/confine.hpp"
 
@@ -43,16 +44,21 @@ std::optional<Version> open(const std::string& operand, const Options& options,
   return Version{*path, operand};
 }
 
-std::string render(const Compared& compared, const Session& session, const Options& options) {
+std::string render(const Compared& compared, const Session& session, const Options& options,
+                   const std::string& picture) {
   const SourceMap& sources = session.loaded_sources();
+  const DiffInputs inputs{options.operands[0], options.operands[1], options.tolerance};
+  const ToolName tool{kTool, kVersion};
+  const auto& differences = compared.differences;
   if (options.format == DiffFormat::json) {
-    return render_diff_json(compared.differences, sources,
-                            {options.operands[0], options.operands[1], options.tolerance},
-                            {kTool, kVersion});
+    return render_diff_json(differences, sources, inputs, tool);
+  }
+  if (options.format == DiffFormat::html) {
+    return render_diff_html(differences, sources, inputs, tool, picture);
   }
   const bool is_for_people = options.output.empty() || options.output == "-";
   const TextStyle style = is_for_people ? style_for(Stream::output, options.color) : TextStyle{};
-  return render_diff(compared.differences, sources, style);
+  return render_diff(differences, sources, style);
 }
 
 ExitCode compare_operands(const Options& options) {
@@ -66,6 +72,11 @@ ExitCode compare_operands(const Options& options) {
   const auto after = open(options.operands[1], options, session);
   if (!before || !after) return kFailed;
   const Compared compared = compare_versions(session, *before, *after, options);
+  std::string picture;
+  const bool has_picture = options.format == DiffFormat::html && !options.quiet;
+  if (has_picture && compared.is_known() && !compared.differences.empty()) {
+    picture = picture_of(session, *before, *after, options);
+  }
   if (!tools::keeps_inputs(kTool, files, std::span(&options.output, 1))) return kFailed;
   for (const Diagnostic& finding : compared.trouble) {
     write_error(
@@ -73,8 +84,9 @@ ExitCode compare_operands(const Options& options) {
   }
   if (!compared.problem.empty()) complain(kTool, compared.problem);
   if (!compared.is_known()) return kFailed;
-  if (!options.quiet && !write_output(kTool, options.output, render(compared, session, options))) {
-    return kFailed;
+  if (!options.quiet) {
+    const std::string text = render(compared, session, options, picture);
+    if (!write_output(kTool, options.output, text)) return kFailed;
   }
   return compared.differences.empty() ? kDone : kFindings;
 }

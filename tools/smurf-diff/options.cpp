@@ -32,10 +32,12 @@ std::vector<Option> own_options(Options& options) {
       {.group = "Output",
        .name = "format",
        .metavar = "FORMAT",
-       .help = "text (the default) or json.",
-       .values = {"text", "json"},
-       .set = choose<DiffFormat>(options.format,
-                                 {{"text", DiffFormat::text}, {"json", DiffFormat::json}})},
+       .help = "text (the default), json, or html: a page for a browser that lists the differences "
+               "and shows both versions over each other.",
+       .values = {"text", "json", "html"},
+       .set = choose<DiffFormat>(
+           options.format,
+           {{"text", DiffFormat::text}, {"json", DiffFormat::json}, {"html", DiffFormat::html}})},
       {.group = "Comparison",
        .name = "git",
        .help =
@@ -96,6 +98,8 @@ Command make_command(Options& options) {
        "Show robots in git diff, with the line \"*.urdf diff=smurf\" in .gitattributes:"},
       {"smurf-diff --format json -o changes.json old/cell.smurfs new/cell.smurfs",
        "Compare scenes, and write JSON for a program:"},
+      {"smurf-diff --format html -o changes.html old/robot.urdf new/robot.urdf",
+       "See both versions over each other in a browser:"},
       {"smurf-diff --tolerance 1e-4 robot.urdf exported.urdf", "Ignore rounding errors:"}};
   return command;
 }

@@ -12,7 +12,7 @@
 
 namespace smurf::tools {
 
-enum class DiffFormat { text, json };
+enum class DiffFormat { text, json, html };
 
 struct Options {
   std::vector<std::string> operands;

@@ -67,13 +67,10 @@ bool is_scene(std::string_view path) {
   return kind == InputKind::scene || kind == InputKind::drawing;
 }
 
-/// Loads a version, in the place of which others may be loaded later.
 template <class Load>
 auto load(Session& session, const Version& version, const Load& load) {
-  if (!version.replaced.empty()) session.set_text(version.replaced, version.text);
-  auto loaded = load(version.path);
-  if (!version.replaced.empty()) session.clear_text(version.replaced);
-  return loaded;
+  const ReplacedText replaced(session, version);
+  return load(version.path);
 }
 
 template <class Load, class Linked>

@@ -20,6 +20,24 @@ struct Version {
   std::string text = {};
 };
 
+/// Puts the text of a version in its place while it is loaded. Others may be loaded there later.
+class ReplacedText {
+ public:
+  ReplacedText(Session& session, const Version& version)
+      : session_(session), replaced_(version.replaced) {
+    if (!replaced_.empty()) session_.set_text(replaced_, version.text);
+  }
+  ~ReplacedText() {
+    if (!replaced_.empty()) session_.clear_text(replaced_);
+  }
+  ReplacedText(const ReplacedText&) = delete;
+  ReplacedText& operator=(const ReplacedText&) = delete;
+
+ private:
+  Session& session_;
+  std::string replaced_;
+};
+
 struct Compared {
   std::vector<Difference> differences;
   /// Findings that prevent the comparison.

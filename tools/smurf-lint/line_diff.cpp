@@ -9,8 +9,8 @@
 #include <span>
 #include <utility>
 
-#include "base/utf8.hpp"
 #include "render/printable.hpp"
+#include "smurf/source.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -149,9 +149,9 @@ class Numbering {
 /// Writes a byte order mark unescaped, because programs that apply the patch look for it.
 void add_line(std::string& text, char mark, std::string_view line) {
   text += mark;
-  if (line.starts_with(utf8::kByteOrderMark)) {
-    text += utf8::kByteOrderMark;
-    line.remove_prefix(utf8::kByteOrderMark.size());
+  if (line.starts_with(kByteOrderMark)) {
+    text += kByteOrderMark;
+    line.remove_prefix(kByteOrderMark.size());
   }
   text += render::escape_lines(line);
   if (!text.ends_with('\n')) text += "\n\\ No newline at end of file\n";

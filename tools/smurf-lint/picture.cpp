@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-lint/picture.hpp"
 
-#include <algorithm>
+#include <optional>
 
 #include "common/input.hpp"
-#include "common/mesh_source.hpp"
+#include "common/pictured_scene.hpp"
 #include "smurf-lint/settings.hpp"
-#include "smurf/flatten.hpp"
-#include "smurf/write_scene.hpp"
 
 namespace smurf::tools {
 namespace {
-
-/// Bytes. It is a page to send, and a browser has to open it.
-constexpr std::uint64_t kMostPicture = 40'000'000;
 
 /// The one scene, else the one model, else the one URDF; null when there are none or several.
 const PlannedFile* only_one(const Plan& plan) {
@@ -38,22 +33,11 @@ std::string picture_of(const LintOptions& options, const LintPlan& plan, Session
   if (shown == nullptr || !format.obstacle().empty()) return {};
   const auto current = current_folder("smurf-lint");
   if (!current) return {};
-  Limits limits = options.limits;
-  limits.scene_bytes = std::min(limits.scene_bytes, kMostPicture);
-
-  LoadedScene loaded = session.load_scene(shown->path, check_settings(options));
-  const FlattenOptions flattening{.current_folder = *current, .old_scenes = &loaded.old_scenes};
-  const SourceMap& sources = *loaded.sources;
-  if (!check_scene_size(loaded.scene, sources, flattening, limits, loaded.found)) return {};
-  const FlatScene flat = flatten(loaded.scene, sources, flattening);
-  if (!check_flat_numbers(flat, loaded.scene, loaded.found)) return {};
-  std::string page = format.write({.flat = flat,
-                                   .scene = loaded.scene,
-                                   .sources = sources,
-                                   .losses = loaded.found,
-                                   .meshes = mesh_source(flattening, {}, session.files(), limits),
-                                   .most_bytes = limits.scene_bytes});
-  if (page.size() > limits.scene_bytes) page.clear();
+  PicturedScene scene(session, shown->path, check_settings(options), *current);
+  const std::optional<SceneExport> to_write = scene.to_write();
+  if (!to_write) return {};
+  std::string page = format.write(*to_write);
+  if (page.size() > to_write->most_bytes) page.clear();
   return page;
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/utf8.hpp"
+#include "smurf/source.hpp"
 
 namespace smurf::lsp {
 namespace {
@@ -14,12 +14,14 @@ struct Character {
   std::uint32_t units = 1;
 };
 
+bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
+
 /// Clients send UTF-8. An invalid byte of a file counts as one character.
 Character first_of(std::string_view text, Encoding encoding) {
   const auto lead = static_cast<unsigned char>(text.front());
   const std::size_t promised = lead < 0xc0 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
   std::size_t bytes = 1;
-  while (bytes < promised && bytes < text.size() && utf8::is_continuation(text[bytes])) {
+  while (bytes < promised && bytes < text.size() && is_continuation(text[bytes])) {
     ++bytes;
   }
   if (bytes < promised) return {1, 1};
@@ -82,7 +84,7 @@ std::size_t offset_in(std::string_view text, const Json& position, Encoding enco
 Json Positions::position(SourceId source, std::uint32_t offset) const {
   const std::string_view text = sources_.text(source);
   offset = std::min(offset, static_cast<std::uint32_t>(text.size()));
-  for (int i = 0; i < 3 && offset < text.size() && utf8::is_continuation(text[offset]); ++i) {
+  for (int i = 0; i < 3 && offset < text.size() && is_continuation(text[offset]); ++i) {
     ++offset;  // to a whole character
   }
   // Starts at the nearest place counted before: a file may be one line with thousands of places.
@@ -91,8 +93,7 @@ Json Positions::position(SourceId source, std::uint32_t offset) const {
   std::uint32_t units = before.end - before.begin;
   if (encoding_ != Encoding::utf8) {
     units = place.column - 1;
-    if (place.line == 1 && offset > 0 && text.starts_with(utf8::kByteOrderMark))
-      ++units;  // the mark
+    if (place.line == 1 && offset > 0 && text.starts_with(kByteOrderMark)) ++units;  // the mark
   }
   if (encoding_ == Encoding::utf16) units += sources_.wide_characters(before);
   return {{"line", place.line - 1}, {"character", units}};

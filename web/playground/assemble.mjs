@@ -120,10 +120,14 @@ function fill(name, parts) {
 const named = (folder, end) => fs.readdirSync(folder).filter((name) => end.test(name));
 
 fs.rmSync(output, { recursive: true, force: true });
-copy(path.join(root, "web/common"), "common", ["dom.js", "style.css"]);
+copy(path.join(root, "web/common"), "common", [
+  "style.css",
+  "list.css",
+  ...["dom.js", "filters.js", "list.js", "viewer.js"],
+]);
 copy(path.join(root, "web/report"), "report", [
   "style.css",
-  ...["excerpt.js", "filters.js", "finding.js", "overview.js", "page.js", "picture.js"],
+  ...["excerpt.js", "finding.js", "overview.js", "page.js", "picture.js"],
 ]);
 copy(here, "playground", [
   "style.css",

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks the files after each change and shows the report, which is the page of smurf-lint --format html.
 import { byId, element } from "../common/dom.js";
-import { kSeverities } from "../report/filters.js";
-import { Page } from "../report/page.js";
+import { kSeverities, Page } from "../report/page.js";
 import { Picture } from "../report/picture.js";
 import { bytesOf, textOf } from "./bytes.js";
 import { download } from "./download.js";
@@ -125,7 +124,7 @@ export class Checker {
     const worst = kSeverities.find((severity) => own.some((one) => one.severity === severity));
     return element(
       "span",
-      { class: `severity ${worst}` },
+      { class: `badge ${worst}` },
       String(own.length),
       element("span", { class: "unseen" }, own.length === 1 ? " finding" : " findings"),
     );

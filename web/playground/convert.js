@@ -38,12 +38,8 @@ function setOptions(select, values, nameOf = (value) => value) {
   if (values.some((value) => nameOf(value) === before)) select.value = before;
 }
 
-/** Scenes first, since they contain the models, which contain the URDFs; of each, what lies in the outer folders. */
-function byImportance(a, b) {
-  const rank = (name) => kScene.indexOf(kindOf(name).replace("z", ""));
-  const depth = (name) => name.split("/").length;
-  return rank(b) - rank(a) || depth(a) - depth(b);
-}
+/** Scenes first, since they contain the models; then models, which contain the URDFs. */
+const rankOf = (name) => -kScene.indexOf(kindOf(name).replace("z", ""));
 
 export class Convert {
   /** `run` runs a tool; `files` are the Files. */
@@ -65,7 +61,7 @@ export class Convert {
   }
 
   update() {
-    const names = [...this.files.all.keys()].filter(kindOf).sort(byImportance);
+    const names = [...this.files.all.keys()].filter(kindOf).sort((a, b) => rankOf(a) - rankOf(b));
     setOptions(byId("source"), names);
     byId("conversion").hidden = names.length === 0;
     this.showForms();

@@ -5,7 +5,7 @@ import { diff, excerpt } from "./excerpt.js";
 
 export const placeOf = ({ file, line, column }) => (file ? `${file}:${line}:${column}` : "");
 
-const severityOf = (severity) => element("span", { class: `severity ${severity}` }, severity);
+const severityOf = (severity) => element("span", { class: `badge ${severity}` }, severity);
 
 /** The lines of a place, or why there are none. */
 function linesAt(place, marks, sources) {
@@ -143,7 +143,7 @@ export function card(finding, report, actions) {
   return element(
     "article",
     {
-      class: `finding ${finding.severity}`,
+      class: `card finding ${finding.severity}`,
       id: `finding-${finding.number}`,
       tabindex: "-1",
       "aria-labelledby": title,

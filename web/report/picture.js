@@ -1,35 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The robot or scene beside the list: the viewer's page in a frame. It selects the link or joint of a finding.
 import { byId } from "../common/dom.js";
-
-/** What a page of the viewer shows: its data, in which there is no "<". */
-const sceneIn = (page) => JSON.parse(page.match(/id="scene" [^>]*>([^<]*)/)[1]);
-
-/** Names of what is shown, by kind, with the {entity, link} to select. The first of a name counts. */
-function thingsOf({ entities, models, meshes }) {
-  const things = {};
-  const add = (kind, name, thing) => {
-    things[kind] ??= new Map();
-    if (name !== undefined && !things[kind].has(name)) things[kind].set(name, thing);
-  };
-  entities.forEach((entity, index) => {
-    if (!entity.pose) return;
-    add("entity", entity.path, { entity: index });
-    add("entity", entity.path.split("/").at(-1), { entity: index });
-    const { links = [], joints = [], devices = [] } = models[entity.model] ?? {};
-    const addLink = (kind, name, link) => {
-      if (links[link] && !links[link].unplaced) add(kind, name, { entity: index, link });
-    };
-    links.forEach(({ name, visuals, collisions }, link) => {
-      addLink("link", name, link);
-      for (const { mesh } of [...visuals, ...collisions])
-        if (mesh !== undefined) addLink("mesh", meshes[mesh].file, link);
-    });
-    for (const { name, child } of joints) addLink("joint", name, child);
-    for (const { kind, name, link } of devices) addLink(kind, name, link);
-  });
-  return things;
-}
+import { loadViewer, sceneIn, thingsOf } from "../common/viewer.js";
 
 /** Names that a finding mentions, those of its place first: [[kind or "", name]]. */
 function namesIn({
@@ -76,11 +48,7 @@ export class Picture {
 
   /** The viewer in the frame, which is loaded when it is first needed. */
   viewer() {
-    this.loaded ??= new Promise((done) => {
-      const frame = byId("viewer");
-      frame.addEventListener("load", () => done(frame.contentWindow.smurfViewer), { once: true });
-      frame.srcdoc = this.page;
-    });
+    this.loaded ??= loadViewer(this.page);
     return this.loaded;
   }
 
@@ -99,9 +67,12 @@ export class Picture {
     viewer.goTo(thing.entity, thing.link);
   }
 
+  /** False when it is closed already. */
   close() {
+    if (!this.isOpen) return false;
     byId("picture").hidden = true;
     document.body.classList.remove("split");
     this.before?.focus();
+    return true;
   }
 }

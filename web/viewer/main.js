@@ -11,6 +11,7 @@ import { Stage } from "./stage.js";
 import { Tree } from "./tree.js";
 
 const kWriteDelay = 300; // ms
+const kWideFrame = 600; // pixels: there is room for sliders beside the picture
 /** The page of a report shows the picture alone, beside its list. */
 const isInFrame = window.parent !== window;
 
@@ -53,10 +54,20 @@ function showUnseen(scene) {
   );
 }
 
+/** Whether a solid belongs to {entity, link, shape}, of which the latter two may be absent. */
+function isOf(solid, thing) {
+  if (!thing || solid.entity !== thing.entity) return false;
+  return (
+    (thing.link === undefined || solid.link === thing.link) && (!thing.shape || solid.shape === thing.shape)
+  );
+}
+
 class Viewer {
   constructor(scene) {
     this.scene = scene;
     this.motion = new Motion(scene);
+    this.versions = "both";
+    this.isSingle = scene.entities.filter(({ old }) => !old).length === 1;
     showTitle(scene);
     showUnseen(scene);
     this.stage = makeStage();
@@ -79,7 +90,7 @@ class Viewer {
   fillStage() {
     this.shapes = new Shapes(this.scene, this.motion, this.stage.root);
     const all = this.shapes.boxAround();
-    this.stage.setGround(all, this.scene.entities.length === 1);
+    this.stage.setGround(all, this.isSingle);
     this.overlays = new Overlays(this.scene, this.motion, this.stage, this.sizes());
     this.stage.fit(all);
     this.stage.onLook(() => this.writeHashSoon());
@@ -103,6 +114,14 @@ class Viewer {
       ["ground", "Grid", "g", (on) => (this.stage.grid.visible = on)],
       ["ruler", "Measure", "d", (on) => this.startMeasuring(on)],
     ];
+    document.documentElement.classList.toggle("compared", isInFrame && this.shapes.isCompared);
+    if (isInFrame && this.shapes.isCompared)
+      this.layers.push([
+        "moves",
+        "Joints",
+        "s",
+        (on) => document.documentElement.classList.toggle("with-joints", on),
+      ]);
   }
 
   /** The diagonal of each entity's bounding box. */
@@ -123,6 +142,7 @@ class Viewer {
   setUpTools() {
     const hasVisuals = this.shapes?.has(Layer.visuals) || this.shapes?.has(Layer.unseen);
     const isOn = new Set(["ground", "visuals", ...(hasVisuals ? [] : ["collisions"])]);
+    if (window.innerWidth >= kWideFrame) isOn.add("moves");
     const keys = new Map([
       ["f", () => this.fit()],
       ["Escape", () => this.select()],
@@ -161,6 +181,11 @@ class Viewer {
     event.preventDefault();
   }
 
+  showLayer(layer) {
+    const button = byId(layer === Layer.collisions ? "collisions" : "visuals");
+    if (button.getAttribute("aria-pressed") === "false") button.click();
+  }
+
   startMeasuring(isOn) {
     if (isOn || this.measured) tell(isOn ? "Click two points to measure their distance." : "");
     this.measured = isOn ? [] : undefined;
@@ -186,12 +211,14 @@ class Viewer {
   showNames(on = this.namesAreOn) {
     this.namesAreOn = on;
     const { entities } = this.scene;
-    const chosen = this.selected?.entity ?? (entities.length === 1 ? 0 : undefined);
+    const chosen = this.selected?.entity ?? (this.isSingle ? 0 : undefined);
     const { model } = entities[chosen] ?? {};
     const ofLinks = () =>
       model.order.map((link) => [model.links[link].name, () => this.motion.links[chosen][link]]);
     const ofEntities = () =>
-      entities.flatMap(({ path, pose }, index) => (pose ? [[path, () => this.motion.entities[index]]] : []));
+      entities.flatMap(({ path, pose }, index) =>
+        pose && this.overlays.isShown(index) ? [[path, () => this.motion.entities[index]]] : [],
+      );
     this.overlays.setNames(!on ? [] : model?.order.length ? ofLinks() : ofEntities());
   }
 
@@ -204,12 +231,12 @@ class Viewer {
   }
 
   isSelected(solid) {
-    if (!this.selected || solid.entity !== this.selected.entity) return false;
-    return this.selected.link === undefined || solid.link === this.selected.link;
+    return isOf(solid, this.selected);
   }
 
-  select(entity, link) {
-    this.selected = entity === undefined ? undefined : { entity, link };
+  /** `shape`: one of the link; undefined: all of them. */
+  select(entity, link, shape) {
+    this.selected = entity === undefined ? undefined : { entity, link, shape };
     this.tree.select(entity, link);
     showFacts(this.scene, this.motion, this.selected);
     if (entity !== undefined) this.joints.show(entity);
@@ -229,11 +256,28 @@ class Viewer {
     this.writeHashSoon();
   }
 
-  /** Selects a thing, and shows it with what is around it. */
-  goTo(entity, link) {
-    this.select(entity, link);
+  /** Shows "both" versions, or the "old" or the "new" one. */
+  showVersions(versions) {
+    this.versions = versions;
     if (!this.stage) return;
-    const box = this.shapes.boxAround(this.shapes.solids.filter((solid) => this.isSelected(solid)));
+    this.shapes.compare(versions);
+    this.shapes.paint((solid) => this.isSelected(solid));
+    this.overlays.versions = versions;
+    this.overlays.move();
+    this.showNames();
+    this.stage.draw();
+  }
+
+  /**
+   * Selects a thing, and shows it with what is around it, and with the same thing of another version, {entity, link,
+   * shape}.
+   */
+  goTo(entity, link, shape, other) {
+    this.select(entity, link, shape);
+    if (!this.stage) return;
+    const { solids } = this.shapes;
+    if (shape) solids.filter((solid) => this.isSelected(solid)).forEach(({ layer }) => this.showLayer(layer));
+    const box = this.shapes.boxAround(solids.filter((solid) => this.isSelected(solid) || isOf(solid, other)));
     if (box.isEmpty()) return void this.fit();
     const all = this.shapes.boxAround();
     const margin = Math.max(box.min.distanceTo(box.max), all.min.distanceTo(all.max) / 10);

@@ -48,12 +48,43 @@ export class Motion {
         model.joints.map((joint) => toMatrix(joint.pose)),
       );
     }
+    this.twins = new Map(); // of an entity, in the other version: {entity, joints}
     this.supports = scene.entities.map((entity) => toMatrix(entity.support?.pose));
     this.update();
   }
 
+  /** Lets entities of two versions move together. `joints`: pairs of the names of their joints. */
+  pair(entity, other, joints) {
+    this.twins.set(entity, { entity: other, joints: new Map(joints) });
+    this.twins.set(other, { entity, joints: new Map(joints.map(([name, twin]) => [twin, name])) });
+  }
+
+  /** The entity, and the one that moves with it. */
+  together(entity) {
+    return this.twins.has(entity) ? [entity, this.twins.get(entity).entity] : [entity];
+  }
+
   set(entity, positions) {
     this.positions[entity] = new Map(positions);
+    this.moveTwin(entity);
+    this.update();
+  }
+
+  /** Joints that only the twin has stay where they are. */
+  moveTwin(entity) {
+    const twin = this.twins.get(entity);
+    if (!twin) return;
+    const names = new Set(twin.joints.values());
+    const kept = [...this.positions[twin.entity]].filter(([name]) => !names.has(name));
+    const moved = [...this.positions[entity]].filter(([name]) => twin.joints.has(name));
+    this.positions[twin.entity] = new Map([
+      ...kept,
+      ...moved.map(([name, position]) => [twin.joints.get(name), position]),
+    ]);
+  }
+
+  reset(entity) {
+    for (const each of this.together(entity)) this.positions[each] = new Map(this.scene.entities[each].start);
     this.update();
   }
 

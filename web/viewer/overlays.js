@@ -62,7 +62,9 @@ export class Overlays {
   constructor(scene, motion, stage, sizes) {
     this.motion = motion;
     this.stage = stage;
+    this.entities = scene.entities;
     this.sizes = sizes; // of each entity, m: what is drawn on it is as large as it
+    this.versions = "both"; // "old" or "new": nothing is drawn on entities of the other version
     this.frames = []; // {entity, link}, also of entities without links
     this.axes = []; // {entity, joint}
     this.masses = []; // {entity, link, local}
@@ -106,18 +108,28 @@ export class Overlays {
     return link === undefined ? this.motion.entities[entity] : this.motion.links[entity][link];
   }
 
+  isShown(entity) {
+    return this.versions !== (this.entities[entity].old ? "new" : "old");
+  }
+
+  sizeOf(entity) {
+    return this.isShown(entity) ? this.sizes[entity] : 0;
+  }
+
   move() {
     this.moveFrames();
     this.moveAxes();
     const ball = new Matrix4();
     this.masses.forEach((mass, index) => {
-      const radius = 0.012 * this.sizes[mass.entity];
+      const radius = 0.012 * this.sizeOf(mass.entity);
       ball.multiplyMatrices(this.worldOf(mass), mass.local).scale(new Vector3(radius, radius, radius));
       this.balls.setMatrixAt(index, ball);
     });
     this.balls.instanceMatrix.needsUpdate = true;
     this.inertias.forEach((inertia, index) => {
-      this.ellipsoids.setMatrixAt(index, ball.multiplyMatrices(this.worldOf(inertia), inertia.local));
+      ball.multiplyMatrices(this.worldOf(inertia), inertia.local);
+      if (!this.isShown(inertia.entity)) ball.scale(new Vector3(0, 0, 0));
+      this.ellipsoids.setMatrixAt(index, ball);
     });
     this.ellipsoids.instanceMatrix.needsUpdate = true;
   }
@@ -137,7 +149,7 @@ export class Overlays {
     const [origin, end] = [new Vector3(), new Vector3()];
     this.frames.forEach((frame, index) => {
       const world = this.worldOf(frame);
-      const length = 0.12 * this.sizes[frame.entity];
+      const length = 0.12 * this.sizeOf(frame.entity);
       for (let axis = 0; axis < 3; axis++) {
         origin.setFromMatrixPosition(world);
         end.setFromMatrixColumn(world, axis).multiplyScalar(length).add(origin);
@@ -154,7 +166,7 @@ export class Overlays {
       const { axis } = this.motion.scene.entities[entity].model.joints[joint];
       const world = this.motion.frameOf(entity, joint);
       const origin = new Vector3().setFromMatrixPosition(world);
-      const along = new Vector3(...axis).transformDirection(world).multiplyScalar(0.16 * this.sizes[entity]);
+      const along = new Vector3(...axis).transformDirection(world).multiplyScalar(0.16 * this.sizeOf(entity));
       points.setXYZ(2 * index, ...origin.clone().sub(along));
       points.setXYZ(2 * index + 1, ...origin.clone().add(along));
     });

@@ -63,7 +63,7 @@ function linkFacts(entity, link, matrix) {
   const { model } = entity;
   const { mass, inertia, visuals, collisions, joint } = model.links[link];
   const facts = [
-    ["Link of", entity.path],
+    ["Link of", entity.title],
     ["Mass", mass === undefined ? "none" : `${short(mass)} kg`],
   ];
   const below = linksBelow(model, link);
@@ -121,7 +121,7 @@ export function showFacts(scene, motion, selected) {
   const list = element("dl");
   for (const [word, value] of facts) list.append(element("dt", {}, word), element("dd", {}, value));
   host.replaceChildren(
-    element("h3", {}, isLink ? entity.model.links[selected.link].name : entity.path || entity.type),
+    element("h3", {}, isLink ? entity.model.links[selected.link].name : entity.title),
     list,
   );
 }
@@ -151,7 +151,7 @@ export class Joints {
     const movable = this.model?.joints.filter(isMovable) ?? [];
     byId("joint-tools").hidden = movable.length === 0;
     byId("joints-of").textContent =
-      this.model && this.scene.entities.length > 1 ? ` of ${this.scene.entities[entity].path}` : "";
+      this.model && this.scene.entities.length > 1 ? ` of ${this.scene.entities[entity].title}` : "";
     this.showRows(movable, isWhole);
     const poses = [
       element("option", { value: "start" }, "as in the scene"),
@@ -217,7 +217,7 @@ export class Joints {
   /** Moves the joints of an entity, whether it is shown or not. */
   set(entity, positions) {
     this.motion.set(entity, positions);
-    this.taken.set(entity, "");
+    for (const each of this.motion.together(entity)) this.taken.set(each, "");
     if (entity === this.entity) {
       byId("poses").value = "";
       this.update();
@@ -226,9 +226,10 @@ export class Joints {
   }
 
   takePose(name) {
-    const poses = { start: this.scene.entities[this.entity].start, zero: new Map() };
-    this.motion.set(this.entity, poses[name] ?? this.model.poses[name].positions);
-    this.taken.set(this.entity, name);
+    if (name === "start") this.motion.reset(this.entity);
+    else this.motion.set(this.entity, name === "zero" ? new Map() : this.model.poses[name].positions);
+    for (const each of this.motion.together(this.entity))
+      this.taken.set(each, each === this.entity ? name : "");
     byId("poses").value = name;
     this.update();
     this.onMove();

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the scene that smurfs-flatten wrote into the page (libsmurf/src/write/scene_html.cpp). Units are m, rad and kg.
+// Reads the scene that smurfs-flatten wrote into the page (libsmurf/src/write/viewer_data.cpp). Units are m, rad and kg.
 //
 // scene: name of its file
-// models: [{name, file, links, joints, poses, devices}]
+// models: [{name, file, old, links, joints, poses, devices}]
 //   links: [{name, joint: the one above, unplaced, mass, com: pose, inertia: [xx, xy, xz, yy, yz, zz], visuals, collisions}]
 //   joints: [{name, type, parent, child: links, pose, axis, lower, upper, effort, velocity, damping, friction,
 //     leader: the joint that it mimics, multiplier, offset}]
 //   poses: [{name, positions}]
 //   devices: [{kind: motor or sensor, name, link: that it moves or is on}]
-// entities: [{path, type, model, pose: in the world, anchored: to the world, anchor or parent: {entity, link, pose},
+// entities: [{path, type, old, model, pose: in the world, anchored: to the world, anchor or parent: {entity, link, pose},
 //   positions, shapes}]
 // meshes: [{file, points: float32, indices: uint16, or uint32 when wide, parts: [{first: index, color}] when the file has
 //   colours}], points and indices in base64
 // unseen: [{file, why, shapes: how many}]
 //
+// old: true for the old one of two versions of a scene; its models and entities follow those of the new one
 // Links, joints, entities, models and meshes are named by their place in these lists. Whatever is unknown is absent.
 // pose: [x, y, z, w, x, y, z], a position and a unit quaternion; absent where it changes nothing.
 // positions: of joints by their names
@@ -75,6 +76,7 @@ export function readScene(text) {
     addTree(model);
   }
   for (const entity of scene.entities) {
+    entity.title = `${entity.path || entity.type}${entity.old ? " (old)" : ""}`;
     entity.start = toMap(entity.positions);
     entity.support = entity.anchor ?? entity.parent;
     entity.model = scene.models[entity.model];

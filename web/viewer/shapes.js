@@ -9,6 +9,8 @@ import {
   Color,
   CylinderGeometry,
   InstancedMesh,
+  LessDepth,
+  LessEqualDepth,
   Matrix4,
   PlaneGeometry,
   SphereGeometry,
@@ -25,6 +27,12 @@ const kGroundColor = [0.55, 0.55, 0.52, 0.35];
 const kUnseenColor = [0.6, 0.6, 0.62, 0.16];
 const kCollisionColor = [0.95, 0.45, 0.05, 1];
 const kSelected = new Color(0, 0.75, 0.85);
+/** Of two versions over each other. People with colour blindness can tell these three colours apart. */
+const kCompared = {
+  new: { color: new Color(0.25, 0.5, 0.85), opacity: 1 },
+  old: { color: new Color(0.84, 0.37, 0), opacity: 0.55 },
+  selected: new Color(1, 0.95, 0.35),
+};
 const kTurn = Math.PI / 2; // the axis of a cylinder is y in three.js and z in URDF
 
 /** The number of sides of round shapes. A wire frame with many sides would hide what is behind it. */
@@ -84,11 +92,14 @@ function colorOf(shape, layer) {
   return shape.color ?? (shape.plane ? kGroundColor : kNoColor);
 }
 
-function materialOf(layer, opacity, solid) {
-  if (layer === Layer.collisions) return paint("UNLIT", { opacity, wireframe: true });
+function materialOf({ layer, alpha: opacity, solid, old }) {
+  // What did not change is at the same depth in both versions, and is shown as the new one.
+  const depthFunc = old ? LessDepth : LessEqualDepth;
+  if (layer === Layer.collisions) return paint("UNLIT", { opacity, depthFunc, wireframe: true });
   // A mirrored mesh is inside out. The offset keeps the wires of a collision visible on a visual of the same surface.
   const isThin = solid.flat || solid.key === "plane";
-  const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+  const depth = old ? 4 : 1;
+  const behind = { depthFunc, polygonOffset: true, polygonOffsetFactor: depth, polygonOffsetUnits: depth };
   return paint(solid.flat ? "FLAT" : "SMOOTH", { opacity, isThin, ...behind });
 }
 
@@ -105,6 +116,8 @@ export class Shapes {
     this.batches = new Map();
     this.around = aroundOf(scene);
     this.solids = []; // {entity, link, layer, shape, local, color, batch, index}
+    this.hidden = new Set(); // layers
+    this.versions = "both";
     scene.entities.forEach((entity, index) => {
       if (!entity.pose) return;
       for (const shape of entity.shapes) this.add(shape, Layer.visuals, index);
@@ -115,6 +128,9 @@ export class Shapes {
       }
     });
     for (const batch of this.batches.values()) this.build(batch, root);
+    this.isCompared = scene.entities.some(({ old }) => old);
+    if (this.isCompared) this.paint(() => false);
+    this.update();
     this.move();
   }
 
@@ -127,8 +143,9 @@ export class Shapes {
     if (!solid) return;
     const layer = wanted === Layer.visuals && shape.around ? Layer.unseen : wanted;
     const [r, g, b, a] = colorOf(shape, layer).map((part) => Math.min(1, Math.max(0, part)));
-    const key = `${layer} ${solid.key} ${a}`;
-    if (!this.batches.has(key)) this.batches.set(key, { layer, solid, alpha: a, solids: [] });
+    const old = this.scene.entities[entity].old === true;
+    const key = `${layer} ${solid.key} ${a} ${old}`;
+    if (!this.batches.has(key)) this.batches.set(key, { layer, solid, alpha: a, old, solids: [] });
     const batch = this.batches.get(key);
     const local = toMatrix(shape.pose);
     if (solid.center) local.multiply(new Matrix4().makeTranslation(...solid.center));
@@ -140,10 +157,10 @@ export class Shapes {
   }
 
   build(batch, root) {
-    const { layer, solid, alpha } = batch;
+    const { layer, solid } = batch;
     if (!this.geometries.has(solid.key)) this.geometries.set(solid.key, solid.make());
     const geometry = this.geometries.get(solid.key);
-    batch.mesh = new InstancedMesh(geometry, materialOf(layer, alpha, solid), batch.solids.length);
+    batch.mesh = new InstancedMesh(geometry, materialOf(batch), batch.solids.length);
     batch.mesh.frustumCulled = false;
     batch.mesh.userData = { layer, solids: batch.solids };
     batch.solids.forEach(({ color }, index) => batch.mesh.setColorAt(index, color));
@@ -167,7 +184,30 @@ export class Shapes {
   }
 
   show(layer, isShown) {
-    for (const batch of this.batches.values()) if (batch.layer === layer) batch.mesh.visible = isShown;
+    if (isShown) this.hidden.delete(layer);
+    else this.hidden.add(layer);
+    this.update();
+  }
+
+  /** Shows "both" versions, each in a colour of its own, or the "old" or the "new" one as it is. */
+  compare(versions) {
+    this.versions = versions;
+    this.update();
+  }
+
+  update() {
+    for (const { layer, old, alpha, mesh } of this.batches.values()) {
+      mesh.visible = !this.hidden.has(layer) && this.versions !== (old ? "new" : "old");
+      const isMixed = this.isCompared && this.versions === "both";
+      const opacity = isMixed ? Math.min(alpha, kCompared[old ? "old" : "new"].opacity) : alpha;
+      mesh.material.uniforms.opacity.value = opacity;
+      Object.assign(mesh.material, { transparent: opacity < 1, depthWrite: opacity === 1 });
+    }
+  }
+
+  colorOf(solid) {
+    const isMixed = this.isCompared && this.versions === "both";
+    return isMixed && !isGround(solid) ? kCompared[solid.batch.old ? "old" : "new"].color : solid.color;
   }
 
   has(layer) {
@@ -178,8 +218,11 @@ export class Shapes {
   paint(chosen) {
     const mixed = new Color();
     for (const solid of this.solids) {
-      mixed.copy(solid.color);
-      if (chosen(solid)) mixed.lerp(kSelected, 0.8);
+      mixed.copy(this.colorOf(solid));
+      if (chosen(solid)) {
+        if (this.isCompared) mixed.copy(kCompared.selected);
+        else mixed.lerp(kSelected, 0.8);
+      }
       solid.batch.mesh.setColorAt(solid.index, mixed);
     }
     for (const { mesh } of this.batches.values()) mesh.instanceColor.needsUpdate = true;

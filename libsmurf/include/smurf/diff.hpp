@@ -54,6 +54,9 @@ struct Difference {
   std::size_t number = 0;                     ///< of several without a name: which one, from 1
   /// Where it is written, or would be; none when its element or entry is not in that version.
   std::optional<Span> old_place{}, new_place{};
+  /// The compared models, by their index in both scenes, or 0 where two models are compared; none
+  /// for what belongs to a scene.
+  std::optional<ModelIndex> old_model{}, new_model{};
 };
 
 /// The differences in the order of the new version, then what was removed. Both must be loaded into
@@ -78,5 +81,10 @@ std::string render_diff(std::span<const Difference> differences, const SourceMap
 /// The report of schemas/diff-report.schema.json.
 std::string render_diff_json(std::span<const Difference> differences, const SourceMap& sources,
                              const DiffInputs& inputs, const ToolName& tool);
+/// A page for a browser, without network: all differences, to search and filter. `picture` is what
+/// write_both_versions() wrote of the two; may be empty.
+std::string render_diff_html(std::span<const Difference> differences, const SourceMap& sources,
+                             const DiffInputs& inputs, const ToolName& tool,
+                             std::string_view picture);
 
 }  // namespace smurf

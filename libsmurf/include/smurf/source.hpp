@@ -14,6 +14,9 @@
 
 namespace smurf {
 
+/// U+FEFF, which some editors write at the start of a text in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 enum class SourceId : std::uint32_t {};
 
 /// Half-open byte range [begin, end) of one source.

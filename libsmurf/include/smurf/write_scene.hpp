@@ -62,4 +62,9 @@ std::span<const SceneFormat* const> scene_formats();
 /// Null when there is none of that name.
 const SceneFormat* find_scene_format(std::string_view name);
 
+/// The page of the format html with two versions of a scene over each other. Both were flattened
+/// for the same folder; meshes and limits are those of `after`. Empty when the page would be too
+/// large, and in a build without the viewer.
+std::string write_both_versions(const SceneExport& before, const SceneExport& after);
+
 }  // namespace smurf

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/path.hpp"
-#include "base/utf8.hpp"
+#include "smurf/source.hpp"
 
 namespace smurf {
 namespace {
@@ -141,7 +141,7 @@ void PathPatterns::add(std::string_view line) {
 }
 
 void PathPatterns::add_lines(std::string_view text) {
-  if (text.starts_with(utf8::kByteOrderMark)) text.remove_prefix(utf8::kByteOrderMark.size());
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     add(text.substr(0, end));

@@ -133,7 +133,7 @@ Position SourceMap::position(SourceId id, std::uint32_t offset) const {
   std::uint32_t start = line_start(at(id), line);
   if (at(id).is_ascii) return {line, offset - start + 1};
   // Authors do not see a byte order mark as a column.
-  if (line == 1 && at(id).text.starts_with(utf8::kByteOrderMark)) {
+  if (line == 1 && at(id).text.starts_with(kByteOrderMark)) {
     start = std::min<std::uint32_t>(3, offset);
   }
   return {line, characters_before(at(id), offset) - characters_before(at(id), start) + 1};

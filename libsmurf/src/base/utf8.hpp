@@ -33,8 +33,7 @@ CodePoint decode(std::string_view text);
 /// Precondition: a code point of Unicode, no surrogate.
 void append(std::string& text, char32_t code_point);
 
-inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";    ///< U+FFFD
-inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  ///< U+FEFF
+inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD
 
 /// C0 (tab and line ends too), DEL and C1, which is where some terminals begin a sequence as well.
 inline bool is_control(char32_t code_point) {

@@ -34,6 +34,13 @@ ModelDiff diff_models(const LinkedModel& before, const LinkedModel& after,
           renames.of_model(ModelIndex{Reference::kNothing})};
 }
 
+void set_models(std::vector<Difference>& differences, ModelIndex before, ModelIndex after) {
+  for (Difference& one : differences) {
+    one.old_model = before;
+    one.new_model = after;
+  }
+}
+
 /// A key that is equal for models with the same meaning.
 std::uint64_t hash_of(const LinkedModel& model) {
   YamlProperties properties;
@@ -116,6 +123,7 @@ class SceneDiff {
     }
     if (!compared_.emplace(before, after).second) return;
     ModelDiff found = diff_models(old_model, new_model, options_, contents_);
+    set_models(found.differences, before, after);
     for (const auto& [name, new_name] : found.renamed) {
       renames.add(name.first, name.second, new_name, before);
     }
@@ -203,7 +211,9 @@ std::string_view to_string(Change change) {
 std::vector<Difference> diff(const LinkedModel& before, const LinkedModel& after, const SourceMap&,
                              const DiffOptions& options) {
   FileContents contents(options);
-  return diff_models(before, after, options, contents).differences;
+  std::vector<Difference> found = diff_models(before, after, options, contents).differences;
+  set_models(found, ModelIndex{0}, ModelIndex{0});
+  return found;
 }
 
 std::vector<Difference> diff(const LinkedScene& before, const LinkedScene& after,

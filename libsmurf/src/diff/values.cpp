@@ -25,25 +25,15 @@ std::string numbers_text(std::span<const double> values, std::string (*show)(dou
   return text;
 }
 
-std::string in_radians(const Quaternion& rotation) {
-  const Vector3 rpy = to_rpy(rotation);
-  return numbers_text(rpy, short_number);
-}
-
-/// The old and the new value as different texts.
-struct Pair {
-  std::string before, after;
-};
-
-Pair pair_of(std::span<const double> before, std::span<const double> after) {
-  Pair pair{numbers_text(before, short_number), numbers_text(after, short_number)};
+ValueTexts pair_of(std::span<const double> before, std::span<const double> after) {
+  ValueTexts pair{numbers_text(before, short_number), numbers_text(after, short_number)};
   if (pair.before == pair.after) {
     pair = {numbers_text(before, format_number), numbers_text(after, format_number)};
   }
   return pair;
 }
 
-std::string arrow(const Pair& pair) { return pair.before + " -> " + pair.after; }
+std::string arrow(const ValueTexts& pair) { return pair.before + " -> " + pair.after; }
 
 std::string numbers_change(const std::vector<double>& before, const std::vector<double>& after,
                            const Difference& difference) {
@@ -53,20 +43,16 @@ std::string numbers_change(const std::vector<double>& before, const std::vector<
   std::string text;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (before[i] == after[i]) continue;
-    const Pair pair = pair_of(std::span(&before[i], 1), std::span(&after[i], 1));
+    const ValueTexts pair = pair_of(std::span(&before[i], 1), std::span(&after[i], 1));
     text += (text.empty() ? "" : ", ") + std::string(difference.parts[i]) + " " + arrow(pair);
   }
   return with_unit(std::move(text), difference.unit);
 }
 
-std::string number_change(double before, double after, std::string_view unit) {
-  std::string text = with_unit(arrow(pair_of({&before, 1}, {&after, 1})), unit);
-  const double percent = 100 * (after - before) / std::fabs(before);
-  if (!std::isfinite(percent)) return text;
-  const bool is_moderate = std::fabs(percent) < 1000;
-  if (is_moderate)
-    text += " (" + std::string(percent > 0 ? "+" : "") + format_rounded(percent, 3) + " %)";
-  return text;
+std::string number_change(double before, double after, const Difference& difference) {
+  std::string text = with_unit(arrow(pair_of({&before, 1}, {&after, 1})), difference.unit);
+  const std::string percentage = percentage_of(difference);
+  return percentage.empty() ? text : text + " (" + percentage + ")";
 }
 
 std::string pose_change(const Pose& before, const Pose& after) {
@@ -90,6 +76,42 @@ std::string absent_text(const Difference& difference) {
   return std::string(difference.fallback) + " (default)";
 }
 
+std::string text_of(const DiffValue& value, std::string_view unit,
+                    std::span<const std::string_view> parts, std::string (*show)(double)) {
+  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
+  if (const auto* number = std::get_if<double>(&value)) return with_unit(show(*number), unit);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* pose = std::get_if<Pose>(&value)) {
+    return "xyz " + numbers_text(pose->position, show) + " m rpy " +
+           numbers_text(to_rpy(pose->orientation), show) + " rad";
+  }
+  if (const auto* rotation = std::get_if<Quaternion>(&value)) {
+    return "rpy " + numbers_text(to_rpy(*rotation), show) + " rad";
+  }
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    if (parts.size() != numbers->size()) return with_unit(numbers_text(*numbers, show), unit);
+    std::string text;
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+      if ((*numbers)[i] == 0) continue;
+      text += (text.empty() ? "" : " ") + std::string(parts[i]) + " " + show((*numbers)[i]);
+    }
+    return text.empty() ? "0" : with_unit(std::move(text), unit);
+  }
+  if (const auto* items = std::get_if<std::vector<std::string>>(&value)) {
+    std::string text;
+    for (const std::string& item : *items) text += (text.empty() ? "" : ", ") + item;
+    return "[" + text + "]";
+  }
+  return "none";
+}
+
+/// A value of a difference, for which an absent one is what readers take.
+std::string text_in(const Difference& difference, const DiffValue& value,
+                    std::string (*show)(double)) {
+  if (std::holds_alternative<std::monostate>(value)) return absent_text(difference);
+  return text_of(value, difference.unit, difference.parts, show);
+}
+
 }  // namespace
 
 std::string label_of(std::string_view property) {
@@ -108,33 +130,26 @@ std::string label_of(std::string_view property) {
 
 std::string value_text(const DiffValue& value, std::string_view unit,
                        std::span<const std::string_view> parts) {
-  if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
-  if (const auto* number = std::get_if<double>(&value))
-    return with_unit(short_number(*number), unit);
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  if (const auto* pose = std::get_if<Pose>(&value)) {
-    return "xyz " + numbers_text(pose->position, short_number) + " m rpy " +
-           in_radians(pose->orientation) + " rad";
-  }
-  if (const auto* rotation = std::get_if<Quaternion>(&value)) {
-    return "rpy " + in_radians(*rotation) + " rad";
-  }
-  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
-    if (parts.size() != numbers->size())
-      return with_unit(numbers_text(*numbers, short_number), unit);
-    std::string text;
-    for (std::size_t i = 0; i < numbers->size(); ++i) {
-      if ((*numbers)[i] == 0) continue;
-      text += (text.empty() ? "" : " ") + std::string(parts[i]) + " " + short_number((*numbers)[i]);
-    }
-    return text.empty() ? "0" : with_unit(std::move(text), unit);
-  }
-  if (const auto* items = std::get_if<std::vector<std::string>>(&value)) {
-    std::string text;
-    for (const std::string& item : *items) text += (text.empty() ? "" : ", ") + item;
-    return "[" + text + "]";
-  }
-  return "none";
+  return text_of(value, unit, parts, short_number);
+}
+
+ValueTexts value_texts(const Difference& difference) {
+  const auto shown_by = [&](std::string (*show)(double)) -> ValueTexts {
+    return {text_in(difference, difference.before, show),
+            text_in(difference, difference.after, show)};
+  };
+  ValueTexts texts = shown_by(short_number);
+  return texts.before == texts.after ? shown_by(format_number) : texts;
+}
+
+std::string percentage_of(const Difference& difference) {
+  const auto* before = std::get_if<double>(&difference.before);
+  const auto* after = std::get_if<double>(&difference.after);
+  if (before == nullptr || after == nullptr) return {};
+  const double percent = 100 * (*after - *before) / std::fabs(*before);
+  const bool is_moderate = std::fabs(percent) < 1000;  // false for NaN
+  if (!is_moderate) return {};
+  return (percent > 0 ? "+" : "") + format_rounded(percent, 3) + " %";
 }
 
 std::string change_text(const Difference& difference) {
@@ -142,7 +157,7 @@ std::string change_text(const Difference& difference) {
   const DiffValue& after = difference.after;
   if (before.index() == after.index()) {
     if (const auto* number = std::get_if<double>(&before)) {
-      return number_change(*number, std::get<double>(after), difference.unit);
+      return number_change(*number, std::get<double>(after), difference);
     }
     if (const auto* numbers = std::get_if<std::vector<double>>(&before)) {
       return numbers_change(*numbers, std::get<std::vector<double>>(after), difference);
@@ -154,12 +169,8 @@ std::string change_text(const Difference& difference) {
       return pose_change({{}, *rotation}, {{}, std::get<Quaternion>(after)});
     }
   }
-  const auto shown = [&](const DiffValue& value) {
-    return std::holds_alternative<std::monostate>(value)
-               ? absent_text(difference)
-               : value_text(value, difference.unit, difference.parts);
-  };
-  return shown(before) + " -> " + shown(after);
+  return text_in(difference, before, short_number) + " -> " +
+         text_in(difference, after, short_number);
 }
 
 }  // namespace smurf

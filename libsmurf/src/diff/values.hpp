@@ -17,6 +17,15 @@ std::string label_of(std::string_view property);
 std::string value_text(const DiffValue& value, std::string_view unit,
                        std::span<const std::string_view> parts);
 
+/// The values of what changed as two different texts.
+struct ValueTexts {
+  std::string before, after;
+};
+ValueTexts value_texts(const Difference& difference);
+
+/// "+14.3 %" of a number that changed by a part of itself; else empty.
+std::string percentage_of(const Difference& difference);
+
 /// "0.35 -> 0.4 kg (+14.3 %)"; for several numbers with names, only those that differ.
 std::string change_text(const Difference& difference);
 

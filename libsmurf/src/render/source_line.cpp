@@ -136,7 +136,7 @@ std::string SourceLine::underline(ByteRange range, char fill) const {
 
 bool SourceLine::is_first_text(std::uint32_t offset) const {
   std::string_view before = line_.substr(0, offset - offset_);
-  if (before.starts_with(utf8::kByteOrderMark)) before.remove_prefix(utf8::kByteOrderMark.size());
+  if (before.starts_with(kByteOrderMark)) before.remove_prefix(kByteOrderMark.size());
   return before.find_first_not_of(" \t") == std::string_view::npos;
 }
 

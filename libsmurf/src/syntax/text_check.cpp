@@ -57,7 +57,7 @@ std::string hex(char c) {
 }  // namespace
 
 std::uint32_t byte_order_mark_size(std::string_view text) {
-  return text.starts_with(utf8::kByteOrderMark) ? utf8::kByteOrderMark.size() : 0;
+  return text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
 }
 
 bool check_text(const SourceMap& sources, SourceId id, TextFormat format, DiagnosticSink& sink) {

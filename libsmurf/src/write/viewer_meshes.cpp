@@ -11,7 +11,8 @@ namespace smurf {
 /// The bytes of a point (three floats) and of an index (at least two bytes), in base64.
 constexpr PreviewMeshes::Cost kCost{16, 2};
 
-ViewerMeshes::ViewerMeshes(const SceneExport& scene) : files_(scene, kCost) {}
+ViewerMeshes::ViewerMeshes(const SceneExport& scene, bool has_copies)
+    : files_(scene, kCost), has_copies_(has_copies) {}
 
 const ViewerMeshes::Known& ViewerMeshes::find(const std::string& file, Span place) {
   const std::string& first = files_.first_name(file);
@@ -42,6 +43,9 @@ ViewerMeshes::Known ViewerMeshes::read(const std::string& file, Span place) {
     }
   }
   shown.indices = base64(bytes);
+  for (std::size_t i = 0; has_copies_ && i < shown_.size(); ++i) {
+    if (shown_[i].points == shown.points && shown_[i].indices == shown.indices) return {i, {}};
+  }
   shown_.push_back(std::move(shown));
   return {shown_.size() - 1, {}};
 }
@@ -77,6 +81,21 @@ void ViewerMeshes::print(JsonPrinter& json) const {
     json.key("wide");
     json.boolean(mesh.is_wide);
     if (has_colors(mesh.parts)) print_parts(mesh.parts, json);
+    json.end();
+  }
+  json.end();
+}
+
+void ViewerMeshes::print_unseen(JsonPrinter& json) const {
+  json.begin_list(JsonPrinter::Layout::block);
+  for (const auto& [what, shapes] : unseen_) {
+    json.begin_object();
+    json.key("file");
+    json.text(what.first);
+    json.key("why");
+    json.text(what.second);
+    json.key("shapes");
+    json.integer(static_cast<std::int64_t>(shapes));
     json.end();
   }
   json.end();

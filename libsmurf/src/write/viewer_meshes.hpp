@@ -2,6 +2,9 @@
 // The meshes of a page that shows a scene. Each is written once, however many shapes use it.
 #pragma once
 
+#include <map>
+#include <utility>
+
 #include "write/json_printer.hpp"
 #include "write/preview_meshes.hpp"
 
@@ -14,14 +17,20 @@ class ViewerMeshes {
     std::string why_none;
   };
 
-  /// `scene` must outlive this.
-  explicit ViewerMeshes(const SceneExport& scene);
+  /// `scene` must outlive this. With `has_copies`, files with the same triangles, as two versions
+  /// of a scene have them, are written once.
+  ViewerMeshes(const SceneExport& scene, bool has_copies);
 
   /// `place` is that of the shape that uses the file.
   const Known& find(const std::string& file, Span place);
 
+  /// Counts a shape that is not shown because of its file.
+  void add_unseen(const std::string& file, const std::string& why) { ++unseen_[{file, why}]; }
+
   /// Prints a list of all meshes that were found.
   void print(JsonPrinter& json) const;
+  /// Prints a list of the files that are not shown, with the number of their shapes.
+  void print_unseen(JsonPrinter& json) const;
 
  private:
   struct Shown {
@@ -33,8 +42,10 @@ class ViewerMeshes {
   static void print_parts(const std::vector<MeshPart>& parts, JsonPrinter& json);
 
   PreviewMeshes files_;
+  bool has_copies_;
   std::unordered_map<std::string, Known> known_;
   std::vector<Shown> shown_;
+  std::map<std::pair<std::string, std::string>, std::size_t> unseen_;
 };
 
 }  // namespace smurf

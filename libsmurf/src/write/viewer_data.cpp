@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/viewer_data.hpp"
+
+#include <deque>
+#include <set>
+
+#include "base/path.hpp"
+#include "link/kinematics.hpp"
+#include "lint/geometry_queries.hpp"
+#include "write/body_inertia.hpp"
+#include "write/json_printer.hpp"
+#include "write/scene_losses.hpp"
+#include "write/scene_parts.hpp"
+#include "write/viewer_meshes.hpp"
+
+namespace smurf {
+namespace {
+
+using Layout = JsonPrinter::Layout;
+
+/// The models and entities of a version. Those of `newer`, if any, precede them in the lists.
+class VersionData {
+ public:
+  VersionData(const SceneExport& scene, const SceneExport* newer, ViewerMeshes& meshes,
+              JsonPrinter& json)
+      : scene_(scene),
+        is_old_(newer != nullptr),
+        models_before_(newer == nullptr ? 0 : newer->flat.models.size()),
+        entities_before_(newer == nullptr ? 0 : newer->flat.instances.size()),
+        losses_(scene, SceneColumn::html, "HTML"),
+        meshes_(meshes),
+        json_(json) {}
+
+  void add_models() {
+    for (const FlatModel& model : scene_.flat.models) add_model(model);
+  }
+  void add_entities() {
+    for (std::size_t i = 0; i < scene_.flat.instances.size(); ++i) add_entity(i);
+    losses_.table();
+  }
+
+ private:
+  void numbers(std::string_view key, std::initializer_list<double> values) {
+    json_.key(key);
+    json_.begin_list();
+    for (const double value : values) json_.number(value);
+    json_.end();
+  }
+
+  /// A list with a line for each item.
+  void begin_lines(std::string_view key) {
+    json_.key(key);
+    json_.begin_list(Layout::block);
+  }
+
+  void add_pose(std::string_view key, const Pose& pose) {
+    const Vector3& p = pose.position;
+    const Quaternion& q = pose.orientation;
+    numbers(key, {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
+  }
+
+  void add_name(const Field<std::string>& name) {
+    if (!name) return;
+    json_.key("name");
+    json_.text(*name);
+  }
+
+  void add_number(std::string_view key, const Field<double>& value) {
+    if (!value) return;
+    json_.key(key);
+    json_.number(*value);
+  }
+
+  void add_index(std::string_view key, std::size_t index) {
+    json_.key(key);
+    json_.integer(static_cast<std::int64_t>(index));
+  }
+
+  void add_model(const FlatModel& flat) {
+    const LinkedModel& model = scene_.scene.models[to_size(flat.source)];
+    json_.begin_object(Layout::block);
+    json_.key("name");
+    json_.text(flat.id);
+    json_.key("file");
+    json_.text(flat.file);
+    add_version();
+    begin_lines("links");
+    if (model.robot) add_links(flat, model);
+    json_.end();
+    begin_lines("joints");
+    if (model.robot) {
+      for (std::size_t i = 0; i < model.robot->joints.size(); ++i) add_joint(model, i);
+    }
+    json_.end();
+    add_joint_poses(model);
+    add_motors_and_sensors(model);
+    json_.end();
+  }
+
+  void add_links(const FlatModel& flat, const LinkedModel& model) {
+    const std::vector<std::optional<Pose>> X_RL = forward_kinematics(model, {});
+    for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
+      const urdf::Link& link = model.robot->links[i];
+      json_.begin_object();
+      add_name(link.name);
+      const std::optional<JointIndex> above = model.tree.parent_joint[i];
+      if (above) add_index("joint", to_size(*above));
+      if (!X_RL[i]) {
+        json_.key("unplaced");
+        json_.boolean(true);
+      }
+      if (const std::optional<LinkInertial> mass = inertial_of(link)) {
+        json_.key("mass");
+        json_.number(mass->mass);
+        add_pose("com", mass->X_LC);
+        numbers("inertia", {mass->ixx, mass->ixy, mass->ixz, mass->iyy, mass->iyz, mass->izz});
+      }
+      json_.key("visuals");
+      json_.begin_list();
+      for (const urdf::Visual& visual : link.visuals) {
+        add_part(visual, color_of(visual, model), flat, model);
+      }
+      json_.end();
+      json_.key("collisions");
+      json_.begin_list();
+      for (const urdf::Collision& shape : link.collisions) {
+        add_part(shape, std::nullopt, flat, model);
+      }
+      json_.end();
+      json_.end();
+    }
+  }
+
+  template <class Part>
+  void add_part(const Part& part, const std::optional<Rgba>& color, const FlatModel& flat,
+                const LinkedModel& model) {
+    const std::optional<FlatGeometry> geometry = to_flat(part.geometry, flat);
+    if (!geometry) return;
+    json_.begin_object();
+    add_name(part.name);
+    add_solid({urdf::to_pose(part.origin), *geometry, color, part.span},
+              bounding_box(model, part.geometry));
+    json_.end();
+  }
+
+  void add_joint(const LinkedModel& model, std::size_t index) {
+    const urdf::Joint& joint = model.robot->joints[index];
+    json_.begin_object();
+    add_name(joint.name);
+    json_.key("type");
+    json_.text(joint.type_name.value_or({}));
+    if (const auto parent = model.tree.joint_parent[index]) add_index("parent", to_size(*parent));
+    if (const auto child = model.tree.joint_child[index]) add_index("child", to_size(*child));
+    add_pose("pose", urdf::to_pose(joint.origin));
+    if (joint.has_one_axis()) {
+      json_.key("axis");
+      json_.vector(joint.axis.value_or(Vector3{1, 0, 0}));
+    }
+    if (joint.limit) {
+      add_number("lower", joint.limit->lower);
+      add_number("upper", joint.limit->upper);
+      add_number("effort", joint.limit->effort);
+      add_number("velocity", joint.limit->velocity);
+    }
+    if (joint.dynamics) {
+      add_number("damping", joint.dynamics->damping);
+      add_number("friction", joint.dynamics->friction);
+    }
+    add_mimic(model, joint);
+    json_.end();
+  }
+
+  void add_mimic(const LinkedModel& model, const urdf::Joint& joint) {
+    if (!joint.mimic || !joint.mimic->joint || !is_followable(model, joint)) return;
+    const auto leader = model.joint_names.find(*joint.mimic->joint);
+    if (!leader) return;
+    add_index("leader", *leader);
+    json_.key("multiplier");
+    json_.number(joint.mimic->multiplier.value_or(1));
+    json_.key("offset");
+    json_.number(joint.mimic->offset.value_or(0));
+  }
+
+  void add_joint_poses(const LinkedModel& model) {
+    begin_lines("poses");
+    std::set<std::string> names;
+    for (const JointPoseSet& set : model.annotations.poses) {
+      if (!set.name || !names.insert(*set.name).second) continue;
+      json_.begin_object();
+      add_name(set.name);
+      add_positions(to_joint_positions(model, set));
+      json_.end();
+    }
+    json_.end();
+  }
+
+  void add_motors_and_sensors(const LinkedModel& model) {
+    begin_lines("devices");
+    for (const Motor& motor : model.annotations.motors) {
+      add_device("motor", motor.name, child_of(model, motor.joint));
+    }
+    for (const Sensor& sensor : model.annotations.sensors) {
+      std::optional<std::uint32_t> link;
+      if (sensor.link) link = model.link_names.find(*sensor.link);
+      add_device("sensor", sensor.name, link ? link : child_of(model, sensor.joint));
+    }
+    json_.end();
+  }
+
+  /// The link that a joint moves.
+  static std::optional<std::uint32_t> child_of(const LinkedModel& model,
+                                               const Field<std::string>& joint) {
+    const auto index = joint ? model.joint_names.find(*joint) : std::nullopt;
+    const auto child = index ? model.tree.joint_child[*index] : std::nullopt;
+    return child ? std::optional(static_cast<std::uint32_t>(to_size(*child))) : std::nullopt;
+  }
+
+  void add_device(std::string_view kind, const Field<std::string>& name,
+                  const std::optional<std::uint32_t>& link) {
+    if (!name || !link) return;
+    json_.begin_object();
+    json_.key("kind");
+    json_.text(kind);
+    add_name(name);
+    add_index("link", *link);
+    json_.end();
+  }
+
+  void add_positions(const JointPositions& positions) {
+    json_.key("positions");
+    json_.begin_object();
+    for (const auto& [joint, position] : positions) {
+      json_.key(joint);
+      json_.number(position);
+    }
+    json_.end();
+  }
+
+  void add_entity(std::size_t index) {
+    const FlatInstance& entity = scene_.flat.instances[index];
+    json_.begin_object();
+    json_.key("path");
+    json_.text(entity.path);
+    json_.key("type");
+    json_.text(entity.type);
+    add_version();
+    if (entity.model) add_index("model", models_before_ + *entity.model);
+    if (entity.X_WE) add_pose("pose", *entity.X_WE);
+    if (entity.anchor.kind == Attachment::Kind::world) {
+      json_.key("anchored");
+      json_.boolean(true);
+    }
+    add_support(index);
+    add_positions(scene_.scene.joint_positions(scene_.scene.instances[index]));
+    json_.key("shapes");
+    json_.begin_list();
+    const Span place = place_of(scene_.scene.entity(scene_.scene.instances[index]));
+    for (const FlatShape& shape : entity.shapes) {
+      json_.begin_object();
+      if (!shape.name.empty()) {
+        json_.key("name");
+        json_.text(shape.name);
+      }
+      add_solid({shape.X_ES, shape.geometry, shape.color, place}, std::nullopt);
+      json_.end();
+    }
+    json_.end();
+    json_.end();
+  }
+
+  /// The link that an entity moves with: its anchor's, else its parent's.
+  void add_support(std::size_t index) {
+    const Instance& here = scene_.scene.instances[index];
+    for (const Attachment* attachment : {&here.placement.anchor, &here.placement.parent}) {
+      if (attachment->kind != Attachment::Kind::link || !here.X_WE) continue;
+      const Instance& other = scene_.scene.instance(attachment->instance);
+      const LinkedModel* model = robot_of(scene_.scene, to_size(attachment->instance));
+      if (model == nullptr || !other.X_WE) continue;
+      const std::optional<std::uint32_t> link = model->link_names.find(attachment->link);
+      if (!link) continue;
+      const std::optional<Pose>& X_OL = frames_.of(scene_.scene, other)[*link];
+      if (!X_OL) continue;
+      json_.key(attachment == &here.placement.anchor ? "anchor" : "parent");
+      json_.begin_object();
+      add_index("entity", entities_before_ + to_size(attachment->instance));
+      add_index("link", *link);
+      add_pose("pose", inverse(*other.X_WE * *X_OL) * *here.X_WE);
+      json_.end();
+      return;
+    }
+  }
+
+  /// `around` is the box that is shown for a mesh that could not be read.
+  void add_solid(const LinkShape& shape, const std::optional<Box>& around) {
+    if (shape.X_LS != Pose{}) add_pose("pose", shape.X_LS);
+    if (shape.color) {
+      const Rgba& color = *shape.color;
+      numbers("color", {color[0], color[1], color[2], color[3]});
+    }
+    if (const auto* box = std::get_if<FlatBox>(&shape.geometry)) {
+      numbers("box", {box->size[0], box->size[1], box->size[2]});
+    } else if (const auto* sphere = std::get_if<FlatSphere>(&shape.geometry)) {
+      numbers("sphere", {sphere->radius});
+    } else if (const auto* cylinder = std::get_if<FlatCylinder>(&shape.geometry)) {
+      numbers("cylinder", {cylinder->radius, cylinder->length});
+    } else if (const auto* capsule = std::get_if<FlatCapsule>(&shape.geometry)) {
+      numbers("capsule", {capsule->radius, capsule->length});
+    } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
+      numbers("plane", {plane->length, plane->width});
+    } else if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) {
+      add_mesh(*mesh, shape, around);
+    } else if (const auto* map = std::get_if<FlatHeightmap>(&shape.geometry)) {
+      losses_.unseen_shape(shape.span, shape.geometry, {});
+      meshes_.add_unseen(map->file, "is a heightmap");
+      numbers("around",
+              {-map->length / 2, -map->width / 2, 0, map->length / 2, map->width / 2, map->height});
+    }
+  }
+
+  void add_mesh(const FlatMesh& mesh, const LinkShape& shape, const std::optional<Box>& around) {
+    const ViewerMeshes::Known& known = meshes_.find(mesh.file, shape.span);
+    if (known.index) {
+      add_index("mesh", *known.index);
+      if (mesh.scale != Vector3{1, 1, 1}) {
+        json_.key("scale");
+        json_.vector(mesh.scale);
+      }
+      return;
+    }
+    losses_.unseen_shape(shape.span, shape.geometry, known.why_none);
+    meshes_.add_unseen(mesh.file, known.why_none);
+    if (!around) return;
+    const Vector3& low = around->low;
+    const Vector3& high = around->high;
+    numbers("around", {low[0], low[1], low[2], high[0], high[1], high[2]});
+  }
+
+  void add_version() {
+    if (!is_old_) return;
+    json_.key("old");
+    json_.boolean(true);
+  }
+
+  const SceneExport& scene_;
+  bool is_old_;
+  std::size_t models_before_, entities_before_;
+  SceneLosses losses_;
+  LinkFrames frames_;
+  ViewerMeshes& meshes_;
+  JsonPrinter& json_;
+};
+
+}  // namespace
+
+std::optional<std::string> viewer_data(const SceneExport& scene, const SceneExport* before) {
+  JsonPrinter json(scene.most_bytes);
+  ViewerMeshes meshes(scene, before != nullptr);
+  std::deque<VersionData> versions;
+  versions.emplace_back(scene, nullptr, meshes, json);
+  if (before != nullptr) versions.emplace_back(*before, &scene, meshes, json);
+  json.begin_object(Layout::block);
+  json.key("scene");
+  json.text(path::file_name(scene.flat.scene));
+  json.key("models");
+  json.begin_list(Layout::block);
+  for (VersionData& version : versions) version.add_models();
+  json.end();
+  json.key("entities");
+  json.begin_list(Layout::block);
+  for (VersionData& version : versions) version.add_entities();
+  json.end();
+  json.key("meshes");
+  meshes.print(json);
+  json.key("unseen");
+  meshes.print_unseen(json);
+  json.end();
+  return json.take();
+}
+
+}  // namespace smurf

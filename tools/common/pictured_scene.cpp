@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/pictured_scene.hpp"
+
+#include <algorithm>
+
+#include "common/mesh_source.hpp"
+
+namespace smurf::tools {
+namespace {
+
+/// Bytes. It is a page to send, and a browser has to open it.
+constexpr std::uint64_t kMostPicture = 40'000'000;
+
+Limits limits_of_picture(Limits limits) {
+  limits.scene_bytes = std::min(limits.scene_bytes, kMostPicture);
+  return limits;
+}
+
+}  // namespace
+
+PicturedScene::PicturedScene(Session& session, const std::string& path,
+                             const CheckSettings& settings, const std::string& current)
+    : files_(session.files()),
+      limits_(limits_of_picture(session.limits())),
+      loaded_(session.load_scene(path, settings)),
+      flattening_{.current_folder = current, .old_scenes = &loaded_.old_scenes} {}
+
+std::optional<SceneExport> PicturedScene::to_write() {
+  const SourceMap& sources = *loaded_.sources;
+  if (!check_scene_size(loaded_.scene, sources, flattening_, limits_, loaded_.found)) return {};
+  flat_ = flatten(loaded_.scene, sources, flattening_);
+  if (!check_flat_numbers(flat_, loaded_.scene, loaded_.found)) return {};
+  return SceneExport{.flat = flat_,
+                     .scene = loaded_.scene,
+                     .sources = sources,
+                     .losses = loaded_.found,
+                     .meshes = mesh_source(flattening_, {}, files_, limits_),
+                     .most_bytes = limits_.scene_bytes};
+}
+
+}  // namespace smurf::tools

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes for the pictures in pages of findings and differences.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "smurf/check.hpp"
+#include "smurf/flatten.hpp"
+#include "smurf/limits.hpp"
+#include "smurf/write_scene.hpp"
+
+namespace smurf::tools {
+
+/// A scene or model, loaded and flattened for the current folder. The session must outlive it.
+class PicturedScene {
+ public:
+  /// `current` is the absolute path of the current folder.
+  PicturedScene(Session& session, const std::string& path, const CheckSettings& settings,
+                const std::string& current);
+  PicturedScene(const PicturedScene&) = delete;
+  PicturedScene& operator=(const PicturedScene&) = delete;
+
+  /// What to write, which refers to this; none when nobody knows where the parts of the scene are,
+  /// and when it is too large for a page to send.
+  std::optional<SceneExport> to_write();
+
+ private:
+  const FileReader& files_;
+  Limits limits_;
+  LoadedScene loaded_;
+  FlattenOptions flattening_;
+  FlatScene flat_;
+};
+
+}  // namespace smurf::tools

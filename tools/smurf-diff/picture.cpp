@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smurf-diff/picture.hpp"
+
+#include "common/input.hpp"
+#include "common/pictured_scene.hpp"
+
+namespace smurf::tools {
+
+std::string picture_of(Session& session, const Version& before, const Version& after,
+                       const Options& options) {
+  if (!find_scene_format("html")->obstacle().empty()) return {};
+  if (input_kind(after.path) == InputKind::annotation) return {};
+  const auto current = current_folder("smurf-diff");
+  if (!current) return {};
+  CheckSettings settings;
+  settings.packages = options.packages;
+  const auto scene_of = [&](const Version& version) {
+    const ReplacedText replaced(session, version);
+    return PicturedScene(session, version.path, settings, *current);
+  };
+  PicturedScene old_scene = scene_of(before);
+  PicturedScene new_scene = scene_of(after);
+  const std::optional<SceneExport> old_export = old_scene.to_write();
+  const std::optional<SceneExport> new_export = new_scene.to_write();
+  if (!old_export || !new_export) return {};
+  return write_both_versions(*old_export, *new_export);
+}
+
+}  // namespace smurf::tools

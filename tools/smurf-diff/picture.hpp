@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Both versions over each other, as the page of differences shows them.
+#pragma once
+
+#include <string>
+
+#include "smurf-diff/versions.hpp"
+
+namespace smurf::tools {
+
+/// The page of write_both_versions(); "" for annotation files, when nobody knows where the parts
+/// of a version are, and when this build has no viewer.
+std::string picture_of(Session& session, const Version& before, const Version& after,
+                       const Options& options);
+
+}  // namespace smurf::tools
