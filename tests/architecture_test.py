@@ -92,7 +92,6 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "lint/annotation_queries.hpp",
     "lint/inertia.hpp",
     "lint/queries.hpp",
-    "mesh/mesh_reader.hpp",
     "render/json_text.hpp",
     "render/printable.hpp",
     "render/wrap.hpp",
