@@ -239,6 +239,10 @@ class ConvertTest(PlaygroundTest):
                 self.assertEqual(result, wanted, case)
             self.assertGreater(sum(bool(files) for files, _ in expected), 3, [said for _, said in expected])
 
+    def test_the_outermost_scene_is_offered_first(self):
+        first = "document.getElementById('source').value"
+        self.assertEqual(self.play(example(SCENE), CHECKED, first)[2], "outer.smurfs")
+
     def test_results_are_saved_and_kept(self):
         self.unpack(ARM)
         downloads = self.folder / "downloads"

@@ -38,8 +38,12 @@ function setOptions(select, values, nameOf = (value) => value) {
   if (values.some((value) => nameOf(value) === before)) select.value = before;
 }
 
-/** Scenes first, since they contain the models; then models, which contain the URDFs. */
-const rankOf = (name) => -kScene.indexOf(kindOf(name).replace("z", ""));
+/** Scenes first, since they contain the models, which contain the URDFs; of each, what lies in the outer folders. */
+function byImportance(a, b) {
+  const rank = (name) => kScene.indexOf(kindOf(name).replace("z", ""));
+  const depth = (name) => name.split("/").length;
+  return rank(b) - rank(a) || depth(a) - depth(b);
+}
 
 export class Convert {
   /** `run` runs a tool; `files` are the Files. */
@@ -61,7 +65,7 @@ export class Convert {
   }
 
   update() {
-    const names = [...this.files.all.keys()].filter(kindOf).sort((a, b) => rankOf(a) - rankOf(b));
+    const names = [...this.files.all.keys()].filter(kindOf).sort(byImportance);
     setOptions(byId("source"), names);
     byId("conversion").hidden = names.length === 0;
     this.showForms();
