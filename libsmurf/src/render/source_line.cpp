@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/utf8.hpp"
+#include "smurf/source.hpp"
 
 namespace smurf::render {
 namespace {
