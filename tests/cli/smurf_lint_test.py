@@ -534,6 +534,7 @@ class Usage(LintTest):
                 ("unknown option '-Q' (see --help)", ["-Q"]),
                 ("unknown option '--selct'; did you mean '--select'?", ["--selct=SML1"]),
                 ("--format needs a value: FORMAT[=FILE]", ["--format"]),
+                ("--format needs a value: FORMAT[=FILE]", ["--format", "--quiet"]),
                 ("--format: 'jsn' is not one of full, concise, json, sarif, github, gitlab, junit, html, auto; did you mean 'json'?",
                  ["--format=jsn"]),
                 ("--format: there is no file name after '='", ["--format=json="]),
@@ -602,7 +603,7 @@ class Rules(LintTest):
         self.assertGreater(self.expect(0, "--explain", "name").stdout.count("`name` ("), 5)
 
     def test_every_rule_is_explained(self):
-        rules = json.loads(self.expect(0, "--list-rules", "json").stdout)
+        rules = json.loads(self.expect(0, "--list-rules=json").stdout)
         self.assertGreater(len(rules), 50)
         self.assertEqual([r["id"] for r in rules], sorted(r["id"] for r in rules))
         lines = self.expect(0, "--list-rules").stdout.splitlines()

@@ -198,7 +198,9 @@ TEST_CASE("readers do not look at all parts of a joint of every type") {
 }
 
 TEST_CASE("MoveIt normalises the axis of a revolute joint, but not of a prismatic one") {
-  const std::string turning = damaged("xyz=\"0 0 1\"", "xyz=\"0 0 2\"");
+  std::string turning = damaged("xyz=\"0 0 1\"", "xyz=\"0 0 2\"");
+  const std::size_t root_inertial = turning.find("  <inertial>");  // KDL ignores it
+  turning.erase(root_inertial, turning.find("  <collision>") - root_inertial);
   CHECK(answer_to("ros", turning) == Answer::takes);
   std::string sliding = turning;
   CHECK(answer_to("ros", sliding.replace(sliding.find("revolute"), 8, "prismatic")) ==

@@ -24,7 +24,7 @@ struct MeshPart {
 };
 
 /// Before any scale of the URDF. COLLADA is in metres, as its unit says, and in its own axes, since
-/// RViz and Gazebo ignore its <up_axis>. glTF, whose y axis is up, is turned to z, as RViz turns
+/// RViz and Gazebo ignore its up_axis. glTF, whose y axis is up, is turned to z, as RViz turns
 /// it. All other files are as they are.
 struct MeshTriangles {
   std::vector<std::array<float, 3>> points;  ///< no two of a part are equal
