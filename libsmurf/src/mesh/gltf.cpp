@@ -42,7 +42,7 @@ class GltfTriangles {
  private:
   struct Placed {
     const Json* index;
-    Affine X;  ///< of the parent
+    Affine X_MP;  ///< of the parent in the mesh
   };
   struct Primitive {
     Accessor points;
@@ -74,7 +74,7 @@ class GltfTriangles {
     const auto index = static_cast<std::size_t>(*natural(placed.index));
     if (is_placed_[index]) return data_.fail_broken("a node is named twice");
     is_placed_[index] = true;
-    Affine X = placed.X;
+    Affine X = placed.X_MP;
     if (!transform(*node, X)) return data_.fail_broken("the transform of a node is no transform");
     if (const Json* mesh = member(*node, "mesh")) {
       if (member(*node, "skin") != nullptr) {
