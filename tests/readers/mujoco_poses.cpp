@@ -8,12 +8,10 @@
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  const smurf::tests::MujocoWorld world = smurf::tests::load_mujoco(argv[1]);
+  const smurf::tests::MujocoWorld world = smurf::tests::load_mujoco_at_start(argv[1]);
   mjModel* model = world.model.get();
   mjData* data = world.data.get();
   if (model == nullptr) return 1;
-  if (model->nkey > 0) mj_resetDataKeyframe(model, data, 0);
-  mj_forward(model, data);
   for (int i = 1; i < model->nbody; ++i) {
     const mjtNum* p = data->xpos + 3 * i;
     const mjtNum* q = data->xquat + 4 * i;

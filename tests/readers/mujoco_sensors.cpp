@@ -53,12 +53,10 @@ void print_textures(const mjModel& model) {
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  const smurf::tests::MujocoWorld world = smurf::tests::load_mujoco(argv[1]);
+  const smurf::tests::MujocoWorld world = smurf::tests::load_mujoco_at_start(argv[1]);
   mjModel* model = world.model.get();
   mjData* data = world.data.get();
   if (model == nullptr) return 1;
-  if (model->nkey > 0) mj_resetDataKeyframe(model, data, 0);
-  mj_forward(model, data);
   print_frames(*model, *data);
   print_sensors(*model, *data);
   print_textures(*model);

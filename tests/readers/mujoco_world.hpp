@@ -32,4 +32,13 @@ inline MujocoWorld load_mujoco(const char* path) {
   return world;
 }
 
+/// Same, in the position of the first keyframe, if there is one.
+inline MujocoWorld load_mujoco_at_start(const char* path) {
+  MujocoWorld world = load_mujoco(path);
+  if (world.model == nullptr) return world;
+  if (world.model->nkey > 0) mj_resetDataKeyframe(world.model.get(), world.data.get(), 0);
+  mj_forward(world.model.get(), world.data.get());
+  return world;
+}
+
 }  // namespace smurf::tests

@@ -39,7 +39,7 @@ std::optional<int> open_descriptor(std::string_view path) {
   return std::nullopt;
 }
 
-/// Writes to a device or pipe. Waits a moment for the reader of a pipe to start, but not forever.
+/// Writes to a device or pipe. If no program reads the pipe yet, waits at most one second for one.
 int write_directly(const std::string& path, std::string_view text) {
   constexpr int kMoments = 100;
   constexpr int kMoment = 10;  // ms

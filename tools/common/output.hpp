@@ -26,7 +26,7 @@ void write_error(std::string_view text);
 /// that nobody reads is an error.
 bool write_output(std::string_view tool, const std::string& path, std::string_view text);
 
-/// A file to write below a folder.
+/// A file that a tool will write into a folder that the user chose.
 struct OutputFile {
   std::string folder;  ///< chosen by the user: links in it are followed, as in write_output()
   std::string path;    ///< relative to it, with names that others chose: no link is followed

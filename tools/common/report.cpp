@@ -9,7 +9,7 @@
 namespace smurf::tools {
 namespace {
 
-/// A table of the most frequent rules, when there are many findings.
+/// A table of the ten most frequent rules; empty for 50 findings or fewer.
 std::string most_frequent(const Results& results, const TextStyle& style) {
   constexpr std::size_t kMany = 50;
   constexpr std::size_t kRules = 10;

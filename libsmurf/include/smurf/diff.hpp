@@ -81,8 +81,8 @@ std::string render_diff(std::span<const Difference> differences, const SourceMap
 /// The report of schemas/diff-report.schema.json.
 std::string render_diff_json(std::span<const Difference> differences, const SourceMap& sources,
                              const DiffInputs& inputs, const ToolName& tool);
-/// A page for a browser, without network: all differences, to search and filter. `picture` is what
-/// write_both_versions() wrote of the two; may be empty.
+/// A self-contained HTML page with all differences, which can be searched and filtered. `picture`
+/// is the result of write_both_versions(), or empty for a page without a 3D view.
 std::string render_diff_html(std::span<const Difference> differences, const SourceMap& sources,
                              const DiffInputs& inputs, const ToolName& tool,
                              std::string_view picture);

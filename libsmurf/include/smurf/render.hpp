@@ -112,11 +112,11 @@ std::string render_junit(std::span<const Diagnostic> diagnostics, const SourceMa
 
 /// The parts of the page of render_html() beside the findings.
 struct PageParts {
-  std::string_view remarks{};  ///< lines for people
-  std::string_view picture{};  ///< what the scene format html wrote of the files; may be empty
+  std::string_view remarks{};  ///< lines of text below the counts
+  std::string_view picture{};  ///< the page of the scene format html, or empty
 };
-/// A page for a browser, without network: all findings with their lines, rules and fixes, to search
-/// and filter.
+/// A self-contained HTML page with all findings, their source lines, rules and fixes. It can be
+/// searched and filtered.
 std::string render_html(std::span<const Diagnostic> diagnostics, const SourceMap& sources,
                         const Summary& summary, const ToolName& tool,
                         std::span<const TargetVerdict> targets, const PageParts& parts);

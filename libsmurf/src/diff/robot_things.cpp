@@ -144,7 +144,8 @@ class RobotCollector {
     return group;
   }
 
-  /// A child element. One with only a single attribute, or only a text, becomes that value.
+  /// Converts a child element to a group of properties. An element that has only one attribute, or
+  /// only text, becomes a single value.
   Property element(xml::View element) {
     const ElementSpec* spec = urdf::find_element_spec(path::to_lower(element.name()));
     Property group = group_of(element);

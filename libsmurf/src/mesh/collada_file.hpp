@@ -37,16 +37,16 @@ class File {
   bool has_too_many_elements_ = false;
 };
 
-/// Empty when there is no such attribute.
+/// The value of an attribute; empty when the element does not have it.
 std::string_view value(xml::View element, std::string_view attribute);
 std::string_view trimmed_text(xml::View element);
 /// The id in a reference to an element of the same file; empty for any other.
 std::string_view id_in(std::string_view reference);
-/// What is no number is NaN.
+/// The numbers in a text; each word that is no number becomes NaN.
 std::vector<double> numbers(std::string_view text);
 bool is_finite(const std::vector<double>& all);
 
-/// The source of the positions of a mesh, of which there is one.
+/// The <source> with the positions of a mesh.
 xml::View positions_of(xml::View mesh);
 /// Where the coordinates of a point are in the numbers of a source.
 struct Layout {

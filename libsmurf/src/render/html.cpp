@@ -19,8 +19,8 @@ using render::Json;
 using render::text;
 
 constexpr std::uint32_t kContext = 2;  ///< lines before and after each mark
-constexpr std::uint32_t kMostLines =
-    12;  ///< of one mark; of a longer mark, the first and the last are shown
+/// Lines shown of one mark; a longer mark shows only its first and last lines.
+constexpr std::uint32_t kMostLines = 12;
 constexpr std::size_t kMostText = 16'000'000;  ///< bytes of lines in a page
 
 struct Lines {
@@ -139,7 +139,7 @@ class PageData {
   std::span<const TargetVerdict> targets_;
 };
 
-/// The rules that the report names, by id.
+/// The rules of all findings and verdicts, as an object with the rule ids as keys.
 Json rules_of(std::span<const Diagnostic> diagnostics, std::span<const TargetVerdict> targets) {
   std::map<std::string_view, const Rule*> rules;
   for (const Diagnostic& one : diagnostics) rules[one.rule->id] = one.rule;

@@ -42,7 +42,7 @@ class UsdPhysics {
   struct Joint {
     const urdf::Joint* urdf = nullptr;
     std::size_t body0 = 0, body1 = 0;
-    Pose X_0J;  ///< pose in body0; in body1 it is the identity
+    Pose X_0J;  ///< pose of the joint in body0; the frame of body1 is at the joint
     std::string name;
   };
   /// All instances of a model share this.

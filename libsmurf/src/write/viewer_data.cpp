@@ -18,7 +18,8 @@ namespace {
 
 using Layout = JsonPrinter::Layout;
 
-/// The models and entities of a version. Those of `newer`, if any, precede them in the lists.
+/// Writes the models and entities of one version of a scene. For the old version, `newer` is the
+/// new one; its models and entities come first in the lists.
 class VersionData {
  public:
   VersionData(const SceneExport& scene, const SceneExport* newer, ViewerMeshes& meshes,

@@ -27,9 +27,10 @@ class ViewerMeshes {
   /// Counts a shape that is not shown because of its file.
   void add_unseen(const std::string& file, const std::string& why) { ++unseen_[{file, why}]; }
 
-  /// Prints a list of all meshes that were found.
+  /// Prints all meshes that were found, in the order of their indices.
   void print(JsonPrinter& json) const;
-  /// Prints a list of the files that are not shown, with the number of their shapes.
+  /// Prints the mesh files that are not shown, each with the reason and the number of shapes that
+  /// use it.
   void print_unseen(JsonPrinter& json) const;
 
  private:
