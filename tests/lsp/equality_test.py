@@ -20,6 +20,7 @@ import client  # noqa: E402
 
 KINDS = {".smurf", ".smurfs", ".smurfa", ".urdf", ".yml", ".yaml"}
 LARGEST = 200_000  # bytes
+MARK = "\ufeff"
 SEVERITIES = {1: "error", 2: "warning", 3: "info"}
 
 
@@ -38,15 +39,18 @@ def of_linter(linter, path, position_of):
     return sorted(found), ""
 
 
-def of_server(diagnostics):
+def of_server(diagnostics, text):
+    """The same. A byte order mark is a character of the protocol; the columns of the linter do not count it."""
+    def position(place):
+        is_behind_mark = text.startswith(MARK) and place["line"] == 0 and place["character"] > 0
+        return place["line"], place["character"] - is_behind_mark
     return sorted((one["code"], SEVERITIES[one["severity"]], one["data"]["message"],
-                   *((one["range"][side]["line"], one["range"][side]["character"]) for side in ("start", "end")))
-                  for one in diagnostics)
+                   position(one["range"]["start"]), position(one["range"]["end"])) for one in diagnostics)
 
 
 def positions_in(text):
     """From lines and characters, counted from 1, to those of the protocol."""
-    lines = text.split("\n")
+    lines = text.removeprefix(MARK).split("\n")
 
     def position_of(line, column):
         before = lines[line - 1][:column - 1] if line <= len(lines) else ""
@@ -71,7 +75,7 @@ def compare(server, linter, path, edits, rng):
     server.open(path)
     for number in range(edits + 1):
         text = server.texts[str(path)]
-        told = of_server(server.published(path))
+        told = of_server(server.published(path), text)
         path.write_bytes(text.encode())
         found, problem = of_linter(linter, path, positions_in(text))
         if found is not None and told != found:
