@@ -702,6 +702,18 @@ class NumbersOfAnnotations(FlattenTest):
                     self.assertEqual(done.returncode, 0, (entry, value, done.stderr))
                     self.assertNotRegex(done.stdout, r"(?i)(?<![\w.])[+-]?(nan|inf(inity)?)(?!\w)", (entry, value))
 
+    def test_each_has_a_finding(self):
+        """Except limits, where the largest number means that there is none."""
+        self.write("r.urdf", self.URDF)
+        self.write("r.smurf", "modelname: r\nfiles: [r.urdf, r.yml]\n")
+        lint = [pathlib.Path(cli.TOOL).with_name("smurf-lint"), "r.smurf", "--select", "SML4003", "--format", "json"]
+        for entry in self.ENTRIES:
+            self.write("r.yml", entry.format("1e308") + "\n")
+            done = subprocess.run(lint, capture_output=True, text=True, cwd=self.folder, timeout=60, check=False)
+            found = json.loads(done.stdout)["diagnostics"]
+            is_limit = "maxEffort: {0}" in entry or "maxSpeed: {0}" in entry
+            self.assertEqual(len(found), 0 if is_limit else entry.count("{0}"), (entry, done.stdout))
+
 
 class OfGazebo(FlattenTest):
     """Elements of <gazebo> are copied, or become other elements."""

@@ -10,6 +10,7 @@
 #include "ast/notation.hpp"
 #include "ast/wrong_type.hpp"
 #include "base/numbers.hpp"
+#include "base/quantity.hpp"
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
 #include "base/suggest.hpp"
@@ -81,11 +82,16 @@ void check_text(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
       {Applicability::safe, {{value.span(), "'" + std::string(value.text()) + "'"}}});
 }
 
-/// A finite number, reported otherwise.
-std::optional<double> finite_number(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
+/// A number that can be computed with. Others are reported and have no value.
+std::optional<double> usable_number(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   const std::optional<double> number = value.number();
-  if (number && std::isfinite(*number)) return number;
-  report_not_number(spec, value, "a number", sink);
+  if (!number || !std::isfinite(*number)) {
+    report_not_number(spec, value, "a number", sink);
+    return std::nullopt;
+  }
+  if (spec.is_limit || is_quantity(*number)) return number;
+  sink.report(rules::sml4003_out_of_range, value.span(),
+              name_of(spec) + " is " + format_number(*number) + ", too large to compute with");
   return std::nullopt;
 }
 
@@ -147,7 +153,7 @@ void read_text(const KeySpec& spec, yaml::View value, Target target, DiagnosticS
 }
 
 void read_number(const KeySpec& spec, yaml::View value, Target target, DiagnosticSink& sink) {
-  const std::optional<double> number = finite_number(spec, value, sink);
+  const std::optional<double> number = usable_number(spec, value, sink);
   if (number && check_range(spec, value, *number, sink)) {
     check_notation(spec, value, *number, false, sink);
   }
@@ -215,7 +221,7 @@ void read_number_list(const KeySpec& spec, yaml::View value, std::size_t count, 
   const bool fits = value.is_sequence() && (count == 0 || value.size() == count);
   if (fits) {
     for (const yaml::View item : value) {
-      if (const auto number = finite_number(spec, item, sink)) numbers.push_back(*number);
+      if (const auto number = usable_number(spec, item, sink)) numbers.push_back(*number);
     }
   } else {
     Diagnostic& diagnostic =
@@ -290,7 +296,7 @@ bool read_components(const KeySpec& spec, yaml::View value, std::span<Field<doub
   for (std::size_t i = 0; i < names.size(); ++i) {
     const yaml::View member = value.find(names[i]);
     if (!member || member.is_null()) continue;
-    const std::optional<double> number = finite_number(spec, member, sink);
+    const std::optional<double> number = usable_number(spec, member, sink);
     if (i < out.size()) out[i] = {number, member.place()};
   }
   check_components(spec, value, sink);
@@ -355,7 +361,7 @@ void check_number_map(const KeySpec& spec, yaml::View value, DiagnosticSink& sin
       continue;
     }
     const KeySpec inner{.name = member.key(), .type = ValueType::number};
-    finite_number(inner, member, sink);
+    usable_number(inner, member, sink);
   }
 }
 

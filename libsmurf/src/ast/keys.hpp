@@ -84,7 +84,8 @@ struct KeySpec {
   bool required = false;
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
-  bool positive = false;                           ///< a number that must be above 0
+  bool positive = false;  ///< a number that must be above 0
+  bool is_limit = false;  ///< readers only compare it, and the largest double means "no limit"
   std::span<const std::string_view> choices = {};  ///< of a text; empty: any
   KeyTable members = {};                           ///< of a mapping, or of the mappings in a list
   /// What its text names, or each text of its list, or each key of a number_map. References are

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sources: MARS SimEntity.cpp:503-513; Phobos poses.py.
-#include <cmath>
-
 #include "ast/sections.hpp"
+#include "base/quantity.hpp"
 
 namespace smurf::sections {
 namespace {
@@ -25,15 +24,15 @@ constexpr Key<JointPoseSet> kKeys[] = {
      {}},
 };
 
-/// The positions; what is no number was reported by the table and has no value.
+/// The positions; the table has reported those that are no usable number, and they have no value.
 void read_joints(yaml::View joints, JointPoseSet& pose) {
   if (!joints || !joints.is_mapping()) return;
   for (const yaml::View joint : joints) {
     if (joint.is_null() || joint.is_repeated()) continue;
     const std::optional<double> number = joint.number();
-    const bool is_finite = number && std::isfinite(*number);
+    const bool is_usable = number && is_quantity(*number);
     pose.joints.push_back({{std::string(joint.key()), joint.key_span()},
-                           {is_finite ? number : std::nullopt, joint.place()}});
+                           {is_usable ? number : std::nullopt, joint.place()}});
   }
 }
 
