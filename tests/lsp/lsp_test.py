@@ -52,6 +52,11 @@ class LspTest(unittest.TestCase):
         self.addCleanup(other.end)
         return other
 
+    def peak(self):
+        """The most memory that the server had so far, in MB."""
+        status = pathlib.Path(f"/proc/{self.client.process.pid}/status").read_text()
+        return int(re.search(r"VmHWM:\s+(\d+) kB", status).group(1)) / 1024
+
     def tearDown(self):
         self.assertEqual(self.client.stop(), 0)
         self.assertEqual(self.client.stderr, b"")
@@ -218,10 +223,8 @@ class Pulled(LspTest):
         entry = f"- {{name: {'n' * 40}, joint: {'n' * 40}q, mimic_motor: {'n' * 40}r, joitn: j}}\n"
         self.client.open(self.motors, "motors:\n" + entry * (1_000_000 // len(entry)))
         self.client.of("textDocument/diagnostic", self.motors)
-        status = pathlib.Path(f"/proc/{self.client.process.pid}/status").read_text()
-        most = int(re.search(r"VmHWM:\s+(\d+) kB", status).group(1)) / 1024
         if not cli.is_sanitized(TOOL):
-            self.assertLess(most, 150)
+            self.assertLess(self.peak(), 150)
 
 
 class Actions(LspTest):
@@ -407,22 +410,41 @@ class Names(LspTest):
         edit = self.client.at("textDocument/rename", robot, at, newName="b")
         self.assertEqual(len(edit["documentChanges"]), 2)
 
-    def test_memory_of_many_uses(self):
-        """A megabyte of one name: its places are printed one by one, as trees of all take a gigabyte."""
-        if cli.is_sanitized(TOOL):
-            self.skipTest("sanitizers take a multiple of the memory")
+    def many_uses(self, number):
+        """A model with one link, and one sensor that names it `number` times."""
         model = self.write("many/r.smurf", "modelname: r\nfiles: [r.urdf, m.yml]\n")
         self.write("many/r.urdf", '<robot name="r"><link name="a"/></robot>\n')
-        sensors = self.write("many/m.yml", "sensors:\n- {name: s, type: NodePosition, links: [a" + ", a" * 330_000 + "]}\n")
+        sensors = self.write("many/m.yml", f"sensors:\n- {{name: s, type: NodePosition, links: [{', '.join('a' * number)}]}}\n")
         self.client.open(model)
         self.client.open(sensors)
-        at = self.find(sensors, "[a") + 1
-        self.assertGreater(len(self.client.at("textDocument/references", sensors, at, context={"includeDeclaration": True})), 330_000)
+        return sensors, self.find(sensors, "[a") + 1
+
+    def places(self, sensors, at):
+        return len(self.client.at("textDocument/references", sensors, at, context={"includeDeclaration": True}))
+
+    def test_many_uses(self):
+        sensors, at = self.many_uses(99_999)
+        self.assertEqual(self.places(sensors, at), 100_000)
         edit = self.client.at("textDocument/rename", sensors, at, newName="b")
-        self.assertEqual(sum(len(one["edits"]) for one in edit["documentChanges"]), 330_002)
-        status = pathlib.Path(f"/proc/{self.client.process.pid}/status").read_text()
-        most = int(re.search(r"VmHWM:\s+(\d+) kB", status).group(1)) / 1024
-        self.assertLess(most, 800)
+        self.assertEqual(sum(len(one["edits"]) for one in edit["documentChanges"]), 100_000)
+
+    def test_memory_of_too_many_uses(self):
+        """A megabyte of one name. The first 100,000 places are shown, and an editor does not rename more."""
+        sensors, at = self.many_uses(330_000)
+        self.assertEqual(self.places(sensors, at), 100_000)
+        with self.assertRaisesRegex(client.RequestError, "has 330001 places, .* use `smurf-lint --rename`"):
+            self.client.at("textDocument/rename", sensors, at, newName="b")
+        if not cli.is_sanitized(TOOL):
+            self.assertLess(self.peak(), 300)
+
+    def test_memory_of_many_symbols(self):
+        """A megabyte of keys: trees of all take 340 MB."""
+        keys = self.write("arm/smurf/arm_motors.yml", "".join(f"k{i}: [1, {{a: b}}]\n" for i in range(55_000)))
+        self.open(keys)
+        symbols = self.client.of("textDocument/documentSymbol", keys)
+        self.assertEqual((len(symbols), len(symbols[-1]["children"])), (55_000, 2))
+        if not cli.is_sanitized(TOOL):
+            self.assertLess(self.peak(), 200)
 
     def test_srdf(self):
         """Alone in the editor: definition, references and another name."""

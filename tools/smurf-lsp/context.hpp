@@ -40,6 +40,9 @@ inline constexpr int kInvalidParams = -32602;
 inline constexpr int kRequestFailed = -32803;
 inline constexpr int kServerCancelled = -32802;
 
+/// The most places of a name that an answer has. An editor shows fewer, and each takes 150 bytes.
+inline constexpr std::size_t kMostPlaces = 100'000;
+
 struct Context {
   Workspace workspace;
   Client client;

@@ -21,27 +21,28 @@ void for_each_place(Context& context, const Json& params, const Visit& visit) {
   }
 }
 
-/// Removes repeated places: several models may have the same. A name may have hundreds of thousands
-/// of places, so they are kept as text.
+/// Removes repeated places: several models may have the same. They are kept as text, since a name
+/// may have very many, and those after the first kMostPlaces are left out.
 class Places {
  public:
   explicit Places(Context& context) : context_(context) {}
   /// `path` outlives this.
   void add(const std::string& path, Span span, const Json& place) {
+    if (seen_.size() == kMostPlaces) return;
     const bool is_new = seen_.emplace(path, span.begin, span.end).second;
-    if (is_new) text_ += (text_.empty() ? "" : ",") + dump(place);
+    if (is_new) text_ += (empty() ? "" : ",") + dump(place);
   }
   void add(const Reference& one) {
     add(context_.workspace.loaded_sources().path(one.span.source), one.span,
         location(context_, one.span));
   }
-  bool empty() const { return text_.empty(); }
-  Json take() { return context_.lists.add("[" + text_ + "]"); }
+  bool empty() const { return text_ == "["; }
+  Json take() { return context_.lists.add(std::move(text_) + "]"); }
 
  private:
   Context& context_;
   std::set<std::tuple<std::string_view, std::uint32_t, std::uint32_t>> seen_;
-  std::string text_;
+  std::string text_ = "[";
 };
 
 }  // namespace

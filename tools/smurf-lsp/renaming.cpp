@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rename, with the engine of `smurf-lint --rename`.
+#include <algorithm>
 #include <set>
 
 #include "smurf-lsp/capabilities.hpp"
@@ -18,6 +19,17 @@ void check_lines(const Context& context, std::span<const Edit> edits) {
                                            "' contains a carriage return alone, which not all "
                                            "editors count as the end of a line; open the file");
   }
+}
+
+/// Refuses before the work, which takes memory for each place.
+void check_number(Context& context, std::size_t part, const Reference& named) {
+  const std::vector<Reference>& all = context.workspace.names().names()[part];
+  const auto places = std::count_if(
+      all.begin(), all.end(), [&](const Reference& one) { return is_same_thing(one, named); });
+  if (static_cast<std::size_t>(places) <= kMostPlaces) return;
+  throw RequestError(kRequestFailed, "nothing was renamed: the name has " + std::to_string(places) +
+                                         " places, too many for an editor; use `smurf-lint "
+                                         "--rename`");
 }
 
 /// Removes the advice for the command line.
@@ -42,6 +54,7 @@ Json rename(Context& context, const Json& params) {
   for (const PlaceView& place : places_in(context, params)) {
     const Reference* named = reference_at(context, place);
     if (named == nullptr || !named->is_known()) continue;
+    check_number(context, place.view.part, *named);
     const Renamed renamed = context.workspace.rename(place.view.part, *named, to);
     if (!renamed.problems.empty()) {
       throw RequestError(kRequestFailed,

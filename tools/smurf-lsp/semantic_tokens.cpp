@@ -53,7 +53,7 @@ Json semantic_tokens(Context& context, const Json& params) {
   const std::uint32_t last = names.empty() || !range.is_object()
                                  ? 0xffffffffU
                                  : positions.offset(source, at(range, {"end"}));
-  Json data = Json::array();
+  std::string data = "[";  // as text: a name may have hundreds of thousands of uses
   std::uint32_t line = 0;
   std::uint32_t column = 0;
   for (const auto& [begin, name] : names) {
@@ -67,12 +67,12 @@ Json semantic_tokens(Context& context, const Json& params) {
     for (const std::uint32_t number :
          {at_line - line, at_column - from, units_in(text, context.client.encoding),
           type_of(name->kind), name->is_definition ? kDeclaration : 0U}) {
-      data.push_back(number);
+      data += (data.size() > 1 ? "," : "") + std::to_string(number);
     }
     line = at_line;
     column = at_column;
   }
-  return {{"data", std::move(data)}};
+  return {{"data", context.lists.add(data += ']')}};
 }
 
 }  // namespace smurf::lsp

@@ -29,63 +29,84 @@ int kind_of(NameKind kind) {
   }
 }
 
-Json symbol(const Positions& positions, std::string_view name, int kind, Span whole, Span named) {
-  const bool is_inside = whole.begin <= named.begin && named.end <= whole.end;
-  return {{"name", name.empty() ? "?" : std::string(name)},
-          {"kind", kind},
-          {"range", positions.range(whole)},
-          {"selectionRange", positions.range(is_inside ? named : whole)},
-          {"children", Json::array()}};
-}
+/// Prints symbols as text: a file of a megabyte can have hundreds of thousands. Clients without
+/// support for trees get a flat list.
+class SymbolPrinter {
+ public:
+  SymbolPrinter(const Positions& positions, bool is_deep, std::string uri)
+      : positions_(positions), is_deep_(is_deep), uri_(std::move(uri)) {}
+
+  /// The symbols until end() are below this one.
+  void begin(std::string_view name, int kind, Span whole, Span named,
+             std::string_view detail = {}) {
+    const bool is_inside = whole.begin <= named.begin && named.end <= whole.end;
+    Json one = {{"name", name.empty() ? "?" : std::string(name)}, {"kind", kind}};
+    const Json selected = positions_.range(is_inside ? named : whole);
+    if (is_deep_) {
+      one["range"] = positions_.range(whole);
+      one["selectionRange"] = selected;
+      if (!detail.empty()) one["detail"] = detail;
+    } else {
+      one["location"] = {{"uri", uri_}, {"range", selected}};
+      if (!containers_.empty()) one["containerName"] = containers_.back();
+      containers_.push_back(one["name"].get<std::string>());
+    }
+    text_ += text_.ends_with('[') ? "" : ",";
+    text_ += dump(one);
+    if (is_deep_) text_.replace(text_.size() - 1, 1, R"(,"children":[)");
+  }
+  void end() {
+    if (is_deep_) {
+      text_ += "]}";
+    } else {
+      containers_.pop_back();
+    }
+  }
+  std::string take() { return std::move(text_) + "]"; }
+
+ private:
+  const Positions& positions_;
+  const bool is_deep_;
+  const std::string uri_;
+  std::vector<std::string> containers_;  ///< of a flat list
+  std::string text_ = "[";
+};
 
 class RobotOutline {
  public:
-  RobotOutline(const LinkedModel& model, const Positions& positions)
-      : model_(model), positions_(positions) {}
+  RobotOutline(const LinkedModel& model, SymbolPrinter& symbols)
+      : model_(model), symbols_(symbols), seen_(model.robot->links.size()) {}
 
-  Json run() {
-    Json roots = Json::array();
-    for (const LinkIndex root : model_.tree.roots) add(root, 0, roots);
-    // Links that no root reaches are in a loop.
-    for (std::size_t i = 0; i < model_.robot->links.size(); ++i) {
-      const LinkIndex link{static_cast<std::uint32_t>(i)};
-      if (!seen(link)) add(link, kDeepest, roots);
+  void print() {
+    for (const LinkIndex root : model_.tree.roots) print(root, 0);
+    // Links that no root reaches are in a loop, or too deep.
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      print(LinkIndex{static_cast<std::uint32_t>(i)}, kDeepest);
     }
-    return roots;
   }
 
  private:
-  bool seen(LinkIndex link) {
-    seen_.resize(model_.robot->links.size());
-    return seen_[to_size(link)];
-  }
-
-  void add(LinkIndex index, int depth, Json& to) {
-    if (seen(index)) return;
+  void print(LinkIndex index, int depth) {
+    if (seen_[to_size(index)]) return;
     seen_[to_size(index)] = true;
     const urdf::Link& link = model_.link(index);
-    Json one = symbol(positions_, link.name.value_or({}), kClass, link.span, link.name.span);
-    one["detail"] = "link";
-    // Deeper links become siblings of their parents.
-    std::vector<Json> beside;
+    symbols_.begin(link.name.value_or({}), kClass, link.span, link.name.span, "link");
     for (const JointIndex joint : model_.tree.child_joints[to_size(index)]) {
-      Json below = joint_symbol(joint);
+      begin(model_.joint(joint));
       const auto child = model_.tree.joint_child[to_size(joint)];
-      if (depth < kDeepest && child) add(*child, depth + 2, below["children"]);
-      one["children"].push_back(std::move(below));
+      if (depth < kDeepest && child) print(*child, depth + 2);
+      symbols_.end();
     }
-    to.push_back(std::move(one));
+    symbols_.end();
   }
 
-  Json joint_symbol(JointIndex index) const {
-    const urdf::Joint& joint = model_.joint(index);
-    Json one = symbol(positions_, joint.name.value_or({}), kFunction, joint.span, joint.name.span);
-    one["detail"] = "joint " + joint.type_name.value_or({});
-    return one;
+  void begin(const urdf::Joint& joint) {
+    symbols_.begin(joint.name.value_or({}), kFunction, joint.span, joint.name.span,
+                   "joint " + joint.type_name.value_or({}));
   }
 
   const LinkedModel& model_;
-  const Positions& positions_;
+  SymbolPrinter& symbols_;
   std::vector<bool> seen_;
 };
 
@@ -108,33 +129,19 @@ Span whole_of(yaml::View view) {
   return {key.source, key.begin, std::max(key.end, value.end)};
 }
 
-Json yaml_outline(const yaml::Document& document, const Positions& positions) {
-  Json symbols = Json::array();
+void print_sections(const yaml::Document& document, SymbolPrinter& symbols) {
   const yaml::View root = document.view();
-  if (!root || !root.is_mapping()) return symbols;
+  if (!root || !root.is_mapping()) return;
   for (const yaml::View section : root) {
-    Json one = symbol(positions, section.key(), kNamespace, whole_of(section), section.key_span());
+    symbols.begin(section.key(), kNamespace, whole_of(section), section.key_span());
     if (section.is_sequence() || section.is_mapping()) {
       for (const yaml::View entry : section) {
         const auto [name, place] = name_of(entry);
-        one["children"].push_back(symbol(positions, name, kObject, whole_of(entry), place));
+        symbols.begin(name, kObject, whole_of(entry), place);
+        symbols.end();
       }
     }
-    symbols.push_back(std::move(one));
-  }
-  return symbols;
-}
-
-/// A flat list, for clients without support for trees.
-void flatten(const Json& symbols, const std::string& uri, const std::string& container,
-             Json& flat) {
-  for (const Json& one : symbols) {
-    Json info = {{"name", one["name"]},
-                 {"kind", one["kind"]},
-                 {"location", {{"uri", uri}, {"range", one["selectionRange"]}}}};
-    if (!container.empty()) info["containerName"] = container;
-    flat.push_back(std::move(info));
-    flatten(one["children"], uri, one["name"].get<std::string>(), flat);
+    symbols.end();
   }
 }
 
@@ -151,23 +158,21 @@ bool holds_letters(std::string_view name, std::string_view query) {
 Json document_symbols(Context& context, const Json& params) {
   const std::string path = path_in(params);
   const Positions positions = loaded_positions(context);
+  SymbolPrinter symbols(positions, context.client.takes_deep_symbols,
+                        context.workspace.uri_of(path));
   for (const FileView& view : context.workspace.views(path)) {
-    Json symbols = Json::array();
     const bool is_robot = view.xml != nullptr && view.model != nullptr && view.model->robot &&
                           view.xml == &view.model->robot->document;
     if (is_robot) {
-      symbols = RobotOutline(*view.model, positions).run();
+      RobotOutline(*view.model, symbols).print();
     } else if (view.yaml != nullptr) {
-      symbols = yaml_outline(*view.yaml, positions);
+      print_sections(*view.yaml, symbols);
     } else {
       continue;
     }
-    if (context.client.takes_deep_symbols) return symbols;
-    Json flat = Json::array();
-    flatten(symbols, context.workspace.uri_of(path), {}, flat);
-    return flat;
+    break;
   }
-  return Json::array();
+  return context.lists.add(symbols.take());
 }
 
 Json workspace_symbols(Context& context, const Json& params) {

@@ -99,7 +99,7 @@ inline constexpr std::array kLimits{
     LimitInfo{
         "rechecked-bytes", &Limits::rechecked_bytes, 100'000'000'000,
         "bytes of files that `smurf-lint` checks again for further models and scenes that read "
-        "them, or checks in total while it applies fixes; a finding counts as 600 bytes",
+        "them, or checks in total while it applies fixes; a finding counts as 1200 bytes",
         "SML0002", "a hundred scenes with a robot of 500 kB; two seconds"},
     LimitInfo{"include-depth", &Limits::include_depth, 1'000, "levels of nested scenes", "SML5021",
               "scenes written by people have three levels"},

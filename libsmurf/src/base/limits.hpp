@@ -9,7 +9,7 @@
 namespace smurf {
 
 /// The cost of a finding in `rechecked-bytes`: it takes as long as this many bytes.
-inline constexpr std::uint64_t kBytesOfFinding = 600;
+inline constexpr std::uint64_t kBytesOfFinding = 1200;
 
 /// `name` is that of a row of kLimits.
 inline std::string raise_limit(std::string_view name) {
