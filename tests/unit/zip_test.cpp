@@ -95,6 +95,11 @@ TEST_CASE("no archive means one thing to one program and another to the next") {
   }
   CHECK(read_zip(shorter, at_most(1000)).reason == "is a broken zip archive");
 
+  std::string other_name = sound;
+  other_name[sound.find("b.txt")] = 'c';
+  CHECK(read_zip(other_name, at_most(100)).reason ==
+        "contains the file 'b.txt', which has another name in front of its bytes");
+
   std::string packed_otherwise = sound;
   packed_otherwise[entry + 10] = 93;
   CHECK(read_zip(packed_otherwise, at_most(100)).reason ==

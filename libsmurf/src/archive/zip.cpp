@@ -141,10 +141,30 @@ class Reader {
     }
     std::string text;
     if (!read(zip, text)) return false;
+    if (!check_name(zip, name)) return false;
     // minizip has compared the checksum only then.
     if (text.size() != info.uncompressed_size) return refuse("is a broken zip archive");
     archive_.files.push_back({path::normalize(name), std::move(text)});
     return true;
+  }
+
+  /// Programs that unpack a stream read the name in front of the bytes, others that of the
+  /// directory.
+  bool check_name(unzFile zip, const std::string& name) {
+    constexpr std::size_t kPlaceOfFile =
+        42;  // in an entry of the directory; 4 bytes, little-endian
+    constexpr std::size_t kPlaceOfName = 30;  // in the header of a file
+    const auto entry = static_cast<std::size_t>(unzGetOffset64(zip));
+    std::size_t file = 0;
+    for (std::size_t i = 4; i-- > 0;) {
+      file = file << 8U | static_cast<unsigned char>(file_.bytes[entry + kPlaceOfFile + i]);
+    }
+    const std::string_view header = file_.bytes.substr(std::min(file, file_.bytes.size()));
+    if (!header.starts_with("PK\x03\x04") || header.size() < kPlaceOfName) {
+      return refuse("is a broken zip archive");
+    }
+    return header.substr(kPlaceOfName).starts_with(name) ||
+           refuse("contains the file '" + name + "', which has another name in front of its bytes");
   }
 
   /// The size that the archive states is not believed.
