@@ -52,8 +52,8 @@ struct CheckSettings {
   std::map<std::string, std::string> packages;  ///< package:// names to folders
   std::vector<std::string> package_folders = ros_package_folders();
   bool opens_meshes = true;
-  /// For a session that reads from the disk: read what models name, wherever it is. When false,
-  /// only what confine() (smurf/confine.hpp) allows is read.
+  /// Whether a session that reads from the disk follows models to files anywhere. When false, it
+  /// reads only what confine() (smurf/confine.hpp) allows.
   bool allows_outside = false;
 
   bool heeds_comments = true;  ///< comments suppress findings
@@ -93,7 +93,7 @@ struct ReportWishes {
 struct Report {
   std::vector<Diagnostic> diagnostics;  ///< sorted, without repetitions
   Summary summary;
-  /// For the targets of the settings and of all configurations, with suppressed findings included.
+  /// One for each target of the settings and of all configurations. Suppressed findings count.
   std::vector<TargetVerdict> targets;
   std::vector<std::string> problems;  ///< of the plan
   ReportWishes wishes;
@@ -169,7 +169,7 @@ class Session {
   void forget_loaded();
   /// The texts of all that was loaded.
   const SourceMap& loaded_sources() const;
-  /// For reading other files, such as an SRDF, into the same sources and findings.
+  /// Use it to read other files, such as an SRDF, into the same sources and findings.
   LoadContext context_of(Loaded& loaded);
   /// Checks what was loaded. Findings that are in `loaded.found` are reported with the rest.
   Report check(LoadedModel& loaded);

@@ -24,7 +24,7 @@ namespace smurf {
 /// found must be confined as an input of its own.
 /// The data of the repository (.git, .hg, .svn) are not part of the project, except for
 /// .git/info/exclude.
-/// With `allow_outside`, every file may be read.
+/// `allow_outside` allows every file.
 void confine(ConfinedFiles& files, std::span<const std::string> inputs,
              const std::map<std::string, std::string>& packages, bool allow_outside);
 

@@ -25,7 +25,7 @@ enum class MeshUri : std::uint8_t {
 
 enum class BaseJoint : std::uint8_t { as_is, fixed, floating };
 
-/// What motors are written as.
+/// The elements of URDF that describe motors.
 enum class Actuation : std::uint8_t { none, ros2_control, transmission };
 
 /// The values of annotations that replace those of the URDF.
@@ -128,7 +128,7 @@ struct Proof {
   bool holds() const { return difference.empty(); }
 };
 
-/// What a conversion may change without being wrong.
+/// The changes that a conversion may make without being wrong.
 struct ProofScope {
   std::string prefix{};          ///< of all names of the result
   bool may_merge_links = false;  ///< links on fixed joints may be gone

@@ -17,7 +17,7 @@ std::vector<std::string> describe(const LinkedModel& model, const Reference& ref
 /// The same for a scene, which also has entities.
 std::vector<std::string> describe(const LinkedScene& scene, const Reference& reference);
 
-/// Where a link is when all joints are at zero, and the joints on the way there from the root.
+/// The pose of a link when all joints are at zero, and the joints on the way there from the root.
 std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link);
 
 /// Format, size in metres with this scale, triangles, unit.

@@ -119,7 +119,7 @@ struct Fix {
 
   Applicability applicability = Applicability::unsafe;
   std::vector<Edit> edits;
-  /// Of two fixes that create the same name, only the first is applied.
+  /// When two fixes create the same name, only the first is applied.
   std::optional<NewName> new_name = {};
 };
 
@@ -137,7 +137,7 @@ struct Diagnostic {
   std::string construct;
   /// Other rules that apply, too: to readers, a misspelt `effort` is a missing one.
   std::vector<const Rule*> consequences;
-  /// As reported; set where targets change the severity.
+  /// The severity before targets changed it; none when they did not.
   std::optional<Severity> untargeted;
   std::vector<Label> labels;
   std::vector<std::string> notes;  ///< facts without a place
@@ -167,7 +167,7 @@ class DiagnosticSink {
         most_suggestions_(suggestions),
         suggestions_left_(suggestions),
         most_of_all_(all) {}
-  /// With limits that a user may have raised.
+  /// Takes limits that a user may have raised.
   explicit DiagnosticSink(const Limits& limits)
       : DiagnosticSink(limits.findings, limits.suggestions, limits.all_findings) {}
 

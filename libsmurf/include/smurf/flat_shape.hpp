@@ -11,7 +11,7 @@
 
 namespace smurf {
 
-/// In the xy plane, around the origin; the normal is z.
+/// A rectangle in the xy plane around the origin; its normal is z.
 struct FlatPlane {
   double length = 0;  ///< along x, m
   double width = 0;   ///< along y, m

@@ -48,7 +48,7 @@ struct FlatModel {
   std::map<std::string, std::string, std::less<>> resources;
 };
 
-/// What an instance is attached to.
+/// The thing that an instance is attached to.
 struct FlatAttachment {
   Attachment::Kind kind = Attachment::Kind::none;
   std::string instance;  ///< its path; kind link
@@ -104,7 +104,7 @@ struct FlatScene {
   std::vector<FlatInstance> instances;  ///< depth-first, in file order
 };
 
-/// What a format asks flatten() for.
+/// The parts that a format needs from flatten().
 struct FlattenOptions {
   bool links = false;           ///< fill FlatInstance::links
   bool repeats_models = false;  ///< the format writes the model of each instance out

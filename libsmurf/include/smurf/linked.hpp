@@ -81,8 +81,8 @@ struct MeshReference {
   std::string similar;
   const MeshFile* file = nullptr;  ///< what is at `path`; null when it was not opened
 
-  /// What MARS opens: the .bobj of this mesh where there is one (smurf.cpp:1070-1111). Empty for
-  /// a URDF without .smurf, and for addresses, which MARS does not understand.
+  /// The file that MARS opens: the .bobj of this mesh where there is one (smurf.cpp:1070-1111).
+  /// Empty for a URDF without .smurf, and for addresses, which MARS does not understand.
   std::string mars_path;
   bool mars_exists = false;
   const MeshFile* mars_file = nullptr;
@@ -161,7 +161,7 @@ std::vector<std::optional<Pose>> forward_kinematics(const LinkedModel& model,
 /// of that name.
 std::optional<JointPositions> joint_positions(const LinkedModel& model, std::string_view pose_name);
 
-/// What an instance is fixed to, or placed relative to.
+/// The thing that an instance is fixed to, or placed relative to.
 struct Attachment {
   enum class Kind : std::uint8_t { none, world, link };
   Kind kind = Kind::none;
@@ -250,7 +250,7 @@ struct LinkedScene {
                      : nullptr;
   }
   const Instance& instance(InstanceIndex index) const { return instances[to_size(index)]; }
-  /// Without mimicking joints.
+  /// The positions of all joints but mimicking ones.
   const JointPositions& joint_positions(const Instance& instance) const {
     return joint_poses[to_size(instance.joint_pose)];
   }

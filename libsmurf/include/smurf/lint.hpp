@@ -43,7 +43,7 @@ bool matches(const Rule& rule, std::string_view pattern);
 /// doubtful_references() of a model, found when the first rule asks.
 class DoubtfulReferences {
  public:
-  /// Without a model there are none.
+  /// The list is empty without a model.
   explicit DoubtfulReferences(const LinkedModel* model) : model_(model) {}
   std::span<const Reference> list() {
     if (!list_ && model_ != nullptr) list_ = doubtful_references(*model_);
@@ -65,7 +65,7 @@ class Findings {
   }
   /// Marks the finding of another rule at `place` as a fault of this rule, too.
   void add_consequence(Span place) { sink_.add_consequence(place, rule_); }
-  /// As DiagnosticSink::suggest().
+  /// See DiagnosticSink::suggest().
   std::optional<std::string_view> suggest(std::string_view name,
                                           std::span<const std::string_view> known) {
     return sink_.suggest(name, known);
@@ -96,7 +96,7 @@ void sort_findings(std::vector<Diagnostic>& diagnostics, const SourceMap& source
 /// Applies the selection and the targets, then sort_findings(). Diagnostics are located before,
 /// because what a reader makes of a finding depends on its place.
 ///
-/// For targets a finding is an error when one of them reports an error, refuses the file or
+/// With targets, a finding is an error when one of them reports an error, refuses the file or
 /// crashes, and a warning when one silently loses or changes something. When all of them
 /// load it as intended, a finding is one level milder. It keeps its severity when there is no fact
 /// about any reader, or when the body is impossible.

@@ -61,11 +61,11 @@ struct MeshFacts {
   std::uint64_t bytes = 0;
   std::uint64_t triangles = 0;  ///< polygons count as the triangles they fall into
   std::uint64_t vertices = 0;   ///< as stored: binary STL stores three a triangle
-  /// Of all vertices; COLLADA: of the scene, node transforms applied, and around the turned boxes
-  /// of turned nodes. Absent when there are none or they cannot be placed.
+  /// Encloses all vertices. For COLLADA it encloses the scene with the transforms of its nodes, and
+  /// the turned boxes of turned nodes. Absent when there are none or they cannot be placed.
   std::optional<Box> box;
-  /// What the surface encloses; negative when the triangles face inward. Only for a surface that
-  /// looks closed: its area vectors add up to zero. Never for COLLADA.
+  /// The enclosed volume; negative when the triangles face inward. Present only when the surface
+  /// looks closed, that is, when its area vectors add up to zero. Never present for COLLADA.
   std::optional<double> volume;
   std::optional<double> unit_meters;  ///< COLLADA: metres a unit, when written
   char up_axis = '\0';                ///< COLLADA: 'X', 'Y' or 'Z', when written

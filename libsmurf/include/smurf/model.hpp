@@ -20,7 +20,7 @@ struct Color {
 
 using NameList = std::vector<Spanned<std::string>>;
 
-/// What all entries of all sections have. Keys without a member below are still in the tree:
+/// The members of all entries of all sections. Keys without a member are still in the tree:
 /// `node` is their place in the document of `span.source`.
 struct Annotation {
   Span span;
@@ -100,7 +100,7 @@ struct Light : Annotation {
   Field<std::string> node_name;
 };
 
-/// What `graphics` holds; MARS takes one mapping as well as a list.
+/// The content of `graphics`; MARS takes one mapping as well as a list.
 struct Graphics : Annotation {
   Field<Color> clear_color, fog_color;
   Field<bool> fog_enabled;

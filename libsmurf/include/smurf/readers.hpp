@@ -36,7 +36,7 @@ struct Reader {
   std::span<const Fact> unread{};
 };
 
-/// In the order of the table, including readers that are not targets.
+/// All readers in the order of the table, including those that are not targets.
 std::span<const Reader* const> all_readers();
 /// Null when there is no such target.
 const Reader* find_target(std::string_view name);

@@ -32,8 +32,8 @@ struct Reference {
   /// The whole text that the name is in or all of: a YAML scalar with its quotes, an attribute
   /// without them. Where the text is a YAML alias, `span` is the alias.
   Span text;
-  /// What is named, as NameTable has it: an index of a link, joint, motor, sensor; of a visual or
-  /// collision, that of its link; of an entity, its number in the scene files in order.
+  /// The named thing, as NameTable has it: the index of a link, joint, motor or sensor; for a
+  /// visual or collision, that of its link; for an entity, its number in the scene files in order.
   /// kNothing: the name is unknown.
   std::uint32_t item = kNothing;
   ModelIndex model{kNothing};  ///< in a scene: the model whose name it is; kNothing for entities

@@ -34,7 +34,7 @@ struct Rotation {
   std::array<double, 4> values{};  ///< yaw: 1, euler: 3, quaternion: w, x, y, z; not normalised
   bool is_mapping = false;
 };
-/// As a unit quaternion; the identity when absent or invalid.
+/// The rotation as a unit quaternion; the identity when it is absent or invalid.
 Quaternion to_quaternion(const Rotation& rotation);
 
 /// One entry of a scene.

@@ -50,7 +50,7 @@ template <class T>
 class Field {
  public:
   Field() = default;
-  /// What is written at a place; without a value when it cannot be understood.
+  /// A value that is written at a place; `read` is none when it cannot be understood.
   Field(std::optional<T> read, Span place)
       : value_(read ? *std::move(read) : T{}), span(place), written(true), has_value_(read) {}
 
@@ -79,7 +79,7 @@ class Field {
   bool has_value_ = false;
 };
 
-/// What becomes of spans when the sources of one map are taken over by another.
+/// How spans change when another map takes over the sources of one.
 struct SourceShift {
   std::uint32_t first = 0;  ///< sources before it keep their ids
   std::uint32_t by = 0;

@@ -39,7 +39,7 @@ class Attribute {
         value_begin_(value.begin),
         value_end_(value.end) {}
 
-  /// As written.
+  /// The name as it is written, with its prefix.
   std::string_view name() const {
     return {is_decoded_ ? decoded_value->name : source_name, name_size_};
   }
@@ -92,7 +92,7 @@ struct Element {
   ElementId next_sibling = kNoElement;
   std::uint32_t text = kNoText;  ///< in Document::texts
 
-  /// As written.
+  /// The name as it is written, with its prefix.
   std::string_view name() const { return {name_begin, name_size}; }
   /// The start tag with its brackets.
   Span tag_span() const { return {span.source, span.begin, tag_end}; }
@@ -120,7 +120,7 @@ struct Document {
   ElementId root = kNoElement;
 
   View view() const;
-  /// In document order a first child comes right behind its parent.
+  /// The first child comes right behind its parent, because elements are in document order.
   ElementId first_child(ElementId id) const {
     const std::size_t next = static_cast<std::size_t>(id) + 1;
     return next < elements.size() && elements[next].parent == id
@@ -144,7 +144,7 @@ class View {
   Span tag_span() const { return element().tag_span(); }
   Span name_span() const { return element().name_span(); }
 
-  /// Of an element without text both are empty.
+  /// Both are empty for an element without text.
   std::string_view text() const {
     return element().text == kNoText ? std::string_view() : document_->texts[element().text].value;
   }
@@ -153,7 +153,7 @@ class View {
   }
 
   const Attribute* attribute(std::string_view name) const;
-  /// In document order.
+  /// All attributes in document order.
   std::span<const Attribute> attributes() const {
     return {document_->attributes.data() + element().first_attribute, element().attribute_count};
   }

@@ -62,7 +62,7 @@ class Node {
     key_begin_ = place.begin;
     key_end_ = place.end;
   }
-  /// Of an item of a sequence; a member of a mapping has none.
+  /// Items of a sequence have a position; members of a mapping have none.
   void set_position(std::uint32_t position) {
     if (key_ == nullptr) key_size_or_position_ = position;
   }
@@ -153,7 +153,7 @@ class View {
   std::optional<std::int64_t> integer() const;
   std::optional<bool> boolean() const;
 
-  /// Where this node is used: of an alias the `*name`, not the anchored value.
+  /// The place where this node is used: for an alias, the `*name`, not the anchored value.
   Span span() const { return node().span; }
   Span key_span() const { return node().key_span(); }
   std::string_view key() const { return node().key(); }
