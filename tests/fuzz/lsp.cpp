@@ -136,7 +136,7 @@ void edit(Talk& talk, std::string_view uri, std::minstd_rand& random) {
   const std::size_t from = text.empty() ? 0 : random() % text.size();
   const std::string part = text.substr(from, random() % 40);
   std::string inserted;
-  const std::size_t times = random() % 50 == 0 ? 2000 : 1;
+  const std::size_t times = random() % 50 == 0 ? 500 : 1;
   for (std::size_t i = 0; i < times; ++i) inserted += part;
   talk.tell("textDocument/didChange",
             {{"textDocument", {{"uri", uri}, {"version", 2}}},
