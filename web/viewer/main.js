@@ -45,11 +45,20 @@ function showTitle(scene) {
 }
 
 function showUnseen(scene) {
-  byId("unseen").hidden = scene.unseen.length === 0;
-  byId("unseen-count").textContent = counted(scene.unseen.length, "file");
+  const sensors = scene.models.flatMap(({ sensors }) => sensors.filter(({ why }) => why));
+  const counts = [
+    [scene.unseen.length, "file"],
+    [sensors.length, "sensor"],
+  ].filter(([number]) => number > 0);
+  byId("unseen").hidden = counts.length === 0;
+  byId("unseen-count").textContent = counts.map(([number, what]) => counted(number, what)).join(", ");
+  byId("unseen-boxes").hidden = scene.unseen.length === 0;
   byId("unseen-list").replaceChildren(
     ...scene.unseen.map(({ file, why, shapes }) =>
       element("li", {}, element("b", {}, file), ` ${why} (${counted(shapes, "shape")})`),
+    ),
+    ...sensors.map(({ name, type, why }) =>
+      element("li", {}, element("b", {}, name), ` (${type || "sensor of no type"}): ${why}`),
     ),
   );
 }
@@ -73,7 +82,9 @@ class Viewer {
     this.stage = makeStage();
     if (this.stage) this.fillStage();
     this.joints = new Joints(scene, this.motion, () => this.move());
-    this.tree = new Tree(byId("tree"), scene, (entity, link) => this.select(entity, link));
+    this.tree = new Tree(byId("tree"), scene, (entity, link, sensor) =>
+      this.select(entity, link, undefined, sensor),
+    );
     if (scene.entities.length === 0) {
       tell("The scene is empty: it has no entities.");
       byId("tree").replaceChildren(element("p", { class: "empty" }, "no entities"));
@@ -81,7 +92,7 @@ class Viewer {
       tell("Nothing in this scene has a shape that can be shown. Frames (A) show where things are.");
     }
     this.setUpTools();
-    showFacts(scene, this.motion, undefined);
+    this.showFacts();
     this.joints.show(scene.entities.findIndex((entity) => entity.model && entity.pose));
     window.addEventListener("hashchange", () => this.readHash());
     this.readHash();
@@ -110,6 +121,7 @@ class Viewer {
       ["axes", "Joint axes", "j", (on) => (this.overlays.axisLines.visible = on)],
       ["masses", "Centres of mass", "m", (on) => (this.overlays.balls.visible = on)],
       ["inertias", "Inertias", "i", (on) => (this.overlays.ellipsoids.visible = on)],
+      ["sensors", "Sensors", "r", (on) => this.showSensors(on)],
       ["names", "Names", "n", (on) => this.showNames(on)],
       ["ground", "Grid", "g", (on) => (this.stage.grid.visible = on)],
       ["ruler", "Measure", "d", (on) => this.startMeasuring(on)],
@@ -182,8 +194,19 @@ class Viewer {
   }
 
   showLayer(layer) {
-    const button = byId(layer === Layer.collisions ? "collisions" : "visuals");
-    if (button.getAttribute("aria-pressed") === "false") button.click();
+    this.press(layer === Layer.collisions ? "collisions" : "visuals");
+  }
+
+  /** Shows what the button shows. */
+  press(id) {
+    const button = byId(id);
+    if (button?.getAttribute("aria-pressed") === "false") button.click();
+  }
+
+  showFacts() {
+    const { entity, sensor } = this.selected ?? {};
+    const length = sensor && this.overlays?.sensors.lengthOf(entity, sensor);
+    showFacts(this.scene, this.motion, this.selected, length);
   }
 
   startMeasuring(isOn) {
@@ -219,14 +242,21 @@ class Viewer {
       entities.flatMap(({ path, pose }, index) =>
         pose && this.overlays.isShown(index) ? [[path, () => this.motion.entities[index]]] : [],
       );
-    this.overlays.setNames(!on ? [] : model?.order.length ? ofLinks() : ofEntities());
+    const named = model?.order.length ? ofLinks() : ofEntities();
+    if (this.overlays.sensors.group.visible) named.unshift(...this.overlays.sensors.names());
+    this.overlays.setNames(on ? named : []);
+  }
+
+  showSensors(on) {
+    this.overlays.sensors.group.visible = on;
+    if (this.namesAreOn) this.showNames();
   }
 
   move() {
     this.shapes?.move();
     this.overlays?.move();
     this.stage?.draw();
-    showFacts(this.scene, this.motion, this.selected);
+    this.showFacts();
     this.writeHashSoon();
   }
 
@@ -234,11 +264,13 @@ class Viewer {
     return isOf(solid, this.selected);
   }
 
-  /** `shape`: one of the link; undefined: all of them. */
-  select(entity, link, shape) {
-    this.selected = entity === undefined ? undefined : { entity, link, shape };
-    this.tree.select(entity, link);
-    showFacts(this.scene, this.motion, this.selected);
+  /** `shape`: one of the link; undefined: all of them. `sensor`: one that is on the link. */
+  select(entity, link, shape, sensor) {
+    this.selected = entity === undefined ? undefined : { entity, link, shape, sensor };
+    this.tree.select(entity, link, sensor);
+    if (sensor) this.press("sensors");
+    this.overlays?.sensors.select(this.selected);
+    this.showFacts();
     if (entity !== undefined) this.joints.show(entity);
     this.shapes?.paint((solid) => this.isSelected(solid));
     if (this.namesAreOn) this.showNames();

@@ -16,6 +16,7 @@ import {
 import { element } from "../common/dom.js";
 import { ellipsoidOf } from "./inertia.js";
 import { isMovable, toMatrix } from "./motion.js";
+import { Sensors } from "./sensors.js";
 import { paint } from "./shading.js";
 
 const kAxisColors = [
@@ -77,8 +78,9 @@ export class Overlays {
     this.axisLines = linesOf(this.axes.length, [kJointColor, kJointColor]);
     this.balls = instancesOf(this.masses, kMassColor, { opacity: 0.85, depthTest: false });
     this.ellipsoids = instancesOf(this.inertias, kInertiaColor, { opacity: 0.35, depthTest: false });
+    this.sensors = new Sensors(scene, motion, sizes, (entity) => this.isShown(entity));
     this.ruler = linesOf(1, [kRulerColor, kRulerColor]);
-    stage.scene.add(this.lines, this.axisLines, this.balls, this.ellipsoids, this.ruler);
+    stage.scene.add(this.lines, this.axisLines, this.balls, this.ellipsoids, this.sensors.group, this.ruler);
     this.labels = element("div", { class: "labels", "aria-hidden": "true" });
     stage.host.append(this.labels);
     this.named = []; // [name, X_W]
@@ -119,6 +121,7 @@ export class Overlays {
   move() {
     this.moveFrames();
     this.moveAxes();
+    this.sensors.move();
     const ball = new Matrix4();
     this.masses.forEach((mass, index) => {
       const radius = 0.012 * this.sizeOf(mass.entity);

@@ -4,7 +4,7 @@ import { Euler } from "three";
 
 import { byId, counted, element } from "../common/dom.js";
 import { ellipsoidOf } from "./inertia.js";
-import { isMovable } from "./motion.js";
+import { isMovable, toMatrix } from "./motion.js";
 
 const kMoments = ["xx", "xy", "xz", "yy", "yz", "zz"];
 const kMostSliders = 100; // at first: thousands take seconds to lay out
@@ -61,7 +61,7 @@ function jointFacts(model, joint) {
 
 function linkFacts(entity, link, matrix) {
   const { model } = entity;
-  const { mass, inertia, visuals, collisions, joint } = model.links[link];
+  const { mass, inertia, visuals, collisions, joint, sensors } = model.links[link];
   const facts = [
     ["Link of", entity.title],
     ["Mass", mass === undefined ? "none" : `${short(mass)} kg`],
@@ -77,7 +77,37 @@ function linkFacts(entity, link, matrix) {
   facts.push(["Shapes", `${counted(visuals.length, "visual")}, ${counted(collisions.length, "collision")}`]);
   const names = [...visuals, ...collisions].map((shape) => shape.name).filter(Boolean);
   if (names.length > 0) facts.push(["Names of shapes", names.join(", ")]);
+  for (const sensor of sensors) facts.push(["Sensor", `${sensor.name} (${sensor.type})`]);
   return facts;
+}
+
+const degrees = (angle) => `${short(angle * kDegrees)}°`;
+
+/** [[term, value]...] for a fan of rays [lowest, highest, number]. */
+function fanFacts(term, [lowest, highest, count]) {
+  if (count === 1 && lowest === highest && lowest === 0) return [];
+  return [[term, `${degrees(lowest)} to ${degrees(highest)}, ${counted(count, "ray")}`]];
+}
+
+/** `length`: how far the field of view is drawn, m. */
+function sensorFacts(
+  entity,
+  { type, link, pose, camera, across, up, nearest, farthest, why },
+  world,
+  length,
+) {
+  const facts = [
+    ["Sensor of", entity.title],
+    ["On the link", entity.model.links[link].name],
+    ["Type", type || "none"],
+  ];
+  if (camera) facts.push(["Field of view", `${degrees(camera[0])} wide, ${degrees(camera[1])} high`]);
+  if (across) facts.push(...fanFacts("To the sides", across), ...fanFacts("Up and down", up));
+  if (nearest !== undefined) facts.push(["Nearest", `${short(nearest)} m`]);
+  if (farthest !== undefined) facts.push(["Farthest", `${short(farthest)} m`]);
+  if ((camera || across) && !(farthest <= length)) facts.push(["Drawn up to", `${short(length)} m`]);
+  if (why) facts.push(["Not shown", why]);
+  return [...facts, ...poseFacts(world?.clone().multiply(toMatrix(pose)))];
 }
 
 function entityFacts(entity, matrix, entities) {
@@ -104,8 +134,11 @@ function entityFacts(entity, matrix, entities) {
   return facts;
 }
 
-/** `selected`: {entity, link} by index. It may lack the link, or be undefined. */
-export function showFacts(scene, motion, selected) {
+/**
+ * `selected`: {entity, link} by index, and a sensor. It may lack the latter two, or be undefined. `length`: how far the
+ * field of view of the sensor is drawn, m.
+ */
+export function showFacts(scene, motion, selected, length) {
   const host = byId("facts");
   if (!selected) {
     host.replaceChildren(
@@ -114,14 +147,18 @@ export function showFacts(scene, motion, selected) {
     return;
   }
   const entity = scene.entities[selected.entity];
-  const isLink = selected.link !== undefined;
+  const { link, sensor } = selected;
+  const isLink = link !== undefined;
+  const world = isLink && motion.links[selected.entity][link];
+  const factsOfLink = () =>
+    sensor ? sensorFacts(entity, sensor, world, length) : linkFacts(entity, link, world);
   const facts = isLink
-    ? linkFacts(entity, selected.link, motion.links[selected.entity][selected.link])
+    ? factsOfLink()
     : entityFacts(entity, motion.entities[selected.entity], scene.entities);
   const list = element("dl");
   for (const [word, value] of facts) list.append(element("dt", {}, word), element("dd", {}, value));
   host.replaceChildren(
-    element("h3", {}, isLink ? entity.model.links[selected.link].name : entity.title),
+    element("h3", {}, sensor?.name ?? (isLink ? entity.model.links[link].name : entity.title)),
     list,
   );
 }

@@ -2,12 +2,14 @@
 // Reads the scene that smurfs-flatten wrote into the page (libsmurf/src/write/viewer_data.cpp). Units are m, rad and kg.
 //
 // scene: name of its file
-// models: [{name, file, old, links, joints, poses, devices}]
+// models: [{name, file, old, links, joints, poses, devices, sensors}]
 //   links: [{name, joint: the one above, unplaced, mass, com: pose, inertia: [xx, xy, xz, yy, yz, zz], visuals, collisions}]
 //   joints: [{name, type, parent, child: links, pose, axis, lower, upper, effort, velocity, damping, friction,
 //     leader: the joint that it mimics, multiplier, offset}]
 //   poses: [{name, positions}]
 //   devices: [{kind: motor or sensor, name, link: that it moves or is on}]
+//   sensors: [{name, type, link, pose: on the link, camera: [width, height] of the field of view, across and up: [lowest angle,
+//     highest, number of rays] of a scan, nearest, farthest, why: something of it is not shown}]; x is ahead, z is up
 // entities: [{path, type, old, model, pose: in the world, anchored: to the world, anchor or parent: {entity, link, pose},
 //   positions, shapes}]
 // meshes: [{file, points: float32, indices: uint16, or uint32 when wide, parts: [{first: index, color}] when the file has
@@ -32,7 +34,12 @@ function bytesOf(base64) {
 const toMap = (positions) => new Map(Object.entries(positions));
 
 function addTree(model) {
-  for (const link of model.links) link.children = [];
+  for (const link of model.links) Object.assign(link, { children: [], sensors: [] });
+  model.sensors.forEach((sensor, index) => {
+    sensor.index = index;
+    sensor.name ||= `${sensor.type || "sensor"}, without name`;
+    model.links[sensor.link]?.sensors.push(sensor);
+  });
   model.links.forEach((link, index) => {
     const joint = model.joints[link.joint];
     if (joint && !link.unplaced) model.links[joint.parent].children.push(index);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shows entities and their links as an ARIA tree: arrows move and open, Enter selects.
+// Shows entities, their links and sensors as an ARIA tree: arrows move and open, Enter selects.
 import { element } from "../common/dom.js";
 
 const kOpenAtOnce = 60; // rows
@@ -14,31 +14,32 @@ export class Tree {
     host.setAttribute("role", "tree");
     host.addEventListener("keydown", (event) => this.onKey(event));
     scene.entities.forEach((entity, index) => host.append(this.entityRow(entity, index)));
-    const count = scene.entities.reduce((sum, entity) => sum + 1 + (entity.model?.links.length ?? 0), 0);
+    const count = scene.entities.reduce(
+      (sum, { model }) => sum + 1 + (model?.links.length ?? 0) + (model?.sensors.length ?? 0),
+      0,
+    );
     if (count <= kOpenAtOnce) for (const row of [...host.children]) this.open(row.firstChild, true, true);
     const first = host.querySelector("[role=treeitem]");
     if (first) first.tabIndex = 0;
   }
 
-  static key(entity, link) {
-    return link === undefined ? `${entity}` : `${entity} ${link}`;
+  static key(entity, link, sensor) {
+    const key = link === undefined ? `${entity}` : `${entity} ${link}`;
+    return sensor ? `${key} sensor ${sensor.index}` : key;
   }
 
   entityRow(entity, index) {
     const note = entity.pose ? entity.type : "has no known place";
     const model = entity.model;
-    return this.row(
-      entity.path || entity.type,
-      note,
-      index,
-      undefined,
-      model?.root >= 0 ? [model.root] : [],
-      1,
-    );
+    const below = model?.root >= 0 ? [{ link: model.root }] : [];
+    return this.row(entity.path || entity.type, note, { entity: index }, below, 1);
   }
 
-  /** A node with its row; the group of rows below is added when it is opened. */
-  row(name, note, entity, link, children, level) {
+  /**
+   * A node with its row for {entity, link, sensor}, of which the latter two may be absent. The group of rows for what is
+   * below, [{link, sensor}...], is added when it is opened.
+   */
+  row(name, note, { entity, link, sensor }, below, level) {
     const row = element(
       "div",
       { role: "treeitem", class: "line", tabindex: "-1", "aria-selected": "false", "aria-level": level },
@@ -46,13 +47,13 @@ export class Tree {
       element("span", { class: "name" }, name),
     );
     if (note) row.append(element("span", { class: "note" }, note));
-    Object.assign(row, { entity, link, below: children, level });
-    if (children.length > 0) row.setAttribute("aria-expanded", "false");
+    Object.assign(row, { entity, link, sensor, below, level });
+    if (below.length > 0) row.setAttribute("aria-expanded", "false");
     row.addEventListener("click", (event) => {
       if (event.target.className === "arrow") this.open(row, row.getAttribute("aria-expanded") !== "true");
-      else this.onSelect(entity, link);
+      else this.onSelect(entity, link, sensor);
     });
-    this.rows.set(Tree.key(entity, link), row);
+    this.rows.set(Tree.key(entity, link, sensor), row);
     return element("div", { role: "none", class: "node" }, row);
   }
 
@@ -71,9 +72,15 @@ export class Tree {
 
   addBelow(row) {
     const { model } = this.scene.entities[row.entity];
-    const nodes = row.below.map((link) => {
-      const { name, children } = model.links[link];
-      const node = this.row(name, "", row.entity, link, children, row.level + 1);
+    const nodes = row.below.map(({ link, sensor }) => {
+      const { name, children, sensors } = model.links[link];
+      const below = [
+        ...sensors.map((each) => ({ link, sensor: each })),
+        ...children.map((each) => ({ link: each })),
+      ];
+      const node = sensor
+        ? this.row(sensor.name, sensor.type, { entity: row.entity, link, sensor }, [], row.level + 1)
+        : this.row(name, "", { entity: row.entity, link }, below, row.level + 1);
       node.firstChild.above = row;
       return node;
     });
@@ -98,25 +105,25 @@ export class Tree {
     }
   }
 
-  select(entity, link) {
+  select(entity, link, sensor) {
     this.selected?.setAttribute("aria-selected", "false");
     this.selected = undefined;
     if (entity === undefined) return;
-    if (link !== undefined) this.reveal(entity, link);
-    this.selected = this.rows.get(Tree.key(entity, link));
+    if (link !== undefined) this.reveal(entity, link, sensor);
+    this.selected = this.rows.get(Tree.key(entity, link, sensor));
     if (!this.selected) return;
     this.selected.setAttribute("aria-selected", "true");
     this.focusable(this.selected);
-    this.selected.scrollIntoView({ block: "nearest" });
+    this.selected.querySelector(".name").scrollIntoView({ block: "nearest", inline: "nearest" });
   }
 
-  reveal(entity, link) {
+  reveal(entity, link, sensor) {
     const { model } = this.scene.entities[entity];
     if (model.links[link].unplaced) return; // it has no row, and may be in a ring
     const way = [];
     for (let at = link; at !== undefined; at = model.joints[model.links[at].joint]?.parent) way.unshift(at);
     this.open(this.rows.get(Tree.key(entity)), true);
-    for (const at of way.slice(0, -1)) this.open(this.rows.get(Tree.key(entity, at)), true);
+    for (const at of sensor ? way : way.slice(0, -1)) this.open(this.rows.get(Tree.key(entity, at)), true);
   }
 
   focusable(row) {
@@ -144,8 +151,8 @@ export class Tree {
       End: () => go(shown.at(-1)),
       ArrowRight: () => (isOpen ? go(shown[at + 1]) : this.open(row, true)),
       ArrowLeft: () => (isOpen ? this.open(row, false) : go(row.above)),
-      Enter: () => this.onSelect(row.entity, row.link),
-      " ": () => this.onSelect(row.entity, row.link),
+      Enter: () => this.onSelect(row.entity, row.link, row.sensor),
+      " ": () => this.onSelect(row.entity, row.link, row.sensor),
     };
     if (!keys[event.key]) return;
     event.preventDefault();

@@ -10,6 +10,7 @@
 #include "write/joint_drives.hpp"
 #include "write/mujoco_sensors.hpp"
 #include "write/scene_parts.hpp"
+#include "write/viewer_sensors.hpp"
 
 namespace smurf::things {
 namespace {
@@ -175,12 +176,13 @@ Found ros2_controls(const LinkedModel& model, SceneColumn column) {
 
 namespace {
 
-/// The elements in <gazebo> that MuJoCo loses: all except sensors it has, and their settings that
+/// The elements in <gazebo> that a format loses: all except sensors it has, and their settings that
 /// it does not have.
-Found other_than_sensors(const LinkedModel& model) {
+Found other_than_sensors(const LinkedModel& model, const auto& sensors,
+                         std::vector<xml::View> (*lost_settings)(xml::View sensor)) {
   Found found;
   std::set<xml::ElementId> written;
-  for (const MujocoSensor& sensor : mujoco_sensors(model)) written.insert(sensor.element);
+  for (const auto& sensor : sensors) written.insert(sensor.element);
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View gazebo(model.robot->document, id);
     if (gazebo.name() != "gazebo") continue;
@@ -189,7 +191,7 @@ Found other_than_sensors(const LinkedModel& model) {
         found.push_back({child.name_span(), name_of(child)});
         continue;
       }
-      for (const xml::View setting : unsaid_by_mujoco(child)) {
+      for (const xml::View setting : lost_settings(child)) {
         found.push_back(
             {setting.name_span(), std::string(setting.name()) + " of " + name_of(child)});
       }
@@ -203,7 +205,12 @@ Found other_than_sensors(const LinkedModel& model) {
 Found gazebo_elements(const LinkedModel& model, SceneColumn column) {
   Found found;
   if (!model.robot) return found;
-  if (column == SceneColumn::mjcf) return other_than_sensors(model);
+  if (column == SceneColumn::mjcf) {
+    return other_than_sensors(model, mujoco_sensors(model), unsaid_by_mujoco);
+  }
+  if (column == SceneColumn::html) {
+    return other_than_sensors(model, viewer_sensors(model), unshown_settings);
+  }
   const bool is_sdf = column == SceneColumn::sdf || column == SceneColumn::sdf16;
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View gazebo(model.robot->document, id);
@@ -254,6 +261,8 @@ Found sensors(const LinkedModel& model, SceneColumn column) {
   std::set<const Sensor*> written;
   if (column == SceneColumn::mjcf) {
     for (const MujocoSensor& sensor : mujoco_sensors(model)) written.insert(sensor.annotation);
+  } else if (column == SceneColumn::html) {
+    written = sensors_on_page(model);
   } else if (column == SceneColumn::sdf) {
     for (const Sensor& sensor : model.annotations.sensors) {
       const bool is_known = !passes::gazebo_type(sensor).empty() && sensor.name &&
@@ -279,6 +288,10 @@ Found sensor_keys(const LinkedModel& model, SceneColumn column) {
     for (const MujocoSensor& sensor : mujoco_sensors(model)) {
       if (sensor.annotation != nullptr) add(*sensor.annotation, is_said_by_mujoco);
     }
+    return found;
+  }
+  if (column == SceneColumn::html) {
+    for (const Sensor* sensor : sensors_on_page(model)) add(*sensor, is_shown);
     return found;
   }
   for (const Sensor& sensor : model.annotations.sensors) {

@@ -6,14 +6,13 @@
 #include <numbers>
 #include <set>
 
-#include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "base/ranges.hpp"
 #include "base/unique_names.hpp"
 #include "convert/import.hpp"
 #include "convert/passes.hpp"
-#include "convert/sensor_keys.hpp"
 #include "convert/sensor_pose.hpp"
+#include "convert/sensor_views.hpp"
 #include "write/joint_drives.hpp"
 #include "write/scene_parts.hpp"
 
@@ -28,17 +27,6 @@ const Quaternion kCameraAxes{0.5, 0.5, -0.5, -0.5};
 const Quaternion kRayAxes{std::numbers::sqrt2 / 2, 0, std::numbers::sqrt2 / 2, 0};
 
 Pose with_axes(const Pose& pose, const Quaternion& axes) { return pose * Pose{{}, axes}; }
-
-/// Vertical opening of a camera in degrees, from the horizontal one and the size of the picture in
-/// pixels; none when these are no opening and size.
-std::optional<double> vertical(double horizontal, double width, double height) {
-  if (!(horizontal > 0) || !(horizontal < 180) || !(width > 0) || !(height > 0)) {
-    return std::nullopt;
-  }
-  const auto [sine, cosine] = sine_cosine(horizontal * kRadians / 2);
-  const double degrees = 2 * arc_tangent(sine * height, cosine * width) / kRadians;
-  return degrees > 0 && degrees < 180 ? std::optional<double>(degrees) : std::nullopt;
-}
 
 double number_in(xml::View element, std::string_view child, double fallback) {
   return element ? parse_number(import::child_text(element, child)).value_or(fallback) : fallback;
@@ -125,8 +113,8 @@ class SensorReader {
       const xml::View image = camera ? camera.child("image") : xml::View();
       const double fov = number_in(camera, "horizontal_fov", 1.047);
       return add_camera(name, link(reference), X_LS,
-                        vertical(fov / kRadians, number_in(image, "width", 320),
-                                 number_in(image, "height", 240)));
+                        vertical_opening(fov / kRadians, number_in(image, "width", 320),
+                                         number_in(image, "height", 240)));
     }
     if (type == "ray" || type == "gpu_ray" || type == "lidar" || type == "gpu_lidar") {
       return is_ray_taken(sensor, reference, name, X_LS);
@@ -200,18 +188,11 @@ class SensorReader {
     if (document == nullptr || !sensor.link) return false;
     const SensorKeys keys(yaml::View(*document, sensor.node));
     if (*sensor.type == "CameraSensor") {
-      return add_camera(*sensor.name, link(*sensor.link), keys.camera_pose(), fovy_of(keys));
+      return add_camera(*sensor.name, link(*sensor.link), keys.camera_pose(),
+                        vertical_opening(keys));
     }
     return keys.number("width", 1) == 1 &&
            add_ray(*sensor.name, link(*sensor.link), {}, keys.number("max_distance", 100));
-  }
-
-  static std::optional<double> fovy_of(const SensorKeys& keys) {
-    for (const char* key : {"opening_angle2", "opening_height"}) {
-      const auto given = keys.find(key);
-      if (given && *given > 0) return *given < 180 ? given : std::nullopt;
-    }
-    return vertical(keys.camera_opening(), keys.camera_width(), keys.camera_height());
   }
 
   static std::vector<std::string> targets(std::initializer_list<const Field<NameList>*> lists) {

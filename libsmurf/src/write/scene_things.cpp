@@ -17,6 +17,7 @@ constexpr std::string_view kEffort =
     "partly: MuJoCo limits the forces of actuators, which driven joints have";
 constexpr std::string_view kActuator = "partly: actuators of those that drive one joint";
 constexpr std::string_view kDrive = "partly: drives of those that drive one joint";
+constexpr std::string_view kFields = "partly: poses and fields of view of sensors";
 constexpr std::string_view kGazeboOnly = "lost: it is meant for Gazebo";
 constexpr std::string_view kAsGazebo =
     "partly: as Gazebo converts them, where their link or joint is there";
@@ -90,7 +91,7 @@ constexpr SceneThing kThings[] = {
      .cells = {kPlugin, kPlugin, kActuator, kKept, kKept, kShown, kShown, kDrive}},
     {.title = "elements in <gazebo>",
      .in_model = things::gazebo_elements,
-     .cells = {kAsGazebo, kAsGazebo, "partly: sensors that MuJoCo has", kKept, kKept, kShown,
+     .cells = {kAsGazebo, kAsGazebo, "partly: sensors that MuJoCo has", kKept, kKept, kFields,
                kShown, kGazeboOnly}},
     {.title = "elements that URDF does not define",
      .in_model = things::other_extensions,
@@ -110,12 +111,13 @@ constexpr SceneThing kThings[] = {
      .of = ThingOf::annotation,
      .in_model = things::sensors,
      .cells = {"partly: those that Gazebo has", kLost, "partly: those that MuJoCo has", kLost,
-               kLost, kLost, kLost, kLost}},
+               kLost, "partly: those on a link", kLost, kLost}},
     {.title = "sensor setting",
      .of = ThingOf::annotation,
      .in_model = things::sensor_keys,
      .cells = {"lost: Gazebo's sensors have no such setting", kKept,
-               "lost: MuJoCo's sensors have no such setting", kKept, kKept, kKept, kKept, kKept}},
+               "lost: MuJoCo's sensors have no such setting", kKept, kKept,
+               "lost: the page shows poses and fields of view", kKept, kKept}},
     {.title = "controller",
      .of = ThingOf::annotation,
      .in_model = things::entries<&Annotations::controllers>,

@@ -12,6 +12,7 @@
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/viewer_meshes.hpp"
+#include "write/viewer_sensors.hpp"
 
 namespace smurf {
 namespace {
@@ -95,6 +96,7 @@ class VersionData {
     json_.end();
     add_joint_poses(model);
     add_motors_and_sensors(model);
+    print_sensors(model, json_);
     json_.end();
   }
 

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/viewer_sensors.hpp"
+
+#include "base/ranges.hpp"
+#include "convert/import.hpp"
+#include "write/scene_parts.hpp"
+
+namespace smurf {
+namespace {
+
+using Names = std::initializer_list<std::string_view>;
+
+class Collector {
+ public:
+  explicit Collector(const LinkedModel& model) : model_(model) {}
+
+  std::vector<ViewerSensor> collect() {
+    for (const xml::ElementId id : model_.robot->extensions) {
+      const xml::View gazebo(model_.robot->document, id);
+      if (gazebo.name() != "gazebo") continue;
+      for (const xml::View child : gazebo) {
+        if (child.name() == "sensor") of_gazebo(child, import::attribute_of(gazebo, "reference"));
+      }
+    }
+    for (const Sensor& sensor : model_.annotations.sensors) of_annotation(sensor);
+    return std::move(sensors_);
+  }
+
+ private:
+  std::optional<std::size_t> link_or_child(std::string_view name) const {
+    if (const auto link = model_.link_names.find(name)) return *link;
+    return child_of(name);
+  }
+
+  std::optional<std::size_t> child_of(std::string_view name) const {
+    const auto joint = model_.joint_names.find(name);
+    return joint ? carried_link(model_, *joint) : std::nullopt;
+  }
+
+  void of_gazebo(xml::View element, std::string_view reference) {
+    const std::optional<std::size_t> link = link_or_child(reference);
+    if (!link) return;
+    sensors_.push_back({std::string(import::attribute_of(element, "name")),
+                        std::string(import::attribute_of(element, "type")) + " in <gazebo>", *link,
+                        view_of(element), nullptr, element.id()});
+  }
+
+  void of_annotation(const Sensor& sensor) {
+    const yaml::Document* document = model_.document(sensor.span.source);
+    if (document == nullptr) return;
+    const SensorView view = view_of(sensor, yaml::View(*document, sensor.node));
+    for (const std::size_t link : links_of(sensor)) {
+      sensors_.push_back({sensor.name.value_or({}), sensor.type.value_or({}), link, view, &sensor,
+                          xml::kNoElement});
+    }
+  }
+
+  std::set<std::size_t> links_of(const Sensor& sensor) const {
+    if (sensor.link) {
+      const auto link = model_.link_names.find(*sensor.link);
+      return link ? std::set<std::size_t>{*link} : std::set<std::size_t>();
+    }
+    if (sensor.joint) {
+      const auto link = child_of(*sensor.joint);
+      return link ? std::set<std::size_t>{*link} : std::set<std::size_t>();
+    }
+    std::set<std::size_t> links;
+    const bool measures_links = sensor.type && sensor.type->starts_with("Node");
+    for (const Field<NameList>* list : {&sensor.links, &sensor.id}) {
+      for (const Spanned<std::string>& name : list->value_or(NameList{})) {
+        if (list == &sensor.id && !measures_links) continue;
+        if (const auto link = model_.link_names.find(name.value)) links.insert(*link);
+      }
+    }
+    return links;
+  }
+
+  const LinkedModel& model_;
+  std::vector<ViewerSensor> sensors_;
+};
+
+void print_number(JsonPrinter& json, std::string_view key, const std::optional<double>& value) {
+  if (!value) return;
+  json.key(key);
+  json.number(*value);
+}
+
+void print_numbers(JsonPrinter& json, std::string_view key, std::initializer_list<double> values) {
+  json.key(key);
+  json.begin_list();
+  for (const double value : values) json.number(value);
+  json.end();
+}
+
+void print_text(JsonPrinter& json, std::string_view key, std::string_view text) {
+  json.key(key);
+  json.text(text);
+}
+
+void print_view(const SensorView& view, JsonPrinter& json) {
+  const Vector3& p = view.X_LS.position;
+  const Quaternion& q = view.X_LS.orientation;
+  if (view.X_LS != Pose{}) print_numbers(json, "pose", {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
+  if (!view.why_unseen.empty()) print_text(json, "why", view.why_unseen);
+  if (const auto& camera = view.camera) {
+    print_numbers(json, "camera", {camera->width, camera->height});
+    print_number(json, "nearest", camera->nearest);
+    print_number(json, "farthest", camera->farthest);
+  }
+  if (const auto& scan = view.scan) {
+    print_numbers(json, "across", {scan->across.lowest, scan->across.highest, scan->across.count});
+    print_numbers(json, "up", {scan->up.lowest, scan->up.highest, scan->up.count});
+    print_number(json, "nearest", scan->nearest);
+    print_number(json, "farthest", scan->farthest);
+  }
+}
+
+bool is_one_of(std::string_view name, Names names) { return ranges::contains(names, name); }
+
+}  // namespace
+
+std::vector<ViewerSensor> viewer_sensors(const LinkedModel& model) {
+  return model.robot ? Collector(model).collect() : std::vector<ViewerSensor>();
+}
+
+std::set<const Sensor*> sensors_on_page(const LinkedModel& model) {
+  std::set<const Sensor*> shown;
+  for (const ViewerSensor& sensor : viewer_sensors(model)) shown.insert(sensor.annotation);
+  shown.erase(nullptr);
+  return shown;
+}
+
+std::vector<xml::View> unshown_settings(xml::View sensor) {
+  std::vector<xml::View> unshown;
+  for (const xml::View child : sensor) {
+    if (is_one_of(child.name(), {"pose", "origin", "parent"})) continue;
+    const bool is_camera = child.name() == "camera";
+    if (!is_camera && child.name() != "ray" && child.name() != "lidar") {
+      unshown.push_back(child);
+      continue;
+    }
+    const Names shown =
+        is_camera ? Names{"horizontal_fov", "image", "clip"} : Names{"scan", "range"};
+    for (const xml::View setting : child) {
+      if (!is_one_of(setting.name(), shown)) unshown.push_back(setting);
+    }
+  }
+  return unshown;
+}
+
+bool is_shown(const Sensor& sensor, std::string_view key) {
+  if (is_one_of(key, {"name", "type", "link", "joint", "id", "links"})) return true;
+  const std::string type = sensor.type.value_or("");
+  if (type == "CameraSensor") {
+    return is_one_of(key, {"width", "height", "opening_width", "opening_height", "opening_angle",
+                           "opening_angle2", "range", "position_offset", "orientation_offset"});
+  }
+  if (type == "RaySensor") return is_one_of(key, {"width", "opening_width", "max_distance"});
+  if (type == "RotatingRaySensor") {
+    return is_one_of(key, {"lasers", "opening_width", "opening_height", "horizontal_offset",
+                           "vertical_offset", "horizontal_resolution", "min_distance",
+                           "max_distance", "rotation_offset"});
+  }
+  return type == "MultiLevelLaserRangeFinder" &&
+         is_one_of(key, {"numRaysHorizontal", "numRaysVertical", "horizontalOpeningAngle",
+                         "verticalOpeningAngle", "maxDistance"});
+}
+
+void print_sensors(const LinkedModel& model, JsonPrinter& json) {
+  json.key("sensors");
+  json.begin_list(JsonPrinter::Layout::block);
+  for (const ViewerSensor& sensor : viewer_sensors(model)) {
+    json.begin_object();
+    print_text(json, "name", sensor.name);
+    print_text(json, "type", sensor.type);
+    json.key("link");
+    json.integer(static_cast<std::int64_t>(sensor.link));
+    print_view(sensor.view, json);
+    json.end();
+  }
+  const std::set<const Sensor*> shown = sensors_on_page(model);
+  for (const Sensor& sensor : model.annotations.sensors) {
+    if (shown.contains(&sensor)) continue;
+    json.begin_object();
+    print_text(json, "name", sensor.name.value_or({}));
+    print_text(json, "type", sensor.type.value_or({}));
+    print_text(json, "why", "it is on no link");
+    json.end();
+  }
+  json.end();
+}
+
+}  // namespace smurf

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sensors that a page shows, with what they see.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "convert/sensor_views.hpp"
+#include "smurf/linked.hpp"
+#include "write/json_printer.hpp"
+
+namespace smurf {
+
+struct ViewerSensor {
+  std::string name, type;
+  std::size_t link = 0;  ///< that it is on
+  SensorView view;
+  const Sensor* annotation = nullptr;        ///< null: the element
+  xml::ElementId element = xml::kNoElement;  ///< the <sensor> in <gazebo>
+};
+
+/// Sensors that are on a link. One that measures several links is there once for each.
+std::vector<ViewerSensor> viewer_sensors(const LinkedModel& model);
+
+/// The annotations among them.
+std::set<const Sensor*> sensors_on_page(const LinkedModel& model);
+
+/// The settings of a <sensor> in <gazebo> that the page does not show.
+std::vector<xml::View> unshown_settings(xml::View sensor);
+/// Whether the page shows the setting of a key in the annotation of a sensor.
+bool is_shown(const Sensor& sensor, std::string_view key);
+
+/// Prints the sensors of a model as web/viewer/scene.js describes them, and those that are not
+/// shown.
+void print_sensors(const LinkedModel& model, JsonPrinter& json);
+
+}  // namespace smurf
