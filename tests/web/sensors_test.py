@@ -168,13 +168,13 @@ class SensorsTest(viewer.ViewerTest):
         self.assertIn("2 sensors", results[21])
         self.assertIn("angles (JointPosition): it is on no link", results[21])
         self.assertIn("fish (CameraSensor): its field of view is no rectangle", results[21])
-        self.assertNotIn("Grey boxes stand", self.visible(results[21]))
+        self.assertNotIn("grey box", self.visible(results[21]))
         self.assertEqual(results[22], [])
         self.assertIn("link=head", results[23])
 
     @staticmethod
     def visible(text):
-        return text.replace("Grey boxes stand for them where their size is known.", "")
+        return text.replace("A grey box stands for a shape of known size.", "")
 
     def test_losses_name_what_is_not_shown(self):
         done = self.run_tool("s.smurfs", "--format", "html", "-o", "page.html")

@@ -34,7 +34,12 @@ MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
                 const std::string from = origin(file);
                 return path::to_lower(path::extension(from)) + files.identity(from);
               },
-          .most_bytes = limits.scene_bytes};
+          .image =
+              [=, &files, &limits](const std::string& file) {
+                return files.read(origin(file), limits.mesh_bytes);
+              },
+          .most_bytes = limits.scene_bytes,
+          .most_pixels = limits.image_pixels};
 }
 
 }  // namespace smurf::tools

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads meshes for formats that show triangles.
+// Reads meshes and textures for formats that show them.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ namespace smurf::tools {
 std::string known_name(const std::string& absolute, const std::string& current,
                        const FileReader& files);
 
-/// Reads triangles. A mesh that will be copied is read from its original. `files` and `limits` must
-/// outlive the result.
+/// Reads triangles and images. A file that will be copied is read from its original. `files` and
+/// `limits` must outlive the result.
 MeshSource mesh_source(const FlattenOptions& options, const AssetCopies& copies,
                        const FileReader& files, const Limits& limits);
 

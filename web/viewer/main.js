@@ -8,6 +8,7 @@ import { Joints, massOf, short, showFacts } from "./panel.js";
 import { readScene } from "./scene.js";
 import { Layer, Shapes } from "./shapes.js";
 import { Stage } from "./stage.js";
+import { Textures } from "./textures.js";
 import { Tree } from "./tree.js";
 
 const kWriteDelay = 300; // ms
@@ -99,7 +100,15 @@ class Viewer {
   }
 
   fillStage() {
-    this.shapes = new Shapes(this.scene, this.motion, this.stage.root);
+    this.textures = new Textures(
+      this.scene.textures,
+      (texture) => {
+        this.shapes.load(texture);
+        this.stage.draw();
+      },
+      (texture) => this.addUnseen(texture),
+    );
+    this.shapes = new Shapes(this.scene, this.motion, this.stage.root, this.textures);
     const all = this.shapes.boxAround();
     this.stage.setGround(all, this.isSingle);
     this.overlays = new Overlays(this.scene, this.motion, this.stage, this.sizes());
@@ -250,6 +259,14 @@ class Viewer {
   showSensors(on) {
     this.overlays.sensors.group.visible = on;
     if (this.namesAreOn) this.showNames();
+  }
+
+  /** Lists a texture that the browser cannot decode. */
+  addUnseen(texture) {
+    const shapes = this.shapes.solids.filter(({ shape }) => shape.texture === texture).length;
+    const { file } = this.scene.textures[texture];
+    this.scene.unseen.push({ file, why: "is damaged", shapes });
+    showUnseen(this.scene);
   }
 
   move() {

@@ -14,13 +14,14 @@
 //   positions, shapes}]
 // meshes: [{file, points: float32, indices: uint16, or uint32 when wide, parts: [{first: index, color}] when the file has
 //   colours}], points and indices in base64
+// textures: [{file, type: image/png or image/jpeg, bytes}], bytes in base64
 // unseen: [{file, why, shapes: how many}]
 //
 // old: true for the old one of two versions of a scene; its models and entities follow those of the new one
-// Links, joints, entities, models and meshes are named by their place in these lists. Whatever is unknown is absent.
+// Links, joints, entities, models, meshes and textures are named by their place in these lists. Whatever is unknown is absent.
 // pose: [x, y, z, w, x, y, z], a position and a unit quaternion; absent where it changes nothing.
 // positions: of joints by their names
-// shapes: [{name, pose, color: [r, g, b, a], and one of box: size, sphere: [radius], cylinder or capsule: [radius, length],
+// shapes: [{name, pose, color: [r, g, b, a], texture, and one of box: size, sphere: [radius], cylinder or capsule: [radius, length],
 //   plane: size, mesh with scale, around: the corners of a box around what is not shown}]
 
 function bytesOf(base64) {
@@ -89,6 +90,7 @@ export function readScene(text) {
     entity.model = scene.models[entity.model];
   }
   scene.order = orderOf(scene.entities);
+  for (const texture of scene.textures) texture.bytes = bytesOf(texture.bytes);
   for (const mesh of scene.meshes) {
     mesh.points = new Float32Array(bytesOf(mesh.points));
     mesh.indices = mesh.wide

@@ -9,8 +9,14 @@ varying vec3 seen; // in the frame of the camera
 #ifdef SMOOTH
 varying vec3 direction;
 #endif
+#ifdef TEXTURED
+varying vec2 place; // in the image
+#endif
 
 void main() {
+#ifdef TEXTURED
+  place = uv;
+#endif
   color = instanceColor;
   vec4 point = viewMatrix * (instanceMatrix * vec4(position, 1.0));
   seen = point.xyz;
@@ -31,8 +37,18 @@ varying vec3 seen;
 #ifdef SMOOTH
 varying vec3 direction;
 #endif
+#ifdef TEXTURED
+uniform sampler2D image;
+uniform float imageOpacity;
+varying vec2 place;
+#endif
 
 void main() {
+  vec3 surface = color;
+#ifdef TEXTURED
+  vec4 texel = texture2D(image, place);
+  surface = mix(color, color * texel.rgb, texel.a * imageOpacity);
+#endif
 #ifdef UNLIT
   float light = 1.0;
 #else
@@ -43,16 +59,16 @@ void main() {
 #endif
   float light = 0.78 + 0.34 * dot(normal, vec3(-0.43, 0.64, 0.64));
 #endif
-  gl_FragColor = vec4(color * light, opacity);
+  gl_FragColor = vec4(surface * light, opacity);
 }`;
 
-/** `look`: "SMOOTH", "FLAT" (needs no normals) or "UNLIT". */
-export function paint(look, { opacity = 1, isThin = false, ...rest } = {}) {
+/** `look`: "SMOOTH", "FLAT" (needs no normals) or "UNLIT". `image`: a texture, for shapes with coordinates. */
+export function paint(look, { opacity = 1, isThin = false, image, ...rest } = {}) {
   return new ShaderMaterial({
     vertexShader: kVertex,
     fragmentShader: kFragment,
-    uniforms: { opacity: { value: opacity } },
-    defines: { [look]: "" },
+    uniforms: { opacity: { value: opacity }, image: { value: image }, imageOpacity: { value: 1 } },
+    defines: { [look]: "", ...(image && { TEXTURED: "" }) },
     transparent: opacity < 1,
     depthWrite: opacity === 1,
     side: isThin ? DoubleSide : FrontSide,

@@ -22,6 +22,7 @@ import { paint } from "./shading.js";
 
 export const Layer = { visuals: "visuals", collisions: "collisions", unseen: "unseen" };
 
+const kWhite = [1, 1, 1, 1];
 const kNoColor = [0.78, 0.79, 0.81, 1];
 const kGroundColor = [0.55, 0.55, 0.52, 0.35];
 const kUnseenColor = [0.6, 0.6, 0.62, 0.16];
@@ -48,10 +49,13 @@ function partsOf(shape, meshes, layer) {
   return parts.map((part) => ({ ...shape, part, color: part.color }));
 }
 
+/** A cube of 1 m. Pictures on its sides are upright. */
+const makeBox = () => new BoxGeometry().rotateX(kTurn);
+
 /** {key, make, scale, center}: the triangles that `make` returns, and their scale and centre in the shape's frame. */
 function solidOf(shape, meshes, around) {
   const round = (key, make, scale) => ({ key: `${key} ${around}`, make: () => make().rotateX(kTurn), scale });
-  if (shape.box) return { key: "box", make: () => new BoxGeometry(), scale: shape.box };
+  if (shape.box) return { key: "box", make: makeBox, scale: shape.box };
   if (shape.sphere) {
     const [r] = shape.sphere;
     return round("sphere", () => new SphereGeometry(1, around, around / 2), [r, r, r]);
@@ -76,7 +80,7 @@ function solidOf(shape, meshes, around) {
   if (!shape.around) return null;
   const [low, high] = [new Vector3(...shape.around.slice(0, 3)), new Vector3(...shape.around.slice(3))];
   const center = low.clone().add(high).multiplyScalar(0.5).toArray();
-  return { key: "box", make: () => new BoxGeometry(), scale: high.sub(low).toArray(), center };
+  return { key: "box", make: makeBox, scale: high.sub(low).toArray(), center };
 }
 
 function toGeometry({ points, indices }, part) {
@@ -89,10 +93,11 @@ function toGeometry({ points, indices }, part) {
 function colorOf(shape, layer) {
   if (layer === Layer.collisions) return kCollisionColor;
   if (layer === Layer.unseen) return kUnseenColor;
+  if (shape.texture !== undefined) return shape.color ?? kWhite;
   return shape.color ?? (shape.plane ? kGroundColor : kNoColor);
 }
 
-function materialOf({ layer, alpha: opacity, solid, old }) {
+function materialOf({ layer, alpha: opacity, solid, old }, image) {
   // What did not change is at the same depth in both versions, and is shown as the new one.
   const depthFunc = old ? LessDepth : LessEqualDepth;
   if (layer === Layer.collisions) return paint("UNLIT", { opacity, depthFunc, wireframe: true });
@@ -100,7 +105,7 @@ function materialOf({ layer, alpha: opacity, solid, old }) {
   const isThin = solid.flat || solid.key === "plane";
   const depth = old ? 4 : 1;
   const behind = { depthFunc, polygonOffset: true, polygonOffsetFactor: depth, polygonOffsetUnits: depth };
-  return paint(solid.flat ? "FLAT" : "SMOOTH", { opacity, isThin, ...behind });
+  return paint(solid.flat ? "FLAT" : "SMOOTH", { opacity, isThin, image, ...behind });
 }
 
 /** A plane, or a heightmap, which is shown as its bounding box. */
@@ -108,10 +113,11 @@ const isGround = ({ shape, layer, link }) =>
   shape.plane !== undefined || (layer === Layer.unseen && link === undefined);
 
 export class Shapes {
-  /** Adds all shapes to the three.js object `root`. */
-  constructor(scene, motion, root) {
+  /** Adds all shapes to the three.js object `root`. `textures`: those of the scene, which may be loaded later. */
+  constructor(scene, motion, root, textures) {
     this.scene = scene;
     this.motion = motion;
+    this.textures = textures;
     this.geometries = new Map();
     this.batches = new Map();
     this.around = aroundOf(scene);
@@ -144,8 +150,9 @@ export class Shapes {
     const layer = wanted === Layer.visuals && shape.around ? Layer.unseen : wanted;
     const [r, g, b, a] = colorOf(shape, layer).map((part) => Math.min(1, Math.max(0, part)));
     const old = this.scene.entities[entity].old === true;
-    const key = `${layer} ${solid.key} ${a} ${old}`;
-    if (!this.batches.has(key)) this.batches.set(key, { layer, solid, alpha: a, old, solids: [] });
+    const { texture } = shape;
+    const key = `${layer} ${solid.key} ${a} ${old} ${texture}`;
+    if (!this.batches.has(key)) this.batches.set(key, { layer, solid, alpha: a, old, texture, solids: [] });
     const batch = this.batches.get(key);
     const local = toMatrix(shape.pose);
     if (solid.center) local.multiply(new Matrix4().makeTranslation(...solid.center));
@@ -157,10 +164,14 @@ export class Shapes {
   }
 
   build(batch, root) {
-    const { layer, solid } = batch;
+    const { layer, solid, texture } = batch;
     if (!this.geometries.has(solid.key)) this.geometries.set(solid.key, solid.make());
     const geometry = this.geometries.get(solid.key);
-    batch.mesh = new InstancedMesh(geometry, materialOf(batch), batch.solids.length);
+    batch.mesh = new InstancedMesh(
+      geometry,
+      materialOf(batch, texture === undefined ? undefined : this.textures.empty),
+      batch.solids.length,
+    );
     batch.mesh.frustumCulled = false;
     batch.mesh.userData = { layer, solids: batch.solids };
     batch.solids.forEach(({ color }, index) => batch.mesh.setColorAt(index, color));
@@ -195,12 +206,19 @@ export class Shapes {
     this.update();
   }
 
+  /** Shows a texture that was loaded. */
+  load(texture) {
+    for (const batch of this.batches.values())
+      if (batch.texture === texture) batch.mesh.material.uniforms.image.value = this.textures.all[texture];
+  }
+
   update() {
     for (const { layer, old, alpha, mesh } of this.batches.values()) {
       mesh.visible = !this.hidden.has(layer) && this.versions !== (old ? "new" : "old");
       const isMixed = this.isCompared && this.versions === "both";
       const opacity = isMixed ? Math.min(alpha, kCompared[old ? "old" : "new"].opacity) : alpha;
       mesh.material.uniforms.opacity.value = opacity;
+      mesh.material.uniforms.imageOpacity.value = isMixed ? 0 : 1;
       Object.assign(mesh.material, { transparent: opacity < 1, depthWrite: opacity === 1 });
     }
   }

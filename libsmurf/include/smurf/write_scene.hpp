@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "smurf/diagnostic.hpp"
+#include "smurf/file_reader.hpp"
 #include "smurf/flatten.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/mesh_triangles.hpp"
@@ -19,13 +20,16 @@ namespace smurf {
 /// How a format that can do both refers to models: by their files, or written out.
 enum class SceneForm : std::uint8_t { reference, expand };
 
-/// Where the meshes of a preview come from. Files are relative to the output's folder.
+/// Where the meshes and textures of a preview come from. Files are relative to the output's folder.
 struct MeshSource {
   /// Null when no mesh is at hand. Asked for once a file, since nothing is kept.
   std::function<MeshTriangles(const std::string& file)> triangles;
   /// Equal for names of one file that have the same triangles.
   std::function<std::string(const std::string& file)> identity;
-  std::uint64_t most_bytes = Limits{}.scene_bytes;  ///< of all meshes, written out
+  /// Null when no image is at hand.
+  std::function<FileContent(const std::string& file)> image;
+  std::uint64_t most_bytes = Limits{}.scene_bytes;    ///< of all meshes, and of all images
+  std::uint64_t most_pixels = Limits{}.image_pixels;  ///< of all images
 };
 
 /// What a writer is given. Everything must outlive the call.

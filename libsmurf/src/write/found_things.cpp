@@ -53,19 +53,6 @@ Found drivers(const LinkedModel& model, SceneColumn column, std::string_view ele
   return found;
 }
 
-/// Keys of an entry of a section other than those that the format expresses.
-Found other_keys(const LinkedModel& model, const Annotation& entry,
-                 const std::vector<std::string_view>& said) {
-  Found found;
-  const yaml::Document* document = model.document(entry.span.source);
-  if (document == nullptr) return found;
-  for (const yaml::View key : yaml::View(*document, entry.node)) {
-    if (key.is_null() || ranges::contains(said, key.key())) continue;
-    found.push_back({key.key_span(), std::string(key.key())});
-  }
-  return found;
-}
-
 void append(Found& all, Found some) {
   std::move(some.begin(), some.end(), std::back_inserter(all));
 }
@@ -111,6 +98,7 @@ Found movable_joints(const LinkedModel& model, SceneColumn) {
 
 Found textures(const LinkedModel& model, SceneColumn column) {
   Found found;
+  if (column == SceneColumn::html) return found;
   for (const MeshReference& reference : model.meshes) {
     if (column == SceneColumn::mjcf && is_texture_of_mujoco(reference)) continue;
     if (reference.is_texture) found.push_back({reference.span, reference.filename});
@@ -296,23 +284,6 @@ Found sensor_keys(const LinkedModel& model, SceneColumn column) {
   }
   for (const Sensor& sensor : model.annotations.sensors) {
     if (!passes::gazebo_type(sensor).empty()) add(sensor, passes::gazebo_says);
-  }
-  return found;
-}
-
-Found collision_settings(const LinkedModel& model, SceneColumn column) {
-  Found found;
-  for (const CollisionAnnotation& entry : model.annotations.collisions) {
-    if (column == SceneColumn::sdf) {
-      append(found,
-             other_keys(model, entry, {"name", "link", "bitmask", "cfriction1", "cfriction2"}));
-    } else if (column == SceneColumn::mjcf) {
-      append(found, other_keys(model, entry, {"name", "link", "bitmask", "cfriction1"}));
-    } else if (column == SceneColumn::usda) {
-      append(found, other_keys(model, entry, {"name", "link", "cfriction1"}));
-    } else {
-      found.push_back({entry.span, entry.name.value_or({})});
-    }
   }
   return found;
 }

@@ -12,7 +12,7 @@ using Found = std::vector<FoundThing>;
 Found masses(const LinkedModel& model, SceneColumn);
 Found collision_shapes(const LinkedModel& model, SceneColumn);
 Found movable_joints(const LinkedModel& model, SceneColumn);
-/// MJCF: only textures that MuJoCo does not read.
+/// MJCF: only textures that MuJoCo does not read. HTML: none, as the writer sees them.
 Found textures(const LinkedModel& model, SceneColumn column);
 /// MJCF: only efforts of joints without a motor.
 Found efforts(const LinkedModel& model, SceneColumn column);
@@ -29,6 +29,9 @@ Found gazebo_elements(const LinkedModel& model, SceneColumn column);
 Found other_extensions(const LinkedModel& model, SceneColumn);
 
 // Of annotations.
+/// Keys of an entry of a section other than those that the format expresses.
+Found other_keys(const LinkedModel& model, const Annotation& entry,
+                 const std::vector<std::string_view>& said);
 /// All entries of a section.
 template <auto section>
 Found entries(const LinkedModel& model, SceneColumn) {
@@ -46,6 +49,12 @@ Found motor_keys(const LinkedModel& model, SceneColumn column);
 Found sensors(const LinkedModel& model, SceneColumn column);
 /// Keys that sensors of Gazebo, or of MuJoCo, do not have.
 Found sensor_keys(const LinkedModel& model, SceneColumn column);
+/// HTML: only materials that the URDF does not have.
+Found materials(const LinkedModel& model, SceneColumn column);
+/// Keys of materials that the page does not show.
+Found material_keys(const LinkedModel& model, SceneColumn);
+/// HTML: the lost keys. Other formats: the entries.
+Found visual_settings(const LinkedModel& model, SceneColumn column);
 /// SDF, MJCF and USD: the lost keys. Other formats: the entries.
 Found collision_settings(const LinkedModel& model, SceneColumn column);
 Found other_sections(const LinkedModel& model, SceneColumn);

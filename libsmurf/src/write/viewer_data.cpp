@@ -11,6 +11,8 @@
 #include "write/json_printer.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
+#include "write/viewer_images.hpp"
+#include "write/viewer_looks.hpp"
 #include "write/viewer_meshes.hpp"
 #include "write/viewer_sensors.hpp"
 
@@ -24,13 +26,14 @@ using Layout = JsonPrinter::Layout;
 class VersionData {
  public:
   VersionData(const SceneExport& scene, const SceneExport* newer, ViewerMeshes& meshes,
-              JsonPrinter& json)
+              ViewerImages& images, JsonPrinter& json)
       : scene_(scene),
         is_old_(newer != nullptr),
         models_before_(newer == nullptr ? 0 : newer->flat.models.size()),
         entities_before_(newer == nullptr ? 0 : newer->flat.instances.size()),
         losses_(scene, SceneColumn::html, "HTML"),
         meshes_(meshes),
+        images_(images),
         json_(json) {}
 
   void add_models() {
@@ -61,10 +64,13 @@ class VersionData {
     numbers(key, {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
   }
 
+  void add_text(std::string_view key, std::string_view text) {
+    json_.key(key);
+    json_.text(text);
+  }
+
   void add_name(const Field<std::string>& name) {
-    if (!name) return;
-    json_.key("name");
-    json_.text(*name);
+    if (name) add_text("name", *name);
   }
 
   void add_number(std::string_view key, const Field<double>& value) {
@@ -81,10 +87,8 @@ class VersionData {
   void add_model(const FlatModel& flat) {
     const LinkedModel& model = scene_.scene.models[to_size(flat.source)];
     json_.begin_object(Layout::block);
-    json_.key("name");
-    json_.text(flat.id);
-    json_.key("file");
-    json_.text(flat.file);
+    add_text("name", flat.id);
+    add_text("file", flat.file);
     add_version();
     begin_lines("links");
     if (model.robot) add_links(flat, model);
@@ -102,6 +106,7 @@ class VersionData {
 
   void add_links(const FlatModel& flat, const LinkedModel& model) {
     const std::vector<std::optional<Pose>> X_RL = forward_kinematics(model, {});
+    const ViewerLooks looks(model, flat);
     for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
       const urdf::Link& link = model.robot->links[i];
       json_.begin_object();
@@ -121,13 +126,13 @@ class VersionData {
       json_.key("visuals");
       json_.begin_list();
       for (const urdf::Visual& visual : link.visuals) {
-        add_part(visual, color_of(visual, model), flat, model);
+        add_part(visual, looks.of(visual), flat, model);
       }
       json_.end();
       json_.key("collisions");
       json_.begin_list();
       for (const urdf::Collision& shape : link.collisions) {
-        add_part(shape, std::nullopt, flat, model);
+        add_part(shape, {}, flat, model);
       }
       json_.end();
       json_.end();
@@ -135,15 +140,26 @@ class VersionData {
   }
 
   template <class Part>
-  void add_part(const Part& part, const std::optional<Rgba>& color, const FlatModel& flat,
+  void add_part(const Part& part, const ViewerLooks::Look& look, const FlatModel& flat,
                 const LinkedModel& model) {
     const std::optional<FlatGeometry> geometry = to_flat(part.geometry, flat);
     if (!geometry) return;
     json_.begin_object();
     add_name(part.name);
-    add_solid({urdf::to_pose(part.origin), *geometry, color, part.span},
+    if (look.texture) add_texture(*look.texture, part.span, *geometry);
+    add_solid({urdf::to_pose(part.origin), *geometry, look.color, part.span},
               bounding_box(model, part.geometry));
     json_.end();
+  }
+
+  void add_texture(const std::string& file, Span place, const FlatGeometry& geometry) {
+    const bool is_mesh = std::holds_alternative<FlatMesh>(geometry);
+    const ViewerImages::Known known =
+        is_mesh ? ViewerImages::Known{{}, "is on a mesh, whose texture coordinates are not read"}
+                : images_.find(file);
+    if (known.index) return add_index("texture", *known.index);
+    losses_.note("textures", place, file);
+    meshes_.add_unseen(file, known.why_none);
   }
 
   void add_joint(const LinkedModel& model, std::size_t index) {
@@ -242,10 +258,8 @@ class VersionData {
   void add_entity(std::size_t index) {
     const FlatInstance& entity = scene_.flat.instances[index];
     json_.begin_object();
-    json_.key("path");
-    json_.text(entity.path);
-    json_.key("type");
-    json_.text(entity.type);
+    add_text("path", entity.path);
+    add_text("type", entity.type);
     add_version();
     if (entity.model) add_index("model", models_before_ + *entity.model);
     if (entity.X_WE) add_pose("pose", *entity.X_WE);
@@ -260,10 +274,7 @@ class VersionData {
     const Span place = place_of(scene_.scene.entity(scene_.scene.instances[index]));
     for (const FlatShape& shape : entity.shapes) {
       json_.begin_object();
-      if (!shape.name.empty()) {
-        json_.key("name");
-        json_.text(shape.name);
-      }
+      if (!shape.name.empty()) add_text("name", shape.name);
       add_solid({shape.X_ES, shape.geometry, shape.color, place}, std::nullopt);
       json_.end();
     }
@@ -350,6 +361,7 @@ class VersionData {
   SceneLosses losses_;
   LinkFrames frames_;
   ViewerMeshes& meshes_;
+  ViewerImages& images_;
   JsonPrinter& json_;
 };
 
@@ -358,9 +370,10 @@ class VersionData {
 std::optional<std::string> viewer_data(const SceneExport& scene, const SceneExport* before) {
   JsonPrinter json(scene.most_bytes);
   ViewerMeshes meshes(scene, before != nullptr);
+  ViewerImages images(scene);
   std::deque<VersionData> versions;
-  versions.emplace_back(scene, nullptr, meshes, json);
-  if (before != nullptr) versions.emplace_back(*before, &scene, meshes, json);
+  versions.emplace_back(scene, nullptr, meshes, images, json);
+  if (before != nullptr) versions.emplace_back(*before, &scene, meshes, images, json);
   json.begin_object(Layout::block);
   json.key("scene");
   json.text(path::file_name(scene.flat.scene));
@@ -374,6 +387,8 @@ std::optional<std::string> viewer_data(const SceneExport& scene, const SceneExpo
   json.end();
   json.key("meshes");
   meshes.print(json);
+  json.key("textures");
+  images.print(json);
   json.key("unseen");
   meshes.print_unseen(json);
   json.end();

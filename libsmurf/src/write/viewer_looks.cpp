@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sources: MARS smurf.cpp:333-352 and 404-426, MaterialData.cpp:47-118.
+#include "write/viewer_looks.hpp"
+
+#include "base/path.hpp"
+
+namespace smurf {
+
+ViewerLooks::ViewerLooks(const LinkedModel& model, const FlatModel& flat)
+    : model_(model), flat_(flat), values_(model) {
+  for (const MaterialAnnotation& entry : model.annotations.materials) {
+    if (entry.name) annotations_.emplace(*entry.name, &entry);
+  }
+  for (const VisualAnnotation& entry : model.annotations.visuals) {
+    if (entry.name && entry.material_name) replaced_[*entry.name] = *entry.material_name;
+  }
+}
+
+ViewerLooks::Look ViewerLooks::of(const urdf::Visual& visual) const {
+  Look look{color_of(visual, model_), texture_of(visual, model_, flat_)};
+  std::string_view name;
+  if (visual.material && visual.material->name) name = *visual.material->name;
+  if (const auto other = visual.name ? replaced_.find(*visual.name) : replaced_.end();
+      other != replaced_.end() && model_.material_names.contains(other->second)) {
+    name = other->second;
+    look = {};
+    if (const urdf::Material* material = values_.definition(name)) {
+      urdf::Visual as_if = visual;
+      as_if.material = *material;
+      look = {color_of(as_if, model_), texture_of(as_if, model_, flat_)};
+    }
+  }
+  const auto [first, last] = annotations_.equal_range(name);
+  for (auto entry = first; entry != last; ++entry) {
+    const MaterialAnnotation& annotation = *entry->second;
+    if (annotation.diffuse_color) look.color = rgba_of(*annotation.diffuse_color);
+    if (annotation.transparency && look.color) (*look.color)[3] *= 1 - *annotation.transparency;
+    if (annotation.diffuse_texture) {
+      look.texture = path::join(path::parent(flat_.file), *annotation.diffuse_texture);
+    }
+  }
+  return look;
+}
+
+}  // namespace smurf

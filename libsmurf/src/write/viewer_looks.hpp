@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Colours and textures of visuals as MARS has them: those of the URDF, and over them those of the
+// annotations.
+#pragma once
+
+#include <map>
+
+#include "convert/annotation_values.hpp"
+#include "write/placed_shapes.hpp"
+
+namespace smurf {
+
+class ViewerLooks {
+ public:
+  struct Look {
+    std::optional<Rgba> color;
+    std::optional<std::string> texture;  ///< a file relative to the output's folder
+  };
+
+  /// Both must outlive this.
+  ViewerLooks(const LinkedModel& model, const FlatModel& flat);
+  Look of(const urdf::Visual& visual) const;
+
+ private:
+  const LinkedModel& model_;
+  const FlatModel& flat_;
+  AnnotationValues values_;
+  std::multimap<std::string_view, const MaterialAnnotation*> annotations_;  ///< by material
+  std::map<std::string_view, std::string_view> replaced_;                   ///< by visual
+};
+
+}  // namespace smurf
