@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens pages in Chromium and runs steps in them. usage: node pages.mjs NODE_MODULES CHROMIUM <JOBS >RESULTS
 // JOBS: [{page, hash, width, height, scheme, steps}]. A page is a file, or an address on this machine, which begins with
-// nothing kept from others. A step is a script (a text), {key}, {type: TEXT}, {click: [x, y]}, {shot: FILE}, {axe: true},
+// nothing kept from others. A step is a script (a text), {key}, {down: KEY}, {up: KEY}, {drag: [x, y, x, y]}, {type: TEXT}, {click: [x, y]}, {shot: FILE}, {axe: true},
 // {until: SCRIPT}, {drop: PATHS}, {choose: SELECTOR, paths}, {downloads: FOLDER}, {file: one that is there soon} or {load: HASH}.
 // RESULTS: [{results: one for each step, errors that the page logged, addresses that it asked for}]
 import fs from "node:fs";
@@ -21,6 +21,13 @@ async function drop(page, files) {
     await client.send("Input.dispatchDragEvent", { type, x: width / 2, y: height / 2, data });
 }
 
+async function dragAcross(page, fromX, fromY, toX, toY) {
+  await page.mouse.move(fromX, fromY);
+  await page.mouse.down();
+  await page.mouse.move(toX, toY, { steps: 5 });
+  await page.mouse.up();
+}
+
 /** A download has another name until it is complete. */
 async function appears(file) {
   while (!fs.existsSync(file)) await new Promise((done) => setTimeout(done, 50));
@@ -35,6 +42,9 @@ async function load(page, hash) {
 async function take(page, step) {
   if (typeof step === "string") return page.evaluate(step);
   if (step.key) return page.keyboard.press(step.key);
+  if (step.down) return page.keyboard.down(step.down);
+  if (step.up) return page.keyboard.up(step.up);
+  if (step.drag) return dragAcross(page, ...step.drag);
   if (step.type) return page.keyboard.type(step.type);
   if (step.until) return void (await page.waitForFunction(step.until, { timeout: kTime }));
   if (step.drop) return drop(page, step.drop);

@@ -10,6 +10,7 @@ import { Layer, Shapes } from "./shapes.js";
 import { Stage } from "./stage.js";
 import { Textures } from "./textures.js";
 import { Tree } from "./tree.js";
+import { kWalkHelp, Walk } from "./walk.js";
 
 const kWriteDelay = 300; // ms
 const kWideFrame = 600; // pixels: there is room for sliders beside the picture
@@ -108,6 +109,7 @@ class Viewer {
       },
       (texture) => this.addUnseen(texture),
     );
+    this.walk = new Walk(this.stage);
     this.shapes = new Shapes(this.scene, this.motion, this.stage.root, this.textures);
     const all = this.shapes.boxAround();
     this.stage.setGround(all, this.isSingle);
@@ -134,6 +136,7 @@ class Viewer {
       ["names", "Names", "n", (on) => this.showNames(on)],
       ["ground", "Grid", "g", (on) => (this.stage.grid.visible = on)],
       ["ruler", "Measure", "d", (on) => this.startMeasuring(on)],
+      ["walk", "Walk", "w", (on) => this.startWalking(on)],
     ];
     document.documentElement.classList.toggle("compared", isInFrame && this.shapes.isCompared);
     if (isInFrame && this.shapes.isCompared)
@@ -166,7 +169,7 @@ class Viewer {
     if (window.innerWidth >= kWideFrame) isOn.add("moves");
     const keys = new Map([
       ["f", () => this.fit()],
-      ["Escape", () => this.select()],
+      ["Escape", () => (this.walk?.isOn ? byId("walk").click() : this.select())],
     ]);
     for (const [id, label, key, show] of this.layers ?? []) {
       const button = element(
@@ -192,6 +195,7 @@ class Viewer {
   onKey(event, keys) {
     const isTyping = event.target.matches("input, select, textarea");
     if (event.ctrlKey || event.metaKey || event.altKey || (isTyping && event.key !== "Escape")) return;
+    if (this.walk?.press(event)) return void event.preventDefault();
     const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
     const zooms = { "+": 0.9, "=": 0.9, "-": 1 / 0.9 };
     if (keys.has(event.key)) keys.get(event.key)();
@@ -216,6 +220,13 @@ class Viewer {
     const { entity, sensor } = this.selected ?? {};
     const length = sensor && this.overlays?.sensors.lengthOf(entity, sensor);
     showFacts(this.scene, this.motion, this.selected, length);
+  }
+
+  startWalking(isOn) {
+    if (isOn) this.walk.start();
+    if (isOn || this.walk.isOn) tell(isOn ? kWalkHelp : "");
+    if (isOn) byId("stage").focus({ preventScroll: true });
+    else this.walk.stop();
   }
 
   startMeasuring(isOn) {
@@ -298,6 +309,7 @@ class Viewer {
   /** Brings the selected thing into view, or the whole scene. */
   fit() {
     if (!this.stage) return;
+    if (this.walk.isOn) byId("walk").click();
     const chosen = this.selected
       ? this.shapes.boxAround(this.shapes.solids.filter((solid) => this.isSelected(solid)))
       : null;
