@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens pages in Chromium and runs steps in them. usage: node pages.mjs NODE_MODULES CHROMIUM <JOBS >RESULTS
 // JOBS: [{page, hash, width, height, scheme, steps}]. A page is a file, or an address on this machine, which begins with
-// nothing kept from others. A step is a script (a text), {key}, {down: KEY}, {up: KEY}, {drag: [x, y, x, y]}, {type: TEXT}, {click: [x, y]}, {shot: FILE}, {axe: true},
+// nothing kept from others. A step is a script (a text), {key}, {down: KEY}, {up: KEY}, {drag: [x, y, x, y]}, {type: TEXT}, {click: [x, y]}, {shot: FILE, of: SELECTOR}, {axe: true},
 // {until: SCRIPT}, {drop: PATHS}, {choose: SELECTOR, paths}, {downloads: FOLDER}, {file: one that is there soon} or {load: HASH}.
 // RESULTS: [{results: one for each step, errors that the page logged, addresses that it asked for}]
 import fs from "node:fs";
@@ -56,7 +56,7 @@ async function take(page, step) {
     return void (await client.send("Page.setDownloadBehavior", { behavior: "allow", downloadPath: step.downloads }));
   }
   if (step.click) return page.mouse.click(...step.click);
-  if (step.shot) return void (await page.screenshot({ path: step.shot }));
+  if (step.shot) return void (await (step.of ? await page.$(step.of) : page).screenshot({ path: step.shot }));
   await page.evaluate(fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8"));
   const { violations } = await page.evaluate("axe.run({ iframes: false })"); // the pages in frames have tests of their own
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);

@@ -113,7 +113,7 @@ export class Stage {
     this.radius = Math.max(sphere.radius, 1e-6);
     const half = (this.camera.fov / 2) * (Math.PI / 180);
     const narrow = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
-    const distance = (0.96 * this.radius) / Math.sin(narrow);
+    const distance = (1.04 * this.radius) / Math.sin(narrow);
     this.controls.target.copy(sphere.center);
     this.camera.position.copy(sphere.center).addScaledVector(from.clone().normalize(), distance);
     this.setDepths(distance);

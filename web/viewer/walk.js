@@ -23,7 +23,7 @@ const kKeys = new Map([
 ]);
 
 export const kWalkHelp =
-  "Walking: W A S D and the arrows move and turn, dragging and Page Up or Down look around, Shift is faster, Escape ends.";
+  "W A S D and the arrows walk, dragging and Page Up or Down look around, Shift is faster, Escape ends it.";
 
 export class Walk {
   constructor(stage) {
