@@ -196,6 +196,29 @@ class ListTest(DiffTest):
         self.assertEqual(results[8], f"1 of {len(found)} differences")
 
 
+    def test_thousands_of_differences_are_laid_out_when_they_are_in_sight(self):
+        for name, speed in (("a", 1), ("b", 2)):
+            self.write(f"{name}/motors.yml", "motors:\n" + "".join(
+                f"- {{name: m{i}, joint: j{i}, maxSpeed: {speed}}}\n" for i in range(9000)))
+        page, _, report = self.page("a/motors.yml", "b/motors.yml")
+        self.assertEqual(len(report["differences"]), 9000)
+        laid_out = f"{CARDS}.filter((card) => card.firstElementChild.checkVisibility({{ contentVisibilityAuto: true }})).length"
+        drawn = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
+        at = "[document.activeElement.id, document.activeElement.getBoundingClientRect().bottom <= innerHeight]"
+        steps = ["while (smurfDiff.addMore(200));", f"{CARDS}.length", drawn, laid_out, f"{CARDS}[8990].focus()", *[{"key": "j"}] * 3, drawn, at,
+                 laid_out, {"key": "k"}, drawn, at, {"key": "/"}, {"type": "m8123"}, STATUS,
+                 f"{CARDS}.map((card) => card.querySelector('h3').textContent)", {"axe": True}]
+        results = self.browse({"page": page, "steps": steps})[0]["results"]
+        self.assertEqual(results[1], 9000)
+        self.assertLess(results[3], 200)
+        self.assertEqual(results[9], ["difference-8993", True])
+        self.assertLess(results[10], 400)
+        self.assertEqual(results[13], ["difference-8992", True])
+        self.assertEqual(results[16], "1 of 9,000 differences")
+        self.assertIn("m8123", results[17][0])
+        self.assertEqual(results[18], [])
+
+
 class PictureTest(DiffTest):
     def check_poses(self, old, new):
         page, scene = self.pictured(old, new)
