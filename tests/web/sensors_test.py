@@ -104,7 +104,7 @@ class SensorsTest(viewer.ViewerTest):
 
     def test_fields_of_view_are_where_the_numbers_say(self):
         page = self.page("s.smurfs")
-        read = self.browse({"page": page, "steps": [set_positions(0, {"neck": 0.7}), READ]})[0]["results"][1]
+        read = self.browse({"page": page, "steps": ["smurfViewer.press('sensors')", set_positions(0, {"neck": 0.7}), READ]})[0]["results"][2]
         eye = product(HEAD, pose(0.1, 0.2, 0.3, 0.1, -0.2, 0.3))
         y = math.tan(0.6)
         corners = [(d, sy * d * y, sz * d * y * 0.75) for d in (0.25, 0.75) for sy in (1, -1) for sz in (1, -1)]
@@ -175,6 +175,18 @@ class SensorsTest(viewer.ViewerTest):
     @staticmethod
     def visible(text):
         return text.replace("A grey box stands for a shape of known size.", "")
+
+    def test_hidden_sensors_cost_nothing_and_many_are_drawn_in_less_detail(self):
+        lidars = "".join(f"- {{name: s{i}, type: RotatingRaySensor, link: base}}\n" for i in range(57))  # and four of Gazebo
+        ends = "smurfViewer.overlays.sensors.all.at(-1).drawing.ends.length"
+        steps = ["smurfViewer.overlays.sensors.lines ?? null", "smurfViewer.select(0, 0)", "smurfViewer.press('sensors')", ends]
+        counts = []
+        for text in (lidars, lidars[:lidars.index("- {name: s56")]):
+            self.write("sensors.yml", "sensors:\n" + text)
+            results = self.browse({"page": self.page("s.smurfs"), "steps": steps})[0]["results"]
+            self.assertIsNone(results[0])
+            counts.append(results[3])
+        self.assertLess(4 * counts[0], counts[1])
 
     def test_losses_name_what_is_not_shown(self):
         done = self.run_tool("s.smurfs", "--format", "html", "-o", "page.html")

@@ -268,7 +268,7 @@ class Viewer {
   }
 
   showSensors(on) {
-    this.overlays.sensors.group.visible = on;
+    this.overlays.sensors.show(on);
     if (this.namesAreOn) this.showNames();
   }
 

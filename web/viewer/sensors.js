@@ -24,9 +24,10 @@ const kAxes = [
 ];
 const kReach = 0.6; // of the size of the entity: nothing is drawn farther from the sensor
 const kMark = 0.015; // of the size of the entity
-const kStep = Math.PI / 36; // between the points of an arc
-const kMostRays = 13; // of a fan that are drawn, its ends among them
-const kMostLevels = 5;
+/** step: between the points of an arc; rays and levels: of a fan that are drawn, its ends among them. */
+const kFine = { step: Math.PI / 36, rays: 13, levels: 5 };
+const kCoarse = { step: Math.PI / 12, rays: 5, levels: 2 };
+const kMostFine = 60; // sensors
 
 /** Evenly spaced angles of a fan [lowest, highest, count], at most `most` of them and both ends. */
 function anglesOf([lowest, highest, count], most) {
@@ -36,8 +37,8 @@ function anglesOf([lowest, highest, count], most) {
 }
 
 /** Points on an arc, close enough to look round. */
-const arcOf = ([lowest, highest]) =>
-  anglesOf([lowest, highest, Math.ceil((highest - lowest) / kStep) + 1], Infinity);
+const arcOf = ([lowest, highest], step) =>
+  anglesOf([lowest, highest, Math.ceil((highest - lowest) / step) + 1], Infinity);
 
 const along = (across, up, length) => [
   length * Math.cos(up) * Math.cos(across),
@@ -47,7 +48,8 @@ const along = (across, up, length) => [
 
 /** What is drawn of a sensor, in its frame: pairs of points, and triangles between them. */
 class Drawing {
-  constructor() {
+  constructor(detail) {
+    this.detail = detail;
     this.ends = [];
     this.colors = []; // of the ends; undefined for the colour of the sensor
     this.triangles = [];
@@ -108,14 +110,16 @@ class Drawing {
   }
 
   scan(across, up, near, far) {
-    const levels = anglesOf(up, kMostLevels);
-    const rays = anglesOf(across, kMostRays);
+    const { step } = this.detail;
+    const levels = anglesOf(up, this.detail.levels);
+    const rays = anglesOf(across, this.detail.rays);
     for (const level of levels) {
       for (const ray of rays) this.line(along(ray, level, near), along(ray, level, far));
-      if (across[2] > 1) this.edge(arcOf(across).map((ray) => along(ray, level, far)));
+      if (across[2] > 1) this.edge(arcOf(across, step).map((ray) => along(ray, level, far)));
     }
     if (levels.length > 1)
-      for (const ray of [rays[0], rays.at(-1)]) this.edge(arcOf(up).map((level) => along(ray, level, far)));
+      for (const ray of [rays[0], rays.at(-1)])
+        this.edge(arcOf(up, step).map((level) => along(ray, level, far)));
   }
 }
 
@@ -124,16 +128,38 @@ export class Sensors {
   constructor(scene, motion, sizes, isShown) {
     this.motion = motion;
     this.isShown = isShown;
-    this.all = []; // {entity, link, sensor, local, length, drawing}
+    this.all = []; // {entity, link, sensor, local, near, far, and drawing once they are drawn}
     scene.entities.forEach(({ model, pose }, entity) => {
       if (!pose) return;
       model?.sensors.forEach((sensor) => {
         if (sensor.link === undefined || !motion.links[entity][sensor.link]) return;
-        this.all.push({ entity, link: sensor.link, sensor, ...this.draw(sensor, sizes[entity]) });
+        const reach = kReach * sizes[entity];
+        const far = Math.min(reach, sensor.farthest > 0 ? sensor.farthest : Infinity);
+        const near = sensor.nearest > 0 && sensor.nearest < far ? sensor.nearest : 0;
+        const local = toMatrix(sensor.pose);
+        this.all.push({ entity, link: sensor.link, sensor, local, size: sizes[entity], near, far });
       });
     });
     this.group = new Group();
     this.group.visible = false;
+  }
+
+  /** They are drawn when they are shown for the first time: a scene may have thousands. */
+  show(on) {
+    this.group.visible = on;
+    if (on && !this.lines) this.draw();
+    this.move();
+  }
+
+  draw() {
+    const detail = this.all.length <= kMostFine ? kFine : kCoarse;
+    for (const one of this.all) {
+      const { camera, across, up } = one.sensor;
+      one.drawing = new Drawing(detail);
+      one.drawing.mark(kMark * one.size);
+      if (camera) one.drawing.camera(camera, one.near, one.far);
+      else if (across) one.drawing.scan(across, up, one.near, one.far);
+    }
     this.lines = new LineSegments(
       this.geometry("ends"),
       new LineBasicMaterial({ vertexColors: true, depthTest: false, transparent: true }),
@@ -154,18 +180,7 @@ export class Sensors {
       part.frustumCulled = false;
       this.group.add(part);
     }
-    this.select();
-  }
-
-  draw(sensor, size) {
-    const drawing = new Drawing();
-    drawing.mark(kMark * size);
-    const reach = kReach * size;
-    const far = Math.min(reach, sensor.farthest > 0 ? sensor.farthest : Infinity);
-    const near = sensor.nearest > 0 && sensor.nearest < far ? sensor.nearest : 0;
-    if (sensor.camera) drawing.camera(sensor.camera, near, far);
-    else if (sensor.across) drawing.scan(sensor.across, sensor.up, near, far);
-    return { drawing, local: toMatrix(sensor.pose), length: far };
+    this.select(this.selected);
   }
 
   /** Room for all points of the drawings of this kind: "ends" or "triangles". */
@@ -181,6 +196,7 @@ export class Sensors {
   }
 
   move() {
+    if (!this.group.visible) return;
     const point = new Vector3();
     for (const [part, kind] of [
       [this.lines, "ends"],
@@ -199,7 +215,10 @@ export class Sensors {
   }
 
   /** Marks the sensors of a link, or one of them. Without arguments, none. */
-  select({ entity, link, sensor } = {}) {
+  select(selected) {
+    this.selected = selected;
+    if (!this.lines) return;
+    const { entity, link, sensor } = selected ?? {};
     const isChosen = (one) =>
       one.entity === entity && one.link === link && (!sensor || one.sensor === sensor);
     const [lines, faces] = [this.lines, this.faces].map((part) => part.geometry.getAttribute("color"));
@@ -214,7 +233,7 @@ export class Sensors {
 
   /** How far the field of view of a sensor is drawn, m. */
   lengthOf(entity, sensor) {
-    return this.all.find((one) => one.entity === entity && one.sensor === sensor)?.length;
+    return this.all.find((one) => one.entity === entity && one.sensor === sensor)?.far;
   }
 
   /** [[name, function that returns the world pose]...] */
