@@ -6,7 +6,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <tuple>
 
+#include "mesh/mesh_reader.hpp"
 #include "mesh/random_gltf.hpp"
 #include "mesh/shape.hpp"
 #include "support/replaced.hpp"
@@ -328,6 +330,139 @@ TEST_CASE("triangles: buffers of glTF beside the file") {
     CHECK(read_triangles_of("/robot/meshes/else.gltf", files, {}).reason ==
           "has its points in `" + std::string(name) + "`, which is no file beside it");
   }
+}
+
+TEST_CASE("mesh: facts about glTF") {
+  const MeshFacts facts = read_mesh(gltf(), ".gltf");
+  CHECK(facts.format == MeshFormat::gltf);
+  CHECK(facts.triangles == 1);
+  CHECK(facts.vertices == 3);
+  CHECK(!facts.defect);
+  CHECK(facts.unread == "");
+  REQUIRE(facts.box);
+  CHECK(facts.box->low == Vector3{0, 0, 1});
+  CHECK(facts.box->high == Vector3{1, 0, 2});
+  const MeshFacts skinned =
+      read_mesh(replaced(gltf(), "\"mesh\": 0", "\"mesh\": 0, \"skin\": 0"), ".gltf");
+  CHECK(skinned.unread == "has skins, which are not read");
+  CHECK(!skinned.defect);
+  CHECK(!skinned.box);
+  const MeshFacts broken = read_mesh(replaced(gltf(), "AAEC\"", "AAED\""), ".gltf");
+  REQUIRE(broken.defect);
+  CHECK(broken.defect->what == "the index 3 names none of 3 points");
+  CHECK(!broken.box);
+}
+
+TEST_CASE("mesh: facts about glTF equal its triangles") {
+  Random random;
+  for (int i = 0; i < 200; ++i) {
+    const GltfFile file = random_gltf(random);
+    const std::string extension = file.name.substr(file.name.rfind('.'));
+    const auto neighbours = [&](const std::string& name) {
+      const auto found = file.beside.find(name);
+      return found == file.beside.end() ? FileContent{}
+                                        : FileContent{ReadStatus::ok, found->second, {}};
+    };
+    CAPTURE(seed());
+    CAPTURE(file.bytes);
+    const MeshTriangles mesh = read_triangles(file.bytes, extension, neighbours);
+    const MeshFacts facts = read_mesh(file.bytes, extension, {}, neighbours);
+    CHECK(!facts.defect);
+    CHECK(facts.unread == "");
+    CHECK(3 * facts.triangles == mesh.indices.size());
+    REQUIRE(facts.box);
+    const Vector3 size = facts.box->size();
+    const double margin = 1e-5 * (1 + size[0] + size[1] + size[2]);
+    for (const auto& point : mesh.points) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(point[k] >= facts.box->low[k] - margin);
+        CHECK(point[k] <= facts.box->high[k] + margin);
+      }
+    }
+  }
+}
+
+TEST_CASE("mesh: glTF whose nodes and accessors repeat a mesh costs little") {
+  std::string accessors;
+  std::string primitives;
+  for (int i = 0; i < 20'000; ++i) {
+    accessors += R"({"bufferView": 0, "componentType": 5126, "count": 3000, "type": "VEC3"}, )";
+    primitives += (i > 0 ? ", " : "") + std::string("{\"attributes\": {\"POSITION\": ") +
+                  std::to_string(i) + "}}";
+  }
+  std::string file = replaced(gltf(), "\"accessors\": [", "\"accessors\": [" + accessors);
+  file = replaced(file, "{\"attributes\": {\"POSITION\": 0}, \"indices\": 1, \"material\": 0}",
+                  primitives);
+  file = replaced(file, "\"byteLength\": 36}", "\"byteLength\": 36000}");
+  const std::size_t begin = file.find("data:");
+  file.replace(begin, file.find('"', begin) - begin, "points.bin");
+  std::size_t reads = 0;
+  const MeshFacts facts = read_mesh(file, ".gltf", {}, [&](const std::string&) {
+    ++reads;
+    return FileContent{ReadStatus::ok, std::string(36'003, '\0'), {}};
+  });
+  CHECK(reads == 1);
+  CHECK(facts.unread == "repeats too many parts to be read");
+}
+
+TEST_CASE("mesh: the files that a glTF names, and where") {
+  const auto neighbours = [](const std::string& name) {
+    return FileContent{ReadStatus::ok, std::string(name == "a b\".bin" ? 30 : 39, '\0'), {}};
+  };
+  std::string file = gltf();
+  const std::size_t begin = file.find("data:");
+  file.replace(begin, file.find('"', begin) - begin, R"(a%20b\".bin)");
+  file = replaced(file, "\"scene\": 0,",
+                  "\n\"images\": [{\"uri\": \"x\\\\\"}, {\"name\": \"uri\", \"uri\": \"data:,\"}],"
+                  " \"extras\": {\"images\": [{\"uri\": \"no\"}]},");
+  const MeshFacts facts = read_mesh(file, ".gltf", {}, neighbours);
+  REQUIRE(facts.dependencies.size() == 2);
+  const auto& [image, buffer] = std::tie(facts.dependencies[0], facts.dependencies[1]);
+  CHECK(image.filename == "x\\");
+  CHECK(image.kind == MeshDependency::Kind::texture);
+  CHECK(image.line == 2);
+  CHECK(file.substr(image.offset, image.length) == "x\\\\");
+  CHECK(buffer.path() == "a b\".bin");
+  CHECK(buffer.kind == MeshDependency::Kind::buffer);
+  CHECK(buffer.line == 11);
+  CHECK(file.substr(buffer.offset, buffer.length) == R"(a%20b\".bin)");
+  REQUIRE(facts.defect);
+  CHECK(facts.defect->line == 11);
+  CHECK(facts.defect->what == "the buffer `a b\".bin` has 30 of 39 bytes");
+
+  const FileNames names{{image.filename, "t/x.png"}, {buffer.filename, "2/b.bin"}};
+  const std::string other = with_other_names(file, ".gltf", names);
+  CHECK(other == replaced(replaced(file, R"(a%20b\".bin)", "2/b.bin"), "x\\\\", "t/x.png"));
+  const std::string binary = gltf_binary(file, "");
+  const std::string renamed = with_other_names(binary, ".glb", names);
+  CHECK(renamed.size() % 4 == 0);
+  const std::vector<MeshDependency> named = files_named_in(renamed, ".glb");
+  REQUIRE(named.size() == 2);
+  CHECK(named[0].filename == "t/x.png");
+  CHECK(named[0].line == 0);
+  CHECK(named[1].filename == "2/b.bin");
+  const MeshFacts read = read_mesh(renamed, ".glb", {}, neighbours);
+  CHECK(!read.defect);
+  CHECK(read.triangles == 1);
+}
+
+TEST_CASE("mesh: other names in OBJ, material libraries and COLLADA") {
+  const auto check = [](std::string_view text, std::string_view extension, const FileNames& names,
+                        std::string_view expected) {
+    CHECK(with_other_names(text, extension, names) == expected);
+  };
+  check("mtllib my colours.mtl\nv 0 0 0\nmtllib b.mtl\r\n", ".obj",
+        {{"my colours.mtl", "2/c.mtl"}, {"b.mtl", "longer.mtl"}},
+        "mtllib 2/c.mtl\nv 0 0 0\nmtllib longer.mtl\r\n");
+  check("newmtl a\nmap_Kd wood grain.png\nmap_Ks -o 1 a.png\n", ".mtl",
+        {{"wood grain.png", "w.png"}}, "newmtl a\nmap_Kd w.png\nmap_Ks -o 1 a.png\n");
+  check("mtllib a\\\n.mtl\nv 0 0 0\n", ".obj", {{"a .mtl", "b.mtl"}},
+        "mtllib a\\\n.mtl\nv 0 0 0\n");
+  check("<COLLADA><library_images><image><init_from> a&amp;b.png\n</init_from></image>"
+        "</library_images></COLLADA>",
+        ".dae", {{"a&b.png", "a_b.png"}},
+        "<COLLADA><library_images><image><init_from> a_b.png\n</init_from></image>"
+        "</library_images></COLLADA>");
 }
 
 TEST_CASE("triangles: binary glTF that is broken") {

@@ -23,7 +23,7 @@ enum class MeshFormat : std::uint8_t {
   obj,
   collada,
   bobj,  ///< MARS: records of vertices, normals and triangles
-  gltf,  ///< JSON or binary; has no facts here
+  gltf,  ///< JSON or binary
   lfs_pointer
 };
 /// "binary STL".
@@ -49,23 +49,37 @@ struct MeshDefect {
 
 /// Another file that a mesh names.
 struct MeshDependency {
-  std::string filename;  ///< as written
-  bool is_texture = false;
-  std::uint32_t line = 0;  ///< 1-based
+  enum class Kind : std::uint8_t {
+    material_library,  ///< of OBJ, which names textures in turn
+    texture,
+    buffer  ///< of glTF, with its points
+  };
+
+  std::string filename;  ///< as written, without the quoting of the format
+  Kind kind = Kind::texture;
+  std::uint32_t line = 0;    ///< 1-based; 0 in a binary file
+  std::uint64_t offset = 0;  ///< of the bytes with the name, quoted as the format has it
+  std::uint64_t length = 0;
   bool is_denied = false;  ///< it lies outside of the project, so whether it exists is unknown
+
+  /// The path that the name means: without `file://`, and with a blank for `%20`.
+  std::string path() const;
 };
 
-/// All lengths are in the file's own unit and axes, before any scale of the URDF.
+/// All lengths are in the file's own unit and axes, before any scale of the URDF; glTF, whose y
+/// axis is up, is turned to z.
 struct MeshFacts {
   MeshFormat format = MeshFormat::unknown;
   std::uint64_t bytes = 0;
   std::uint64_t triangles = 0;  ///< polygons count as the triangles they fall into
   std::uint64_t vertices = 0;   ///< as stored: binary STL stores three a triangle
-  /// Encloses all vertices. For COLLADA it encloses the scene with the transforms of its nodes, and
-  /// the turned boxes of turned nodes. Absent when there are none or they cannot be placed.
+  /// Encloses all vertices. For COLLADA and glTF it encloses the scene with the transforms of its
+  /// nodes, and the turned boxes of turned nodes. Absent when there are none or they cannot be
+  /// placed.
   std::optional<Box> box;
   /// The enclosed volume; negative when the triangles face inward. Present only when the surface
-  /// looks closed, that is, when its area vectors add up to zero. Never present for COLLADA.
+  /// looks closed, that is, when its area vectors add up to zero. Never present for COLLADA and
+  /// glTF.
   std::optional<double> volume;
   std::optional<double> unit_meters;  ///< COLLADA: metres a unit, when written
   char up_axis = '\0';                ///< COLLADA: 'X', 'Y' or 'Z', when written
@@ -73,14 +87,26 @@ struct MeshFacts {
   std::vector<std::string> extras;    ///< COLLADA: "lights", "cameras", "animations" that it holds
   std::vector<MeshDependency> dependencies;
   std::optional<MeshDefect> defect;
+  /// glTF: why triangles and box are unknown although nothing is broken: "has skins, which are not
+  /// read".
+  std::string unread;
 };
+
+/// The other files that a mesh file or a material library (.mtl) names. A name may be written
+/// several times.
+std::vector<MeshDependency> files_named_in(std::string_view bytes, std::string_view extension);
+/// New names by the old ones, as written. A new name has only characters that need no quoting.
+using FileNames = std::map<std::string, std::string>;
+/// The file with other names. All other bytes stay, except for sizes in a binary glTF.
+std::string with_other_names(std::string_view bytes, std::string_view extension,
+                             const FileNames& names);
 
 /// A mesh file that was opened.
 struct MeshFile {
   ReadStatus status = ReadStatus::not_found;
   std::string reason;  ///< for a person, when status is not ok
   MeshFacts facts;     ///< when status is ok
-  /// Textures and material libraries that it names and that are not there.
+  /// The files that it names and that are not there.
   std::vector<MeshDependency> lost;
 };
 

@@ -19,7 +19,7 @@ InputKind input_kind(std::string_view path) {
   }
   constexpr std::array kResources = {".stl", ".obj",  ".dae",  ".bobj", ".ply", ".gltf", ".glb",
                                      ".3ds", ".mesh", ".mtl",  ".png",  ".jpg", ".jpeg", ".bmp",
-                                     ".tga", ".tif",  ".tiff", ".gif",  ".dds"};
+                                     ".tga", ".tif",  ".tiff", ".gif",  ".dds", ".webp", ".ktx2"};
   const bool is_resource =
       std::find(kResources.begin(), kResources.end(), extension) != kResources.end();
   return is_resource ? InputKind::resource : InputKind::other;

@@ -215,8 +215,10 @@ std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link
 }
 
 std::vector<std::string> describe(const MeshFacts& mesh, const Vector3& scale) {
-  Lines lines{"mesh: " + std::string(to_string(mesh.format)) + ", " +
-              std::to_string(mesh.triangles) + " triangles"};
+  const bool is_read = mesh.unread.empty();
+  Lines lines{"mesh: " + std::string(to_string(mesh.format)) +
+              (is_read ? ", " + std::to_string(mesh.triangles) + " triangles" : "")};
+  if (!is_read) lines.push_back("the mesh " + mesh.unread);
   if (mesh.box) {
     Vector3 size = mesh.box->size();
     for (std::size_t i = 0; i < size.size(); ++i) size[i] *= scale[i];

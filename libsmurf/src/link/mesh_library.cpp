@@ -12,17 +12,14 @@
 namespace smurf {
 namespace {
 
-/// `%20` is a blank in COLLADA; a name with scheme `file://` is a path.
-std::string decoded(std::string_view uri) {
-  constexpr std::string_view kFile = "file://";
-  if (uri.starts_with(kFile)) uri.remove_prefix(kFile.size());
-  std::string name;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool is_blank = uri.substr(i, 3) == "%20";
-    name += is_blank ? ' ' : uri[i];
-    if (is_blank) i += 2;
-  }
-  return name;
+/// Reads the files that a mesh names, as many bytes in all as a mesh may have.
+MeshNeighbours neighbours_of(const std::string& path, const FileReader& files,
+                             const Limits& limits) {
+  return [&, bytes_left = limits.mesh_bytes](const std::string& name) mutable {
+    FileContent neighbour = files.read(path::join(path::parent(path), name), bytes_left);
+    bytes_left -= neighbour.text.size();
+    return neighbour;
+  };
 }
 
 class Dependencies {
@@ -41,11 +38,11 @@ class Dependencies {
  private:
   void check(const MeshDependency& dependency) {
     if (!seen_.insert(dependency.filename).second) return;
-    const std::string path = path::join(folder_, decoded(dependency.filename));
+    const std::string path = path::join(folder_, dependency.path());
     if (!files_.is_file(path)) {
       lost_.push_back(dependency);
       lost_.back().is_denied = files_.is_denied(path);
-    } else if (!dependency.is_texture) {
+    } else if (dependency.kind == MeshDependency::Kind::material_library) {
       const std::string library = files_.identity(path);
       if (!seen_libraries_.insert(library).second) return;
       for (const MeshDependency& texture : textures_of(library, path)) check(texture);
@@ -80,7 +77,8 @@ const MeshFile& MeshLibrary::read(const std::string& path, const FileReader& fil
   file.status = content.status;
   file.reason = content.reason;
   if (content.status != ReadStatus::ok) return file;
-  file.facts = read_mesh(content.text, path::extension(path));
+  file.facts =
+      read_mesh(content.text, path::extension(path), {}, neighbours_of(path, files, limits));
   file.lost = Dependencies(path, files, textures_).lost(file.facts.dependencies);
   return file;
 }
@@ -89,12 +87,7 @@ MeshTriangles read_triangles_of(const std::string& path, const FileReader& files
                                 const Limits& limits) {
   const FileContent content = files.read(path, limits.mesh_bytes);
   if (content.status == ReadStatus::ok) {
-    std::uint64_t bytes_left = limits.mesh_bytes;  // of all files that it names
-    return read_triangles(content.text, path::extension(path), [&](const std::string& name) {
-      FileContent neighbour = files.read(path::join(path::parent(path), name), bytes_left);
-      bytes_left -= neighbour.text.size();
-      return neighbour;
-    });
+    return read_triangles(content.text, path::extension(path), neighbours_of(path, files, limits));
   }
   if (content.status == ReadStatus::not_found) return {{}, {}, "is not there"};
   return {{}, {}, "cannot be read: " + content.reason};

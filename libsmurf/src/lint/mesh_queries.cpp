@@ -35,6 +35,7 @@ MeshFormat expected_format(std::string_view filename) {
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".dae") return MeshFormat::collada;
   if (extension == ".bobj") return MeshFormat::bobj;
+  if (extension == ".gltf" || extension == ".glb") return MeshFormat::gltf;
   return MeshFormat::unknown;
 }
 

@@ -58,7 +58,7 @@ class ColladaReader {
       const View named = init.child("ref") ? init.child("ref") : init;
       const std::string_view file = trimmed_text(named);
       if (file.empty()) continue;
-      facts_.dependencies.push_back({std::string(file), true, file_.line_of(named)});
+      facts_.dependencies.push_back(file_.dependency_at(named));
     }
   }
 
@@ -140,13 +140,7 @@ class ColladaReader {
 
   void place(std::string_view url, const Affine& X_SN) {
     const auto found = geometry_boxes_.find(id_in(url));
-    if (found == geometry_boxes_.end()) return;
-    const Box& box = found->second;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      box_.add(X_SN * Vector3{(corner & 1U) != 0 ? box.high[0] : box.low[0],
-                              (corner & 2U) != 0 ? box.high[1] : box.low[1],
-                              (corner & 4U) != 0 ? box.high[2] : box.low[2]});
-    }
+    if (found != geometry_boxes_.end()) box_.add_corners(found->second, X_SN);
   }
 
   void fail(View at, std::string what) {

@@ -36,6 +36,15 @@ std::uint32_t File::line_of(View element) const {
   return sources_.line_of(document_->source, element.element().name_span().begin);
 }
 
+MeshDependency File::dependency_at(View element) const {
+  const Span span = element.text_span();
+  return {.filename = std::string(trimmed_text(element)),
+          .kind = MeshDependency::Kind::texture,
+          .line = line_of(element),
+          .offset = span.begin,
+          .length = span.end - span.begin};
+}
+
 MeshDefect File::defect_at(View element, std::string what) const {
   return {std::move(what), element.element().name_span().begin, line_of(element)};
 }

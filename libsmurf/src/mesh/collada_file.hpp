@@ -29,6 +29,8 @@ class File {
   /// A defect at an element.
   MeshDefect defect_at(xml::View element, std::string what) const;
   std::uint32_t line_of(xml::View element) const;
+  /// The texture whose name is the text of an element.
+  MeshDependency dependency_at(xml::View element) const;
 
  private:
   SourceMap sources_;

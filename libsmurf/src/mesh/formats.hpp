@@ -17,6 +17,7 @@ void read_ascii_stl(std::string_view text, MeshFacts& facts, SurfaceSum& surface
 void read_obj(std::string_view text, MeshFacts& facts, SurfaceSum& surface);
 void read_collada(std::string_view text, MeshFacts& facts);
 void read_bobj(std::string_view bytes, MeshFacts& facts, SurfaceSum& surface);
+void read_gltf(std::string_view bytes, const MeshNeighbours& neighbours, MeshFacts& facts);
 
 /// Reads triangles, in metres and the axes of URDF. Returns why there are none: "is broken: ...",
 /// which is empty when they were read, whatever `triangles` has to say.

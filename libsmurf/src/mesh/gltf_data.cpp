@@ -8,6 +8,7 @@
 #include "base/utf8.hpp"
 #include "mesh/base64_text.hpp"
 #include "mesh/bytes.hpp"
+#include "mesh/uri.hpp"
 
 namespace smurf::gltf {
 namespace {
@@ -51,25 +52,6 @@ std::size_t size_of(std::uint64_t type) {
   case kFloat: return 4;
   default: return 0;
   }
-}
-
-int digit_of(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
-/// `%20` is a blank.
-std::string decoded(std::string_view uri) {
-  std::string name;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool is_code = uri[i] == '%' && i + 2 < uri.size() && digit_of(uri[i + 1]) >= 0 &&
-                         digit_of(uri[i + 2]) >= 0;
-    name += is_code ? static_cast<char>(16 * digit_of(uri[i + 1]) + digit_of(uri[i + 2])) : uri[i];
-    if (is_code) i += 2;
-  }
-  return name;
 }
 
 /// Extensions that do not change where the triangles are.
@@ -124,11 +106,12 @@ Vector3 Accessor::point(std::uint64_t place) const {
   return {read_float(bytes, at), read_float(bytes, at + 4), read_float(bytes, at + 8)};
 }
 
-Data::Data(std::string_view bytes, const MeshNeighbours& neighbours) : neighbours_(neighbours) {
+Data::Data(std::string_view bytes, const MeshNeighbours& neighbours)
+    : neighbours_(neighbours), bytes_(bytes.size()) {
   if (bytes.starts_with("glTF") ? read_binary(bytes) : read_json(bytes)) check_extensions();
 }
 
-bool Data::fail_broken(const std::string& what) { return fail_unread("is broken: " + what); }
+bool Data::fail_broken(const std::string& what) { return fail_unread(std::string(kBroken) + what); }
 
 bool Data::fail_unread(std::string what) {
   if (reason_.empty()) reason_ = std::move(what);
@@ -153,6 +136,7 @@ bool Data::read_binary(std::string_view bytes) {
     if (size > bytes.size() - at) return fail_broken("a chunk is longer than the file");
     const std::string_view content = bytes.substr(at, size);
     if (chunk == 0) {
+      text_offset_ = at;
       has_json = type == kJson && read_json(content);
       if (!has_json) return fail_broken("the first chunk is no JSON");
     } else if (type == kBinary) {
@@ -166,6 +150,7 @@ bool Data::read_binary(std::string_view bytes) {
 
 bool Data::read_json(std::string_view text) {
   if (is_too_complex(text)) return fail_unread("has too much JSON to be read");
+  text_ = text;
   json_ = Json::parse(text.begin(), text.end(), nullptr, false);
   if (!json_.is_object()) return fail_broken("it is no JSON");
   const Json* asset = member(json_, "asset");
@@ -233,9 +218,9 @@ std::optional<Accessor> Data::accessor(const Json* index, std::string_view type)
     fail_broken("an accessor names bytes beyond the end of its buffer");
     return std::nullopt;
   }
-  if (*count == 0) return Accessor{{}, size, 0, *component};
+  if (*count == 0) return Accessor{{}, size, 0, *component, *natural(index)};
   return Accessor{bytes->substr(static_cast<std::size_t>(*start + *offset)),
-                  static_cast<std::size_t>(*stride), *count, *component};
+                  static_cast<std::size_t>(*stride), *count, *component, *natural(index)};
 }
 
 std::optional<std::string_view> Data::buffer(const Json* index) {
@@ -260,9 +245,10 @@ bool Data::read_buffer(const Json& buffer, std::string& bytes) {
     auto content = is_base64 ? from_base64(uri.substr(comma + 1)) : std::nullopt;
     if (!content) return fail_broken("the data of a buffer is no base64");
     bytes = std::move(*content);
+    bytes_ += bytes.size();
     return true;
   }
-  const std::string name = decoded(uri);
+  const std::string name = decoded_uri(uri);
   const std::string shown = smurf::quoted(utf8::replace_controls(name));
   if (path::is_absolute(name) || name.find(':') != std::string::npos) {
     return fail_unread("has its points in " + shown + ", which is no file beside it");
@@ -275,7 +261,12 @@ bool Data::read_buffer(const Json& buffer, std::string& bytes) {
     return fail_unread("has its points in " + shown + ", which cannot be read: " + content.reason);
   }
   bytes = std::move(content.text);
-  return true;
+  bytes_ += bytes.size();
+  const auto length = natural(member(buffer, "byteLength"));
+  if (!length || *length <= bytes.size()) return true;
+  short_buffer_ = uri;
+  return fail_broken("the buffer " + shown + " has " + std::to_string(bytes.size()) + " of " +
+                     std::to_string(*length) + " bytes");
 }
 
 }  // namespace smurf::gltf

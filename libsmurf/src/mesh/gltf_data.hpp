@@ -32,7 +32,8 @@ struct Accessor {
   std::string_view bytes;  ///< from the first number on
   std::size_t stride = 0;
   std::uint64_t count = 0;
-  std::uint64_t type = 0;  ///< of a component
+  std::uint64_t type = 0;    ///< of a component
+  std::uint64_t number = 0;  ///< in the list of accessors
 
   /// Precondition: the type is one of indices, and place < count.
   std::uint32_t index(std::uint64_t place) const;
@@ -46,18 +47,30 @@ inline constexpr std::uint64_t kShort = 5123;
 inline constexpr std::uint64_t kInt = 5125;
 inline constexpr std::uint64_t kFloat = 5126;
 
+/// What is not broken may be beyond this reader.
+inline constexpr std::string_view kBroken = "is broken: ";
+
 class Data {
  public:
   /// Both must outlive this.
   Data(std::string_view bytes, const MeshNeighbours& neighbours);
 
-  /// Why the file cannot be read; empty while it can.
+  /// Why the file cannot be read; empty while it can. A broken one begins with kBroken.
   const std::string& reason() const { return reason_; }
+  bool is_broken() const { return reason_.starts_with(kBroken); }
+  /// The name, as written, of the file that ends before its data; empty when none does.
+  const std::string& short_buffer() const { return short_buffer_; }
   /// Always false.
   bool fail_broken(const std::string& what);
   bool fail_unread(std::string what);
 
   const Json& json() const { return json_; }
+  /// The bytes of the JSON, and where they begin in the file.
+  std::string_view text() const { return text_; }
+  std::size_t text_offset() const { return text_offset_; }
+  bool is_binary() const { return text_offset_ > 0; }
+  /// Of the file and of all buffers that were read.
+  std::uint64_t bytes() const { return bytes_; }
   /// An item of a list of the file; null, and a reason, when it is not there.
   const Json* item(const char* list, const Json* index);
   /// None, and a reason, when it cannot be read. `type` is that of the accessor: "VEC3".
@@ -75,7 +88,11 @@ class Data {
   std::string_view chunk_;  ///< the buffer in a binary file
   bool has_chunk_ = false;
   std::unordered_map<std::uint64_t, std::string> buffers_;
+  std::string_view text_;
+  std::size_t text_offset_ = 0;
+  std::uint64_t bytes_;
   std::string reason_;
+  std::string short_buffer_;
 };
 
 }  // namespace smurf::gltf

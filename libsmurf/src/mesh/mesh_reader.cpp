@@ -6,6 +6,7 @@
 
 #include "base/path.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/uri.hpp"
 #include "mesh/words.hpp"
 
 namespace smurf {
@@ -54,7 +55,7 @@ MeshFormat format_of_mesh(std::string_view bytes, std::string_view written_exten
     const std::string_view head = bytes.substr(0, kStart);
     if (start == "solid") return stl_ascii;
     if (head.find("<COLLADA") != std::string_view::npos) return collada;
-    if (start.starts_with('{') && extension == ".gltf") return gltf;
+    if (start.starts_with('{') && (extension == ".gltf" || extension == ".glb")) return gltf;
     if (is_obj(bytes)) return obj;
     return unknown;
   }
@@ -77,7 +78,7 @@ std::string_view to_string(MeshFormat format) {
 }
 
 MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
-                    const TriangleVisitor& visit) {
+                    const TriangleVisitor& visit, const MeshNeighbours& neighbours) {
   MeshFacts facts;
   SurfaceSum surface(visit);
   facts.bytes = bytes.size();
@@ -88,11 +89,18 @@ MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
   case MeshFormat::obj: read_obj(bytes, facts, surface); break;
   case MeshFormat::collada: read_collada(bytes, facts); break;
   case MeshFormat::bobj: read_bobj(bytes, facts, surface); break;
-  case MeshFormat::gltf:
+  case MeshFormat::gltf: read_gltf(bytes, neighbours, facts); break;
   case MeshFormat::lfs_pointer:
   case MeshFormat::unknown: break;
   }
   return facts;
+}
+
+std::string MeshDependency::path() const {
+  constexpr std::string_view kFile = "file://";
+  std::string_view uri = filename;
+  if (uri.starts_with(kFile)) uri.remove_prefix(kFile.size());
+  return decoded_uri(uri);
 }
 
 }  // namespace smurf

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "smurf/mesh.hpp"
+#include "smurf/mesh_triangles.hpp"
 
 namespace smurf {
 
@@ -15,9 +16,10 @@ using TriangleVisitor = std::function<void(const Vector3& a, const Vector3& b, c
 /// Reads a whole mesh file. What is broken is a defect of the result; nothing is reported here,
 /// as the place a person looks at is where the mesh is used. `extension` (".stl", any case) helps
 /// only when the bytes alone could be several things. `visit` may be empty; COLLADA and glTF, whose
-/// triangles only read_triangles() places, have nothing for it.
+/// triangles only read_triangles() places, have nothing for it. `neighbours` reads the buffers
+/// that a glTF names.
 MeshFacts read_mesh(std::string_view bytes, std::string_view extension,
-                    const TriangleVisitor& visit = {});
+                    const TriangleVisitor& visit = {}, const MeshNeighbours& neighbours = {});
 
 /// `extension` as above.
 MeshFormat format_of_mesh(std::string_view bytes, std::string_view extension);

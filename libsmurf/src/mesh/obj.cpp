@@ -2,6 +2,7 @@
 // Wavefront OBJ: positions, faces and the files it names; the rest is ignored, because each reader
 // uses a different part of it.
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "base/numbers.hpp"
@@ -13,10 +14,23 @@
 namespace smurf {
 namespace {
 
+/// A line that was joined from several ones is in no place of the text.
+MeshDependency named_in(std::string_view text, std::string_view name, MeshDependency::Kind kind,
+                        std::uint32_t line) {
+  const std::less<> is_before;
+  const bool is_there = !is_before(name.data(), text.data()) &&
+                        !is_before(text.data() + text.size(), name.data() + name.size());
+  return {.filename = std::string(name),
+          .kind = kind,
+          .line = line,
+          .offset = is_there ? static_cast<std::uint64_t>(name.data() - text.data()) : 0,
+          .length = is_there ? name.size() : 0};
+}
+
 class ObjReader {
  public:
   ObjReader(std::string_view text, MeshFacts& facts, SurfaceSum& surface)
-      : words_(text), facts_(facts), surface_(surface) {}
+      : text_(text), words_(text), facts_(facts), surface_(surface) {}
 
   void read() {
     while (!facts_.defect && !words_.is_at_end()) {
@@ -55,7 +69,8 @@ class ObjReader {
     } else if (keyword == "f") {
       face(line);
     } else if (keyword == "mtllib" && !line.empty()) {
-      facts_.dependencies.push_back({std::string(line), false, line_});
+      facts_.dependencies.push_back(
+          named_in(text_, line, MeshDependency::Kind::material_library, line_));
     }
   }
 
@@ -125,6 +140,7 @@ class ObjReader {
 
   void fail(std::string what) { facts_.defect = {std::move(what), offset_, line_}; }
 
+  std::string_view text_;
   Words words_;
   MeshFacts& facts_;
   std::uint32_t line_ = 1;
@@ -155,7 +171,7 @@ std::vector<MeshDependency> read_material_library(std::string_view text) {
                         keyword == "decal" || keyword == "norm" || keyword == "refl";
     // Options (-s 1 1 1) come first and have any number of values; such a line is not understood.
     if (!is_map || rest.empty() || rest.front() == '-') continue;
-    textures.push_back({std::string(rest), true, line});
+    textures.push_back(named_in(text, rest, MeshDependency::Kind::texture, line));
   }
   return textures;
 }

@@ -29,6 +29,14 @@ void BoxSum::add(const Box& box) {
   add(box.high);
 }
 
+void BoxSum::add_corners(const Box& box, const Affine& X) {
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    add(X * Vector3{(corner & 1U) != 0 ? box.high[0] : box.low[0],
+                    (corner & 2U) != 0 ? box.high[1] : box.low[1],
+                    (corner & 4U) != 0 ? box.high[2] : box.low[2]});
+  }
+}
+
 void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
   if (visit_) visit_(a, b, c);
   if (!origin_) origin_ = a;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "mesh/affine.hpp"
 #include "mesh/mesh_reader.hpp"
 #include "smurf/mesh.hpp"
 
@@ -14,6 +15,8 @@ class BoxSum {
  public:
   void add(const Vector3& point);
   void add(const Box& box);
+  /// The corners of a box, transformed.
+  void add_corners(const Box& box, const Affine& X);
   const std::optional<Box>& box() const { return box_; }
 
  private:

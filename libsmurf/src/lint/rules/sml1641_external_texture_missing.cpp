@@ -6,17 +6,22 @@ namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
   for (const OpenedMesh& mesh : opened_meshes(model)) {
-    if (mesh.file.lost.empty()) continue;
-    const MeshDependency& first = mesh.file.lost.front();
+    std::vector<const MeshDependency*> lost;
+    for (const MeshDependency& one : mesh.file.lost) {
+      if (one.kind != MeshDependency::Kind::buffer) lost.push_back(&one);  // SML1644
+    }
+    if (lost.empty()) continue;
+    const MeshDependency& first = *lost.front();
+    const bool is_texture = first.kind == MeshDependency::Kind::texture;
     Diagnostic& diagnostic = findings.report(
         mesh.reference.span,
-        std::string("the mesh names the ") + (first.is_texture ? "texture " : "material library ") +
+        std::string("the mesh names the ") + (is_texture ? "texture " : "material library ") +
             quoted(first.filename) +
             (first.is_denied ? ", which lies outside of the project" : ", which is not there"));
     if (first.is_denied) diagnostic.help("read it with `--allow-outside`");
-    if (!first.is_texture) diagnostic.severity = Severity::info;
-    if (mesh.file.lost.size() > 1) {
-      diagnostic.note(std::to_string(mesh.file.lost.size() - 1) +
+    if (!is_texture) diagnostic.severity = Severity::info;
+    if (lost.size() > 1) {
+      diagnostic.note(std::to_string(lost.size() - 1) +
                       " other files that it names are missing, too");
     }
   }
@@ -31,7 +36,8 @@ extern constinit const Rule sml1641_external_texture_missing{
     .summary = "A mesh names a texture or a material library that does not exist.",
     .why = "The mesh is drawn grey.",
     .remedy = "Add the file beside the mesh, or delete the reference from it.",
-    .sources = "OBJ (mtllib, map_Kd) and COLLADA (init_from) by their specifications.",
+    .sources =
+        "OBJ (mtllib, map_Kd), COLLADA (init_from) and glTF (images) by their specifications.",
     .check_model = check};
 
 }  // namespace smurf::rules

@@ -16,8 +16,25 @@ void report(const MeshReference& reference, std::string_view what, Findings& fin
   if (reference.is_texture) diagnostic.severity = Severity::warning;
 }
 
+/// " (line 3)". Most defects of a glTF have no place.
+std::string place(const MeshFile& file, std::uint32_t line, std::uint64_t offset) {
+  if (line > 0) return " (line " + std::to_string(line) + ")";
+  if (offset == 0 && file.facts.format == MeshFormat::gltf) return "";
+  return " (byte " + std::to_string(offset) + ")";
+}
+
+/// The first file with points of the mesh that cannot be read.
+const MeshDependency* lost_buffer(const MeshFile& file) {
+  for (const MeshDependency& one : file.lost) {
+    if (one.kind == MeshDependency::Kind::buffer) return &one;
+  }
+  return nullptr;
+}
+
 /// How the reader of files says it.
 bool lies_outside(const MeshFile& file) {
+  const MeshDependency* buffer = lost_buffer(file);
+  if (buffer != nullptr && buffer->is_denied) return true;
   return file.status == ReadStatus::denied &&
          file.reason.find("--allow-outside") != std::string::npos;
 }
@@ -54,13 +71,16 @@ void check(const LinkedModel& model, Findings& findings) {
       report(reference, file->reason, findings);
     } else if (facts.bytes == 0) {
       report(reference, "the file is empty", findings);
+    } else if (const MeshDependency* buffer = lost_buffer(*file)) {
+      report(reference,
+             "its buffer " + quoted(buffer->filename) + " is not there" +
+                 place(*file, buffer->line, buffer->offset),
+             findings);
     } else if (facts.defect && facts.format != MeshFormat::bobj) {
-      const std::string place = facts.defect->line > 0
-                                    ? " (line " + std::to_string(facts.defect->line) + ")"
-                                    : " (byte " + std::to_string(facts.defect->offset) + ")";
-      report(reference, facts.defect->what + place, findings);
-    } else if (facts.format != MeshFormat::unknown && facts.format != MeshFormat::gltf &&
-               facts.format != MeshFormat::lfs_pointer && !facts.defect && facts.triangles == 0) {
+      report(reference, facts.defect->what + place(*file, facts.defect->line, facts.defect->offset),
+             findings);
+    } else if (facts.format != MeshFormat::unknown && facts.format != MeshFormat::lfs_pointer &&
+               !facts.defect && facts.unread.empty() && facts.triangles == 0) {
       report(reference, "it contains no triangle", findings);
     }
   }
@@ -83,7 +103,8 @@ extern constinit const Rule sml1644_mesh_broken{
     .id = "SML1644",
     .name = "mesh-broken",
     .severity = Severity::error,
-    .summary = "A mesh file is cut short, damaged or empty.",
+    .summary =
+        "A mesh file is cut short, damaged or empty, or a buffer of a glTF is missing or too short.",
     .remedy = "Restore the file, or export it again.",
     .sources = "Bullet LoadMeshFromSTL.h and assimp STLLoader.cpp compare the size with the count.",
     .check_model = check,

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The meshes of glTF 2.0 where the nodes of its scene place them. The y axis of glTF is up. It is
+// turned to z, as RViz (ros2/rviz pull request 1482), Drake and Meshcat turn it; Gazebo does not.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "mesh/affine.hpp"
+#include "mesh/gltf_data.hpp"
+
+namespace smurf::gltf {
+
+inline constexpr std::uint64_t kTriangles = 4;
+inline constexpr std::uint64_t kStrip = 5;
+inline constexpr std::uint64_t kFan = 6;
+
+/// Triangles of one material.
+struct Primitive {
+  Accessor points;
+  std::optional<Accessor> indices;
+  std::uint64_t count, mode;
+  const Json* written;
+
+  std::uint64_t triangles() const {
+    return mode == kTriangles ? count / 3 : count < 3 ? 0 : count - 2;
+  }
+};
+
+/// The point of a corner, before any transform. None, and a reason of `data`, when there is none.
+std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uint64_t corner);
+
+/// Why files with too many repeated parts are not read.
+inline constexpr const char* kRepeats = "repeats too many parts to be read";
+
+/// Takes a mesh, its number and its transform. False stops.
+using MeshVisitor = std::function<bool(const Json& mesh, std::uint64_t number, const Affine& X)>;
+/// Each mesh of the scene, once for each node that places it. What is wrong becomes the reason of
+/// `data`.
+void visit_meshes(Data& data, const MeshVisitor& visit);
+
+/// Takes a part of a mesh. False stops.
+using PrimitiveVisitor = std::function<bool(const Primitive& primitive)>;
+/// Each part of a mesh that has triangles. `steps` counts the parts of all meshes, which nodes may
+/// name any number of times. False, and a reason of `data`, when something is wrong.
+bool visit_primitives(Data& data, const Json& mesh, std::size_t& steps,
+                      const PrimitiveVisitor& visit);
+
+}  // namespace smurf::gltf
