@@ -578,6 +578,108 @@ class Assets(FlattenTest):
             self.assertIn("with this mesh the meshes of the scene, written out, have more than 5000 bytes",
                           done.stderr)
 
+    POINTS = struct.pack("<12f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1) + bytes([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3])
+
+    @staticmethod
+    def gltf(buffer, *images):
+        return json.dumps({
+            "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                          {"bufferView": 1, "componentType": 5121, "count": 12, "type": "SCALAR"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+            "images": [{"uri": image} for image in images], "buffers": [{"byteLength": 60, "uri": buffer}]}, indent=1)
+
+    COLLADA = ('<COLLADA version="1.4.1"><library_images><image id="i"><init_from> ../tex/a%20b.png </init_from></image>'
+               '<image id="j"><init_from>file:///tmp/none.png</init_from></image></library_images></COLLADA>')
+
+    def copy_neighbours(self, *options):
+        """Copies meshes that name other files, and deletes the originals."""
+        data = "data:image/png;base64,iVBORw0KGgo="
+        self.write("models/a/m.gltf", self.gltf("in%20it.bin", "wood.png", "gone.png", data))
+        self.write("models/b/m.gltf", self.gltf("in%20it.bin", "../a/wood.png"))
+        self.write("models/b/m.dae", self.COLLADA)
+        self.write("models/b/m.obj", "mtllib  colours.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                   "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        self.write("models/b/colours.mtl", "newmtl a\nmap_Kd wood.png\nmap_Ks ../a/wood.png\n")
+        for name in ("a/in it.bin", "b/in it.bin"):
+            (self.folder / "models" / name).write_bytes(self.POINTS)
+        for name in ("a/wood.png", "b/wood.png", "tex/a b.png"):
+            self.write("models/" + name, name)
+        self.write("models/r.urdf", '<robot name="r"><link name="l">' + "".join(
+            f'<visual><geometry><mesh filename="{mesh}"/></geometry></visual>'
+            for mesh in ("a/m.gltf", "b/m.gltf", "b/m.dae", "b/m.obj")) + "</link></robot>")
+        done = self.run_tool("models/r.urdf", "--format", "sdf", "-o", "out/world.sdf", "--copy-assets", "out/files", "--quiet",
+                             *options)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return data
+
+    def test_copies_of_the_files_that_meshes_name(self):
+        data = self.copy_neighbours()
+        copies = (self.folder / "out/files/r")
+        self.assertEqual(sorted(str(path.relative_to(copies)) for path in copies.rglob("*") if path.is_file()),
+                         ["2/in_it.bin", "2/m.gltf", "2/wood.png", "colours.mtl", "in_it.bin", "m.dae", "m.gltf", "m.obj",
+                          "tex/a_b.png", "wood.png"])
+
+        def uris(name, part):
+            return [item["uri"] for item in json.loads(self.read("out/files/r/" + name))[part]]
+
+        self.assertEqual(uris("m.gltf", "images"), ["wood.png", "gone.png", data])
+        self.assertEqual(uris("m.gltf", "buffers"), ["in_it.bin"])
+        self.assertEqual(uris("2/m.gltf", "images"), ["../wood.png"])
+        self.assertEqual(self.read("out/files/r/m.dae"), self.COLLADA.replace("../tex/a%20b.png", "tex/a_b.png"))
+        self.assertEqual(self.read("out/files/r/tex/a_b.png"), "tex/a b.png")
+        self.assertEqual(self.read("out/files/r/colours.mtl"), "newmtl a\nmap_Kd 2/wood.png\nmap_Ks wood.png\n")
+        self.assertEqual(self.read("out/files/r/2/wood.png"), "b/wood.png")
+
+    def test_copies_are_read_without_their_originals(self):
+        self.copy_neighbours()
+        shutil.rmtree(self.folder / "models")
+        meshes = [mesh for mesh in self.meshes("out/world.sdf") if not mesh.endswith(".dae")]
+        self.write("out/copy.urdf", '<robot name="r"><link name="l">' + "".join(
+            f'<visual><geometry><mesh filename="{mesh}"/></geometry></visual>' for mesh in meshes) + "</link></robot>")
+        done = self.run_tool("copy.urdf", "--format", "usda", "--quiet", cwd=self.folder / "out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.count("int[] faceVertexCounts = [3, 3, 3, 3]"), 3, done.stdout)
+
+    def test_second_run_finds_the_same_copies(self):
+        for _ in range(2):
+            self.copy_neighbours()
+
+    def test_no_copy_of_what_lies_outside(self):
+        """What a mesh names is copied only where a model may name files, and only images and buffers."""
+        project = self.folder / "p/q/r"
+        self.write("secret.png", "secret")
+        self.write("p/q/r/r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry>'
+                   "</visual></link></robot>")
+        (project / "m.bin").write_bytes(self.POINTS)
+        (project / "link.png").symlink_to(self.folder / "secret.png")
+        copy = ("r.urdf", "--format", "sdf", "-o", "w.sdf", "--copy-assets", "files", "--quiet")
+        for image in ("../../../secret.png", "link.png"):
+            (project / "m.gltf").write_text(self.gltf("m.bin", image))
+            done = self.run_tool(*copy, cwd=project)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("it lies outside of the project", done.stderr)
+            self.assertFalse((project / "files").exists())
+        for image in (str(self.folder / "secret.png"), (self.folder / "secret.png").as_uri(), "http://host/a.png"):
+            (project / "m.gltf").write_text(self.gltf("m.bin", image))
+            self.assertEqual(self.run_tool(*copy, "--allow-outside", cwd=project).returncode, 0)
+            self.assertEqual(json.loads((project / "files/r/m.gltf").read_text())["images"], [{"uri": image}])
+            shutil.rmtree(project / "files")
+        (project / "main.py").write_text("mine")
+        (project / "m.gltf").write_text(self.gltf("m.bin", "main.py"))
+        done = self.run_tool(*copy, cwd=project)
+        self.assertIn("/main.py': its name is not that of a mesh or image; nothing was written", done.stderr)
+        self.assertFalse((project / "files").exists())
+
+    def test_material_libraries_that_name_each_other(self):
+        self.write("models/m.obj", "mtllib m.obj\nmtllib n.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.write("models/n.mtl", "map_Kd n.mtl\nmap_Kd m.obj\n")
+        self.write("models/r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.obj"/></geometry></visual>'
+                   "</link></robot>")
+        done = self.run_tool("models/r.urdf", "--format", "sdf", "-o", "out/world.sdf", "--copy-assets", "out/files", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_references_name_models_only(self):
         self.expect_complaint("--copy-assets copies what models name, and needs --form expand",
                               "scene.smurfs", "--form", "reference", "--copy-assets", "d",

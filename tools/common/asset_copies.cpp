@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/asset_copies.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -13,6 +14,32 @@ namespace smurf::tools {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A path whose names need no quoting in any format.
+std::string plain(std::string_view name) {
+  std::string all;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('/', begin), name.size());
+    std::string one(name.substr(begin, end - begin));
+    begin = end + 1;
+    if (one.empty() || one == "." || one == "..") continue;
+    for (char& c : one) {
+      const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+                            (c >= 'a' && c <= 'z') || c == '.' || c == '-' || c == '_';
+      if (!is_plain) c = '_';
+    }
+    all = path::join(all, safe_name(one));
+  }
+  return all;
+}
+
+/// What the copy will contain.
+FileContent renamed(FileContent content, const AssetCopy& copy) {
+  if (content.status == ReadStatus::ok && !copy.names.empty()) {
+    content.text = with_other_names(content.text, path::extension(copy.from), copy.names);
+  }
+  return content;
+}
 
 std::string with_extension(const std::string& file, std::string_view extension) {
   return file.substr(0, file.size() - path::extension(file).size()) + std::string(extension);
@@ -54,9 +81,19 @@ bool is_in_place(const AssetCopy& copy) {
 
 }  // namespace
 
-CopyPlan::CopyPlan(const FileReader& files, std::string current_folder, std::string folder,
-                   std::set<std::string> sources)
+CopyPlan::Kind CopyPlan::kind_of(const MeshDependency& named) {
+  switch (named.kind) {
+  case MeshDependency::Kind::material_library: return Kind::material_library;
+  case MeshDependency::Kind::buffer: return Kind::buffer;
+  case MeshDependency::Kind::texture: break;
+  }
+  return Kind::texture;
+}
+
+CopyPlan::CopyPlan(const FileReader& files, const Limits& limits, std::string current_folder,
+                   std::string folder, std::set<std::string> sources)
     : files_(files),
+      limits_(limits),
       current_(std::move(current_folder)),
       folder_(std::move(folder)),
       sources_(std::move(sources)) {}
@@ -79,29 +116,64 @@ std::string CopyPlan::in_first_folder(const std::string& file) {
 }
 
 std::string CopyPlan::add(const std::string& from, const std::string& group) {
-  // The materials of an OBJ are in a file of the same name.
+  // The materials of an OBJ may be in a file of the same name that it does not name.
   const std::string materials = with_extension(from, ".mtl");
   const bool has_materials =
       path::to_lower(path::extension(from)) == ".obj" && files_.is_file(materials);
-  const std::string inside = unique(safe_name(group), from, has_materials);
-  const AssetCopy copy{from, folder_, inside};
-  list_.push_back(copy);
-  if (has_materials) list_.push_back({materials, folder_, with_extension(inside, ".mtl")});
-  return path::join(current_, copy.to());
+  const std::string first = path::join(safe_name(group), safe_name(path::file_name(from)));
+  const std::string inside = unique(first, from, has_materials);
+  if (has_materials) {
+    const std::string beside = with_extension(inside, ".mtl");
+    neighbours_.emplace(std::pair(group, materials), beside);
+    add_copy(materials, beside, group, Kind::material_library);
+  }
+  add_copy(from, inside, group, Kind::mesh);
+  return path::join(current_, path::join(folder_, inside));
+}
+
+void CopyPlan::add_copy(const std::string& from, const std::string& inside,
+                        const std::string& group, Kind kind) {
+  AssetCopy copy{from, folder_, inside, {}, kind == Kind::buffer};
+  const bool names_files = kind == Kind::mesh || kind == Kind::material_library;
+  const FileContent content = names_files ? files_.read(from, limits_.mesh_bytes) : FileContent{};
+  for (const MeshDependency& named : files_named_in(content.text, path::extension(from))) {
+    if (named.length == 0 || copy.names.contains(named.filename)) continue;
+    const auto place = copy_neighbour(named, from, inside, group);
+    if (place) copy.names.emplace(named.filename, path::relative(*place, path::parent(inside)));
+  }
+  list_.push_back(std::move(copy));
+}
+
+std::optional<std::string> CopyPlan::copy_neighbour(const MeshDependency& named,
+                                                    const std::string& from,
+                                                    const std::string& inside,
+                                                    const std::string& group) {
+  const std::string name = named.path();
+  const bool is_relative = !path::is_absolute(name) && name.find(':') == std::string::npos;
+  const std::string file = in_first_folder(path::join(path::parent(from), name));
+  if (!is_relative || !(files_.is_file(file) || files_.is_denied(file))) return std::nullopt;
+  const auto [known, is_new] = neighbours_.try_emplace({group, file});
+  if (is_new) {
+    const std::string place = unique(path::join(path::parent(inside), plain(name)), file, false);
+    known->second = place;
+    add_copy(file, place, group, kind_of(named));
+    return place;
+  }
+  return known->second;
 }
 
 // Files with one name from several folders get separate folders. So names stay, and no copy
 // replaces another source.
-std::string CopyPlan::unique(const std::string& group, const std::string& from,
+std::string CopyPlan::unique(const std::string& first, const std::string& from,
                              bool has_materials) {
-  const std::string name = safe_name(path::file_name(from));
-  std::string inside = path::join(group, name);
+  std::string inside = first;
   const auto is_taken = [&](const std::string& place) {
     return is_source(place, from) || taken_.contains(place);
   };
-  int& number = numbers_.try_emplace(inside, 1).first->second;
+  int& number = numbers_.try_emplace(first, 1).first->second;
   while (is_taken(inside) || (has_materials && is_taken(with_extension(inside, ".mtl")))) {
-    inside = path::join(path::join(group, std::to_string(++number)), name);
+    const std::string folder = path::join(path::parent(first), std::to_string(++number));
+    inside = path::join(folder, path::file_name(first));
   }
   taken_.insert(inside);
   if (has_materials) taken_.insert(with_extension(inside, ".mtl"));
@@ -130,7 +202,8 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
   AssetCopies missing;
   for (const AssetCopy& copy : copies) {
     if (is_in_place(copy)) continue;
-    if (input_kind(copy.to()) != InputKind::resource) {
+    const bool is_bin = copy.is_buffer && path::extension(copy.inside) == ".bin";
+    if (!is_bin && input_kind(copy.to()) != InputKind::resource) {
       complain(tool, "cannot copy '" + copy.from +
                          "': its name is not that of a mesh or image; nothing was written");
       return false;
@@ -138,7 +211,7 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
     const FileContent there = disk.read(copy.to(), limits.mesh_bytes);
     if (there.status == ReadStatus::not_found || overwrite) {
       missing.push_back(copy);
-    } else if (there.text != files.read(copy.from, limits.mesh_bytes).text) {
+    } else if (there.text != renamed(files.read(copy.from, limits.mesh_bytes), copy).text) {
       complain(tool, "cannot write '" + copy.to() +
                          "': another file is there; see --overwrite; nothing was written");
       return false;
@@ -148,7 +221,7 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
   std::vector<OutputFile> outputs;
   for (const AssetCopy& copy : missing) {
     outputs.push_back({.folder = copy.folder, .path = copy.inside, .read = [&repeated, &copy] {
-                         return repeated.read(copy.from);
+                         return renamed(repeated.read(copy.from), copy);
                        }});
   }
   return write_files(tool, outputs, overwrite, write_result);

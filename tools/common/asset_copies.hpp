@@ -2,6 +2,7 @@
 // Copies of the files that models name: chooses a place for each, and writes all of them or none.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -14,14 +15,17 @@
 #include "common/input.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/limits.hpp"
+#include "smurf/mesh.hpp"
 
 namespace smurf::tools {
 
 /// A file that is copied to a folder which the user names.
 struct AssetCopy {
   std::string from;
-  std::string folder;  ///< chosen by the user
-  std::string inside;  ///< path relative to the folder
+  std::string folder;      ///< chosen by the user
+  std::string inside;      ///< path relative to the folder
+  FileNames names;         ///< what the files that it names, as written, are called in the copy
+  bool is_buffer = false;  ///< of a glTF, and may be a .bin
 
   std::string to() const;
 };
@@ -31,24 +35,35 @@ using AssetCopies = std::vector<AssetCopy>;
 class CopyPlan {
  public:
   /// The user chose `folder`. No copy replaces one of `sources`, which are absolute paths.
-  CopyPlan(const FileReader& files, std::string current_folder, std::string folder,
-           std::set<std::string> sources);
+  CopyPlan(const FileReader& files, const Limits& limits, std::string current_folder,
+           std::string folder, std::set<std::string> sources);
 
   /// The absolute path of the copy of `file`, in a folder `group`. A second call with the same file
-  /// returns the same path. None when there is no such file.
+  /// returns the same path. None when there is no such file. The files that a mesh names, relative
+  /// to itself, are copied with it.
   std::optional<std::string> copy_of(const std::string& file, const std::string& group);
   AssetCopies take() { return std::move(list_); }
 
  private:
+  /// What is not a texture or buffer may name other files.
+  enum class Kind : std::uint8_t { mesh, material_library, texture, buffer };
+
+  static Kind kind_of(const MeshDependency& named);
   std::string in_first_folder(const std::string& file);
   std::string add(const std::string& from, const std::string& group);
-  std::string unique(const std::string& group, const std::string& from, bool has_materials);
+  void add_copy(const std::string& from, const std::string& inside, const std::string& group,
+                Kind kind);
+  std::optional<std::string> copy_neighbour(const MeshDependency& named, const std::string& from,
+                                            const std::string& inside, const std::string& group);
+  std::string unique(const std::string& first, const std::string& from, bool has_materials);
   bool is_source(const std::string& inside, const std::string& from) const;
 
   const FileReader& files_;
+  const Limits& limits_;
   std::string current_, folder_;
   std::set<std::string> sources_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> copies_;
+  std::map<std::pair<std::string, std::string>, std::string> neighbours_;  ///< in the folder
   std::set<std::string> taken_;
   std::map<std::string, int> numbers_;
   std::map<std::string, std::string> folders_;        ///< the first name, by any
@@ -61,7 +76,8 @@ std::vector<std::string> places_of(const AssetCopies& copies, const InputFiles& 
 
 /// Copies the files and then calls `write_result`, which completes all or nothing. Complains and
 /// returns false when something cannot be written. The names come from the model, so only files
-/// with the extension of a mesh or an image are copied, and none is replaced unless `overwrite`.
+/// with the extension of a mesh, an image or a buffer of a mesh are copied, and none is replaced
+/// unless `overwrite`.
 bool copy_files(std::string_view tool, const AssetCopies& copies, const FileReader& files,
                 const Limits& limits, bool overwrite, const std::function<bool()>& write_result);
 

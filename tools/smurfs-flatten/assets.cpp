@@ -13,11 +13,11 @@ namespace {
 class Redirection {
  public:
   Redirection(const std::string& folder, const FlattenOptions& options, const FileReader& files,
-              const FlatScene& flat)
+              const Limits& limits, const FlatScene& flat)
       : files_(files),
         current_(options.current_folder),
         output_(path::join(options.current_folder, options.output_folder)),
-        plan_(files, current_, folder, sources_of(flat)) {}
+        plan_(files, limits, current_, folder, sources_of(flat)) {}
 
   /// What the file is called from now on; `file` is relative to the output's folder.
   std::string redirect(const std::string& file, const std::string& group) {
@@ -48,8 +48,9 @@ class Redirection {
 }  // namespace
 
 AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
-                            const FlattenOptions& options, const FileReader& files) {
-  Redirection redirection(folder, options, files, flat);
+                            const FlattenOptions& options, const FileReader& files,
+                            const Limits& limits) {
+  Redirection redirection(folder, options, files, limits, flat);
   for (FlatModel& model : flat.models) {
     for (auto& [written, file] : model.resources) file = redirection.redirect(file, model.id);
   }

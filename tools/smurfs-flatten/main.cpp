@@ -267,7 +267,8 @@ Result flatten_scene(Conversion& conversion, LoadedScene& loaded, const Options&
   if (!check_flat_numbers(flat, scene, loaded.found)) return {};
   Result result;
   if (!options.assets.empty()) {
-    result.copies = redirect_assets(flat, options.assets, flattening, conversion.files());
+    result.copies = redirect_assets(flat, options.assets, flattening, conversion.files(),
+                                    options.common.limits);
   }
   result.text = format.write(
       {.flat = flat,

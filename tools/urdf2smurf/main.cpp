@@ -211,12 +211,12 @@ Verification verify(const LinkedModel& source, std::span<const Diagnostic> known
 
 /// Copies in `folder`, and where they will be, for the model to name.
 AssetCopies plan_copies(const LinkedModel& model, const std::string& folder,
-                        const FileReader& files, UrdfImport& import) {
+                        const FileReader& files, const Limits& limits, UrdfImport& import) {
   std::set<std::string> sources;
   for (const MeshReference& mesh : model.meshes) {
     sources.insert(path::join(import.current_folder, mesh.path));
   }
-  CopyPlan plan(files, import.current_folder, folder, std::move(sources));
+  CopyPlan plan(files, limits, import.current_folder, folder, std::move(sources));
   for (const MeshReference& mesh : model.meshes) {
     if (mesh.path.empty()) continue;
     const auto copy = plan.copy_of(mesh.path, mesh.is_texture ? "textures" : "meshes");
@@ -291,7 +291,8 @@ Plan make_plan(const Options& options, const std::string& current, const LoadedM
                       .style = options.style,
                       .srdf = srdf};
     if (options.copies_meshes) {
-      plan.copies = plan_copies(model, plan.folder, conversion.files(), import);
+      plan.copies =
+          plan_copies(model, plan.folder, conversion.files(), options.common.limits, import);
     }
     plan.made = import_urdf(model, *loaded.sources, import, found);
     plan.texts = write_smurf(plan.made);
