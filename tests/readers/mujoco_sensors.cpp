@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads an MJCF with libmujoco, sets its keyframe, and prints the world pose of every camera with
+// Loads an MJCF with libmujoco, sets its keyframe, takes the steps that a second argument asks for,
+// and prints the world pose of every camera with
 // its vertical opening ("camera name x y z, then the rotation, row by row, and the degrees"), the
 // same of every site, every sensor with its type and its values, and of every geom with a texture
 // the size of that and its own colour.
 #include <cstdio>
+#include <cstdlib>
 
 #include "mujoco_world.hpp"
 
@@ -52,11 +54,13 @@ void print_textures(const mjModel& model) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
+  if (argc != 2 && argc != 3) return 2;
   const smurf::tests::MujocoWorld world = smurf::tests::load_mujoco_at_start(argv[1]);
   mjModel* model = world.model.get();
   mjData* data = world.data.get();
   if (model == nullptr) return 1;
+  const int steps = argc == 3 ? std::atoi(argv[2]) : 0;
+  for (int i = 0; i < steps; ++i) mj_step(model, data);
   print_frames(*model, *data);
   print_sensors(*model, *data);
   print_textures(*model);

@@ -2,6 +2,7 @@
 """mjcf: sensors, cameras and textures of a model, as libmujoco loads them at the start of the scene."""
 import json
 import math
+import pathlib
 import re
 import struct
 import zlib
@@ -10,6 +11,7 @@ import xml.etree.ElementTree as ElementTree
 import frames
 import reader
 
+HERE = pathlib.Path(__file__).resolve().parent
 BODY = ('<inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/>'
         '</inertial>')
 URDF = """<robot name="seer">
@@ -134,7 +136,7 @@ class MujocoSensorTest(reader.ReaderTest):
             *(f"{imu}/{part}" for imu in ("balance", "imu")
               for part in ("acceleration", "angular_velocity", "orientation")),
             *(f"{wrench}/{part}" for wrench in ("weight", "step") for part in ("force", "torque")),
-            "far", "ray", "angle/neck", "speed/neck", "effort/neck", "place/head", "place/lens", "turn/head",
+            "far", "ray", *(f"fan/{i}" for i in range(9)), *(f"rays/{i}" for i in range(3)), "angle/neck", "speed/neck", "effort/neck", "place/head", "place/lens", "turn/head",
             "way/head", "spin/head"})
         self.assertEqual(values["angle/neck"], [0.5])
         for name in ("speed/neck", "effort/neck"):  # the motor of the joint
@@ -154,7 +156,10 @@ class MujocoSensorTest(reader.ReaderTest):
 
     def test_cutoff(self):
         root = ElementTree.fromstring(self.write_scene("seer.smurfs", "mjcf").read_text())
-        self.assertEqual([e.get("cutoff") for e in root.iter("rangefinder")], ["30", "7", "30", "7"])
+        self.assertEqual({e.get("name"): e.get("cutoff") for e in root.iter("rangefinder")
+                          if e.get("name").split("/")[-1] in ("far", "ray", "0")},
+                         {"One/far": "30", "One/fan/0": None, "One/ray": "7", "One/rays/0": "100",
+                          "Two/far": "30", "Two/fan/0": None, "Two/ray": "7", "Two/rays/0": "100"})
 
     def losses(self, *arguments):
         self.run_tool("seer.smurfs", "--format", "mjcf", "-o", "out.xml", "--report", "json=r.json", *arguments)
@@ -163,16 +168,97 @@ class MujocoSensorTest(reader.ReaderTest):
 
     def test_what_is_not_measured_is_named(self):
         losses = "\n".join(self.losses())
-        # lost: the second eye (the URDF has one), nothing, touch, scan and rays
-        self.assertIn("5 sensors", losses)
+        # lost: the second eye (the URDF has one), nothing, touch (no such collision) and scan (11520 rays)
+        self.assertIn("4 sensors", losses)
         gazebo = re.search(r"elements in <gazebo> \((.*)\) are not in the MJCF", losses)[1]
-        self.assertEqual(gazebo, "`update_rate of eye`, `image of eye`, `clip of eye`, `fan`, `visual`, `pull`")
+        self.assertEqual(gazebo, "`update_rate of eye`, `image of eye`, `clip of eye`, `visual`, `pull`")
         self.assertIn("7 sensor settings", losses)  # rate, width, height and draw_rays
 
     def test_annotations_of_a_model_that_is_named_are_lost(self):
         """MuJoCo then reads the URDF, which has no motors and sensors of SMURF."""
         losses = "\n".join(self.losses("--form", "reference"))
         self.assertIn("1 motor, 17 sensors", losses)
+
+
+class MujocoScansAndContacts(reader.ReaderTest):
+    """A robot of 2 kg stands on two feet before a wall, whose near side is at x = 2.9 m."""
+    FOOT = ('<link name="{0}"><inertial><mass value="0.5"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/>'
+            '</inertial><collision name="{0}_sole"><origin xyz="0 0 0.1"/><geometry><box size="0.4 0.2 0.2"/></geometry>'
+            '</collision></link><joint name="{0}_leg" type="fixed"><parent link="base"/><child link="{0}"/>'
+            '<origin xyz="0 {1} 0"/></joint>')
+    URDF = ('<robot name="r"><link name="base">' + BODY + "</link>" + FOOT.format("left", 0.3) + FOOT.format("right", -0.3) +
+            '<link name="head"/><joint name="neck" type="fixed"><parent link="base"/><child link="head"/>'
+            '<origin xyz="0 0 0.5"/></joint><gazebo reference="head"><sensor name="fan" type="gpu_lidar"><lidar><scan>'
+            "<horizontal><samples>3</samples><min_angle>-0.5</min_angle><max_angle>0.5</max_angle></horizontal>"
+            "<vertical><samples>2</samples><min_angle>-0.25</min_angle><max_angle>0</max_angle></vertical></scan>"
+            '<range><max>30</max></range></lidar></sensor><sensor name="many" type="ray"><ray><scan><horizontal>'
+            "<samples>1001</samples><min_angle>-1</min_angle><max_angle>1</max_angle></horizontal></scan></ray></sensor>"
+            '<sensor name="aside" type="ray"><ray><scan><horizontal><samples>1</samples><min_angle>1</min_angle>'
+            "<max_angle>1</max_angle></horizontal></scan></ray></sensor></gazebo>"
+            '<gazebo reference="left"><sensor name="step" type="contact"><contact><collision>left_sole</collision></contact>'
+            '</sensor></gazebo><gazebo reference="head"><sensor name="bump" type="contact"/></gazebo></robot>')
+    SENSORS = """sensors:
+- {name: turning, type: RotatingRaySensor, link: head, lasers: 2, opening_height: 0.25, vertical_offset: 0.125,
+   opening_width: 1, horizontal_resolution: 0.5}
+- {name: turned, type: RotatingRaySensor, link: head, lasers: 2, opening_height: 0.25, vertical_offset: 0.125,
+   opening_width: 1, horizontal_resolution: 0.5, rotation_offset: {roll: 0, pitch: 0, yaw: 180}, max_distance: 12}
+- {name: line, type: RaySensor, link: head, width: 2, opening_width: 1}
+- {name: levels, type: MultiLevelLaserRangeFinder, link: head, numRaysHorizontal: 2, horizontalOpeningAngle: 0.5,
+   numRaysVertical: 2, verticalOpeningAngle: 0.5}
+- {name: soles, type: NodeContactForce, link: base, collisions: [left_sole, right_sole]}
+- {name: foot, type: NodeContact, link: right, id: [right]}
+"""
+    SCENE = """entities:
+- {name: R, type: smurf, file: r.smurf, position: [0, 0, 0]}
+- {name: Wall, type: primitive, geometry: {type: box}, position: {x: 3, y: 0, z: 0.5}, extend: {x: 0.2, y: 20, z: 4},
+   movable: false}
+- {name: Ground, type: primitive, geometry: {type: plane}, position: {x: 0, y: 0, z: 0}, extend: {x: 20, y: 20, z: 1},
+   movable: false}
+"""
+
+    def setUp(self):
+        super().setUp()
+        self.write("r.urdf", self.URDF)
+        self.write("r.smurf", "modelname: r\nfiles: [r.urdf, r.yml]\n")
+        self.write("r.yml", self.SENSORS)
+        self.write("s.smurfs", self.SCENE)
+
+    def check(self, *command):
+        def read(file, steps):
+            lines = [line.split("\t") for line in self.read_with(*command, file, str(steps)).splitlines()]
+            return {line[1].removeprefix("R/"): [float(n) for n in line[3:]] for line in lines if line[0] == "sensor"}
+
+        file = self.write_scene("s.smurfs", "mjcf")
+        start = read(file, 0)
+        ground = 0.5 / math.sin(0.25)
+
+        def wall(across, up=0):
+            return 2.9 / math.cos(across) / math.cos(up)
+
+        expected = {"fan": [ground] * 3 + [wall(0.5), 2.9, wall(0.5)],
+                    "turning": [ground] * 2 + [wall(0.5)] * 2,
+                    "turned": [ground] * 2 + [-1] * 2,  # MuJoCo: -1 is nothing
+                    "line": [wall(0.25)] * 2,
+                    "levels": [ground] * 2 + [wall(0.5, 0.25), wall(0, 0.25)]}
+        for name, distances in expected.items():
+            for i, distance in enumerate(distances):
+                self.assertAlmostEqual(start[f"{name}/{i}"][0], distance, places=6, msg=f"{name}/{i}")
+        self.assertEqual({name.split("/")[0] for name in start}, {*expected, "step", "soles", "foot"})
+        standing = read(file, 2000)
+        for name in ("step", "soles/left", "soles/right", "foot"):
+            self.assertAlmostEqual(standing[name][0], 9.81, delta=0.01, msg=name)
+
+    @reader.needs_built("mujoco_sensors")
+    def test_distances_and_weight(self):
+        self.check(reader.BUILD / "mujoco_sensors")
+
+    @reader.needs_npm("@mujoco/mujoco")
+    def test_later_versions(self):
+        self.check("node", HERE / "mujoco_sensors.mjs", reader.NODE_MODULES)
+
+    def test_too_many_rays_are_a_loss(self):
+        done = self.run_tool("s.smurfs", "--format", "mjcf", "-o", "out.xml")
+        self.assertIn("`many`, `aside`, `bump`", done.stderr)
 
 
 def png(width, height):

@@ -24,6 +24,11 @@ void MjcfSensors::add_mounts(std::size_t i, std::size_t link) {
     std::vector<XmlText::Attribute> attributes{{"name", name(i, sensor.name)},
                                                {"pos", join_numbers(sensor.X_LS.position)},
                                                {"quat", quaternion_text(sensor.X_LS.orientation)}};
+    if (sensor.reach) {
+      attributes.emplace_back("type", "box");
+      attributes.emplace_back("size", join_numbers(*sensor.reach));
+      attributes.emplace_back("group", "4");  // a group that viewers hide at first
+    }
     if (sensor.fovy) attributes.emplace_back("fovy", format_number(*sensor.fovy));
     xml_.empty(sensor.fovy ? "camera" : "site", attributes);
   }

@@ -14,7 +14,9 @@
 #include "convert/sensor_pose.hpp"
 #include "convert/sensor_views.hpp"
 #include "write/joint_drives.hpp"
+#include "write/ray_directions.hpp"
 #include "write/scene_parts.hpp"
+#include "write/touched_boxes.hpp"
 
 namespace smurf {
 namespace {
@@ -35,7 +37,7 @@ double number_in(xml::View element, std::string_view child, double fallback) {
 class SensorReader {
  public:
   explicit SensorReader(const LinkedModel& model)
-      : model_(model), X_RL_(forward_kinematics(model, {})) {
+      : model_(model), X_RL_(forward_kinematics(model, {})), boxes_(model) {
     for (const JointDrive& drive : joint_drives(model)) motors_.emplace(drive.joint, drive.name);
   }
 
@@ -66,7 +68,7 @@ class SensorReader {
   bool add(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS,
            std::vector<MujocoReading> readings) {
     if (!link) return false;
-    sensors_.push_back({names_.add(std::string(name)), link, X_LS, {}, std::move(readings)});
+    sensors_.push_back({names_.add(std::string(name)), link, X_LS, {}, {}, std::move(readings)});
     return true;
   }
 
@@ -89,18 +91,39 @@ class SensorReader {
     return true;
   }
 
-  bool add_ray(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS,
-               double range) {
-    return add(name, link, with_axes(X_LS, kRayAxes),
-               {{"rangefinder", "site", {}, {}, std::isfinite(range) ? range : 0}});
+  /// MuJoCo has only single rays, so each ray of a scan becomes a sensor.
+  bool add_rays(std::string_view name, std::optional<std::size_t> link, const SensorView& view) {
+    if (!view.scan || !link) return false;
+    const std::vector<Quaternion> rays = ray_directions(*view.scan);
+    const double range = view.scan->farthest.value_or(0);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const std::string part = rays.size() > 1 ? "/" + std::to_string(i) : std::string();
+      add(std::string(name) + part, link, with_axes(with_axes(view.X_LS, rays[i]), kRayAxes),
+          {{"rangefinder", "site", {}, {}, std::isfinite(range) ? range : 0}});
+    }
+    return !rays.empty();
+  }
+
+  bool add_touch(std::string_view name, const TouchedBoxes& boxes) {
+    for (const auto& [link, box] : boxes) {
+      if (!X_RL_[link]) return false;
+    }
+    for (const auto& [link, box] : boxes) {
+      const std::string of_link = "/" + model_.robot->links[link].name.value_or("");
+      add(std::string(name) + (boxes.size() > 1 ? of_link : std::string()), link,
+          {box.center(), {}}, {{"touch", "site", {}}});
+      const Vector3 size = box.size();
+      sensors_.back().reach = Vector3{size[0] / 2, size[1] / 2, size[2] / 2};
+    }
+    return !boxes.empty();
   }
 
   void of_gazebo(xml::View sensor, std::string_view reference) {
     const std::string_view name = import::attribute_of(sensor, "name");
-    if (!name.empty() && is_gazebo_taken(sensor, reference, name)) {
-      sensors_.back().element = sensor.id();
-      known_.insert(name);
-    }
+    const std::size_t first = sensors_.size();
+    if (name.empty() || !is_gazebo_taken(sensor, reference, name)) return;
+    for (std::size_t i = first; i < sensors_.size(); ++i) sensors_[i].element = sensor.id();
+    known_.insert(name);
   }
 
   bool is_gazebo_taken(xml::View sensor, std::string_view reference, std::string_view name) {
@@ -117,9 +140,9 @@ class SensorReader {
                                          number_in(image, "height", 240)));
     }
     if (type == "ray" || type == "gpu_ray" || type == "lidar" || type == "gpu_lidar") {
-      return is_ray_taken(sensor, reference, name, X_LS);
+      return add_rays(name, link(reference), view_of(sensor));
     }
-    return false;
+    return (type == "contact" || type == "bumper") && is_contact_taken(sensor, reference, name);
   }
 
   /// MuJoCo measures only what the child of a joint does to the parent.
@@ -135,26 +158,19 @@ class SensorReader {
     return add_wrench(name, link_of_joint(joint), text("frame") == "sensor" ? X_LS : Pose{});
   }
 
-  /// MuJoCo has only single rays.
-  bool is_ray_taken(xml::View sensor, std::string_view reference, std::string_view name,
-                    const Pose& X_LS) {
-    for (const char* kind : {"ray", "lidar"}) {
-      const xml::View ray = sensor.child(kind);
-      const xml::View scan = ray ? ray.child("scan") : xml::View();
-      const auto is_single = [&](std::string_view direction) {
-        const xml::View fan = scan ? scan.child(direction) : xml::View();
-        return number_in(fan, "samples", 1) == 1 && number_in(fan, "min_angle", 0) == 0 &&
-               number_in(fan, "max_angle", 0) == 0;
-      };
-      if (!ray || !is_single("horizontal") || !is_single("vertical")) continue;
-      return add_ray(name, link(reference), X_LS, number_in(ray.child("range"), "max", 0));
-    }
-    return false;
+  bool is_contact_taken(xml::View sensor, std::string_view reference, std::string_view name) {
+    const auto carrier = link(reference);
+    const xml::View contact = sensor.child("contact");
+    const std::string_view collision =
+        contact ? import::child_text(contact, "collision") : std::string_view();
+    return carrier && add_touch(name, boxes_.of(*carrier, collision));
   }
 
   void of_annotation(const Sensor& sensor) {
     if (!sensor.name || !sensor.type || known_.contains(*sensor.name)) return;
-    if (is_annotation_taken(sensor)) sensors_.back().annotation = &sensor;
+    const std::size_t first = sensors_.size();
+    if (!is_annotation_taken(sensor)) return;
+    for (std::size_t i = first; i < sensors_.size(); ++i) sensors_[i].annotation = &sensor;
   }
 
   bool is_annotation_taken(const Sensor& sensor) {
@@ -165,7 +181,13 @@ class SensorReader {
     if (type == "Joint6DOF") {
       return add_wrench(*sensor.name, link_of_joint(passes::gazebo_carrier(model_, sensor)), {});
     }
-    if (type == "CameraSensor" || type == "RaySensor") return is_view_taken(sensor);
+    if (type == "CameraSensor" || type == "RaySensor" || type == "RotatingRaySensor" ||
+        type == "MultiLevelLaserRangeFinder") {
+      return is_view_taken(sensor);
+    }
+    if (type == "NodeContact" || type == "NodeContactForce") {
+      return add_touch(*sensor.name, boxes_.of(targets({&sensor.id, &sensor.collisions})));
+    }
     constexpr std::pair<std::string_view, std::string_view> kOfJoints[] = {
         {"JointPosition", "jointpos"}, {"JointVelocity", "jointvel"}};
     for (const auto& [name, element] : kOfJoints) {
@@ -186,13 +208,12 @@ class SensorReader {
   bool is_view_taken(const Sensor& sensor) {
     const yaml::Document* document = model_.document(sensor.span.source);
     if (document == nullptr || !sensor.link) return false;
-    const SensorKeys keys(yaml::View(*document, sensor.node));
-    if (*sensor.type == "CameraSensor") {
-      return add_camera(*sensor.name, link(*sensor.link), keys.camera_pose(),
-                        vertical_opening(keys));
+    const yaml::View entry(*document, sensor.node);
+    if (*sensor.type != "CameraSensor") {
+      return add_rays(*sensor.name, link(*sensor.link), view_of(sensor, entry));
     }
-    return keys.number("width", 1) == 1 &&
-           add_ray(*sensor.name, link(*sensor.link), {}, keys.number("max_distance", 100));
+    const SensorKeys keys(entry);
+    return add_camera(*sensor.name, link(*sensor.link), keys.camera_pose(), vertical_opening(keys));
   }
 
   static std::vector<std::string> targets(std::initializer_list<const Field<NameList>*> lists) {
@@ -208,7 +229,7 @@ class SensorReader {
   /// False when nothing is measured.
   bool add_readings(const Sensor& sensor, std::vector<MujocoReading> readings) {
     if (readings.empty()) return false;
-    sensors_.push_back({names_.add(*sensor.name), {}, {}, {}, std::move(readings)});
+    sensors_.push_back({names_.add(*sensor.name), {}, {}, {}, {}, std::move(readings)});
     return true;
   }
 
@@ -239,6 +260,7 @@ class SensorReader {
 
   const LinkedModel& model_;
   std::vector<std::optional<Pose>> X_RL_;  ///< none: the root does not lead to the link
+  CollisionBoxes boxes_;
   std::map<const urdf::Joint*, std::string> motors_;
   std::set<std::string_view> known_;
   UniqueNames names_;
@@ -259,12 +281,13 @@ std::vector<xml::View> unsaid_by_mujoco(xml::View sensor) {
   std::vector<xml::View> unsaid;
   for (const xml::View child : sensor) {
     if (is_child_of(child.name(), {"pose", "origin", "parent"})) continue;
-    if (!is_child_of(child.name(), {"camera", "ray", "lidar", "imu", "force_torque"})) {
+    if (!is_child_of(child.name(), {"camera", "ray", "lidar", "imu", "force_torque", "contact"})) {
       unsaid.push_back(child);
       continue;
     }
     for (const xml::View setting : child) {
-      if (is_child_of(setting.name(), {"horizontal_fov", "scan", "measure_direction", "frame"})) {
+      if (is_child_of(setting.name(),
+                      {"horizontal_fov", "scan", "measure_direction", "frame", "collision"})) {
         continue;
       }
       if (setting.name() == "range" && !setting.child("min") && !setting.child("resolution")) {
@@ -280,6 +303,14 @@ bool is_said_by_mujoco(const Sensor& sensor, std::string_view key) {
   if (is_child_of(key, {"name", "type", "link", "joint", "id", "links", "joints"})) return true;
   const std::string type = sensor.type.value_or("");
   if (type == "RaySensor") return is_child_of(key, {"width", "opening_width", "max_distance"});
+  if (type == "RotatingRaySensor") {
+    return key != "min_distance" && passes::gazebo_says(sensor, key) && key != "rate";
+  }
+  if (type == "MultiLevelLaserRangeFinder") {
+    return is_child_of(key, {"numRaysHorizontal", "numRaysVertical", "horizontalOpeningAngle",
+                             "verticalOpeningAngle", "maxDistance"});
+  }
+  if (type == "NodeContact" || type == "NodeContactForce") return key == "collisions";
   return type == "CameraSensor" &&
          is_child_of(key, {"opening_width", "opening_height", "opening_angle", "opening_angle2",
                            "position_offset", "orientation_offset"});

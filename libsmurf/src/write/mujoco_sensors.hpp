@@ -26,13 +26,15 @@ struct MujocoSensor {
   std::optional<std::size_t> link;  ///< the link that carries it
   Pose X_LS;                        ///< with the axes of MuJoCo
   std::optional<double> fovy;       ///< vertical opening of a camera, degrees
+  std::optional<Vector3> reach;     ///< half of the box in which contacts are felt, m
   std::vector<MujocoReading> readings;
   const Sensor* annotation = nullptr;
   xml::ElementId element =
       xml::kNoElement;  ///< the <sensor> in <gazebo>; kNoElement for an annotation
 };
 
-/// Names are unique. An annotation with the name of a <sensor> in <gazebo> is left out.
+/// Names are unique. Each ray of a scan, and each link of a contact sensor, is a sensor of its own.
+/// An annotation with the name of a <sensor> in <gazebo> is left out.
 std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model);
 
 /// The settings of such a <sensor> that MuJoCo does not have.
