@@ -686,6 +686,40 @@ class Assets(FlattenTest):
                               "--format", "sdf")
 
 
+class ColorsOfAnnotations(FlattenTest):
+    """MARS merges `materials` over the materials of the URDF, and `materialName` of `visuals` replaces the name."""
+
+    def setUp(self):
+        super().setUp()
+        visual = '<visual name="{0}"><geometry><box size="1 1 1"/></geometry><material name="{1}"/></visual>'
+        self.write("r.urdf", '<robot name="r"><material name="a"><color rgba="1 0 0 1"/></material><material name="b">'
+                   '<color rgba="0 0 1 1"/></material><link name="l">' + visual.format("one", "a") + visual.format("two", "b") +
+                   visual.format("three", "b") + "</link></robot>")
+        self.write("r.smurf", "modelname: r\nfiles: [r.urdf, r.yml]\n")
+        self.write("r.yml", "materials:\n- {name: a, diffuseColor: {r: 0, g: 1, b: 0, a: 1}, transparency: 0.5, shininess: 2}\n"
+                   "- {name: none, diffuseColor: {r: 0, g: 1, b: 0, a: 1}}\nvisuals:\n- {name: three, materialName: a}\n")
+
+    def test_diffuse_colours(self):
+        patterns = {"sdf": "<diffuse>(.*?)</diffuse>", "sdf1.6": "<diffuse>(.*?)</diffuse>", "mjcf": 'rgba="(.*?)"'}
+        for name, pattern in patterns.items():
+            done = self.run_tool("r.smurf", "--format", name, "--force")
+            self.assertEqual(re.findall(pattern, done.stdout), ["0 1 0 0.5", "0 0 1 1", "0 1 0 0.5"], name)
+        done = self.run_tool("r.smurf", "--format", "gltf", "--force")
+        self.assertEqual([m["pbrMetallicRoughness"]["baseColorFactor"] for m in json.loads(done.stdout)["materials"]],
+                         [[0, 1, 0, 0.5], [0, 0, 1, 1]])
+        done = self.run_tool("r.smurf", "--format", "usda", "--force")
+        self.assertEqual(re.findall(r"displayColor = \[\((.*?)\)\]", done.stdout), ["0, 1, 0", "0, 0, 1", "0, 1, 0"])
+
+    def test_what_is_not_kept_is_named(self):
+        for name in ("sdf", "mjcf", "gltf", "usda", "html"):
+            done = self.run_tool("r.smurf", "--format", name, "-o", "out", "--force")
+            if "cannot be written" not in done.stderr:  # the page was not built
+                self.assertIn("1 material, 1 material setting", done.stderr, name)
+        for name in ("urdf", "dmd"):
+            done = self.run_tool("r.smurf", "--format", name, "-o", "out", "--force")
+            self.assertIn("2 materials, 1 visual setting", done.stderr, name)
+
+
 class MeshesWithNeighbours(FlattenTest):
     """A glTF file may have its points in another file, which is read where the model may name files."""
 

@@ -29,21 +29,23 @@ void append(Found& all, Found some) {
 Found materials(const LinkedModel& model, SceneColumn column) {
   Found found;
   std::optional<AnnotationValues> values;
-  if (model.robot && column == SceneColumn::html) values.emplace(model);
+  const bool is_text = column == SceneColumn::urdf || column == SceneColumn::dmd;
+  if (model.robot && !is_text) values.emplace(model);
   for (const MaterialAnnotation& entry : model.annotations.materials) {
     if (!values || !values->defines(entry)) found.push_back({entry.span, entry.name.value_or({})});
   }
   return found;
 }
 
-Found material_keys(const LinkedModel& model, SceneColumn) {
+Found material_keys(const LinkedModel& model, SceneColumn column) {
   Found found;
   if (!model.robot) return found;
   const AnnotationValues values(model);
   for (const MaterialAnnotation& entry : model.annotations.materials) {
     if (!values.defines(entry)) continue;
-    append(found,
-           other_keys(model, entry, {"name", "diffuseColor", "diffuseTexture", "transparency"}));
+    std::vector<std::string_view> said{"name", "diffuseColor", "transparency"};
+    if (column == SceneColumn::html) said.push_back("diffuseTexture");
+    append(found, other_keys(model, entry, said));
   }
   return found;
 }
@@ -51,7 +53,7 @@ Found material_keys(const LinkedModel& model, SceneColumn) {
 Found visual_settings(const LinkedModel& model, SceneColumn column) {
   Found found;
   for (const VisualAnnotation& entry : model.annotations.visuals) {
-    if (column == SceneColumn::html) {
+    if (column != SceneColumn::urdf && column != SceneColumn::dmd) {
       append(found, other_keys(model, entry, {"name", "link", "materialName"}));
     } else {
       found.push_back({entry.span, entry.name.value_or({})});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/path.hpp"
+#include "write/annotated_colors.hpp"
 
 namespace smurf {
 namespace {
@@ -90,8 +91,8 @@ Rgba linear_color(const Rgba& color) {
   return linear;
 }
 
-std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index,
-                                   LinkFrames& frames) {
+std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index, LinkFrames& frames,
+                                   AnnotatedColors& colors) {
   const FlatInstance& instance = scene.flat.instances[index];
   const Instance& source = scene.scene.instances[index];
   const LinkedModel* model = scene.scene.model(source);
@@ -116,7 +117,7 @@ std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index,
       }
     };
     for (const urdf::Visual& visual : written.visuals) {
-      add(visual, color_of(visual, *model));
+      add(visual, colors.of(visual, *model, flat));
     }
     if (written.visuals.empty()) {
       for (const urdf::Collision& collision : written.collisions) add(collision, std::nullopt);
@@ -127,11 +128,11 @@ std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t index,
 }
 
 std::vector<PlacedShape> placed_shapes(const SceneExport& scene, std::size_t index,
-                                       LinkFrames& frames) {
+                                       LinkFrames& frames, AnnotatedColors& colors) {
   const std::optional<Pose>& X_WE = scene.flat.instances[index].X_WE;
   if (!X_WE) return {};
   std::vector<PlacedShape> shapes;
-  for (const ShownLink& link : shown_links(scene, index, frames)) {
+  for (const ShownLink& link : shown_links(scene, index, frames, colors)) {
     const Pose X_WL = *X_WE * link.X_EL;
     for (const LinkShape& shape : link.shapes) {
       shapes.push_back({X_WL * shape.X_LS, shape.geometry, shape.color});

@@ -14,7 +14,7 @@ namespace smurf {
 /// A URDF shape as a flat one; none when it is incomplete.
 std::optional<FlatGeometry> to_flat(const urdf::Geometry& geometry, const FlatModel& model);
 
-/// Colour of a visual: its own, or that of the robot's material of the same name.
+/// Colour of a visual in the URDF: its own, or that of the robot's material of the same name.
 std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& model);
 
 /// The texture of a visual, likewise: a file relative to the output's folder.
@@ -27,6 +27,8 @@ bool is_texture_of_mujoco(const MeshReference& reference);
 /// A colour in glTF and USD: amounts of light, where URDF and SMURF have values for a screen
 /// (sRGB). Within 0..1; the alpha stays.
 Rgba linear_color(const Rgba& color);
+
+class AnnotatedColors;
 
 struct LinkShape {
   Pose X_LS;
@@ -42,7 +44,7 @@ struct ShownLink {
 /// The links that the root of an instance's model reaches. An entity that is no model counts as one
 /// link. `frames` keeps what was computed from call to call.
 std::vector<ShownLink> shown_links(const SceneExport& scene, std::size_t instance,
-                                   LinkFrames& frames);
+                                   LinkFrames& frames, AnnotatedColors& colors);
 
 struct PlacedShape {
   Pose X_WS;
@@ -51,6 +53,6 @@ struct PlacedShape {
 };
 /// The shapes of all links in the world.
 std::vector<PlacedShape> placed_shapes(const SceneExport& scene, std::size_t instance,
-                                       LinkFrames& frames);
+                                       LinkFrames& frames, AnnotatedColors& colors);
 
 }  // namespace smurf

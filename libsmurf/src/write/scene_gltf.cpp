@@ -7,6 +7,7 @@
 
 #include "base/bits.hpp"
 #include "base/numbers.hpp"
+#include "write/annotated_colors.hpp"
 #include "write/base64.hpp"
 #include "write/json_text.hpp"
 #include "write/placed_shapes.hpp"
@@ -88,7 +89,7 @@ class GltfWriter {
   std::size_t add_instance(std::size_t index) {
     const FlatInstance& instance = scene_.flat.instances[index];
     std::vector<std::size_t> children;
-    for (const ShownLink& link : shown_links(scene_, index, frames_)) {
+    for (const ShownLink& link : shown_links(scene_, index, frames_, colors_)) {
       std::vector<std::size_t> shapes;
       for (const LinkShape& shape : link.shapes) add_shape(shape, shapes);
       if (!instance.model) {
@@ -330,6 +331,7 @@ class GltfWriter {
   SceneLosses losses_;
   PreviewMeshes files_;
   LinkFrames frames_;
+  AnnotatedColors colors_;
   std::vector<std::string> nodes_, mesh_texts_, material_texts_, accessors_, views_;
   std::string buffer_;
   std::map<std::pair<Points, std::optional<Rgba>>, std::size_t> meshes_;

@@ -7,6 +7,7 @@
 
 #include "base/numbers.hpp"
 #include "base/unique_names.hpp"
+#include "write/annotated_colors.hpp"
 #include "write/mjcf_attach.hpp"
 #include "write/mjcf_sensors.hpp"
 
@@ -241,7 +242,7 @@ class MjcfWriter : MjcfSensors {
       if (!geom) continue;
       is_shown = true;
       add_name(*geom, i, visual.name);
-      std::optional<Rgba> color = color_of(visual, model);
+      std::optional<Rgba> color = colors_.of(visual, model, flat_model);
       const auto texture = texture_of(visual, model, flat_model);
       if (const auto known = texture ? textures_.find(*texture) : textures_.end();
           known != textures_.end()) {
@@ -299,6 +300,7 @@ class MjcfWriter : MjcfSensors {
   std::vector<bool> is_top_level_;
   std::map<PlaceOfLink, std::vector<std::size_t>> children_;
   std::map<const LinkedModel*, CollisionContacts> contacts_;
+  AnnotatedColors colors_;
   UniqueNames geom_names_;
   std::map<std::string, std::string> textures_;    ///< file -> name of its material
   std::unordered_set<std::string_view> existing_;  ///< names of the model's meshes that are there

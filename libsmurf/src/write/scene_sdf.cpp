@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/unique_names.hpp"
+#include "write/annotated_colors.hpp"
 #include "write/body_inertia.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
@@ -277,7 +278,7 @@ class SdfWriter {
                  X_BL * urdf::to_pose(visual.origin), *geometry);
       if (!gazebo.has_own_material(link_name)) {
         add_sdf_material(xml_,
-                         {.color = color_of(visual, model),
+                         {.color = colors_.of(visual, model, flat_model),
                           .texture = is_old_ ? std::nullopt : texture_of(visual, model, flat_model),
                           .script = gazebo.material(link_name)});
       }
@@ -434,6 +435,7 @@ class SdfWriter {
   mutable std::map<const LinkedModel*, std::vector<std::string>> links_;  ///< names, by model
   std::map<const LinkedModel*, std::unique_ptr<SdfModel>> models_;
   LinkFrames frames_;
+  AnnotatedColors colors_;
   /// By model that another is anchored to: the bodies of its links.
   std::map<const LinkedModel*, std::vector<std::size_t>> bodies_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;

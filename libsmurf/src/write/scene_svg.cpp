@@ -12,6 +12,7 @@
 #include "base/exact_math.hpp"
 #include "base/numbers.hpp"
 #include "base/path.hpp"
+#include "write/annotated_colors.hpp"
 #include "write/placed_shapes.hpp"
 #include "write/svg_canvas.hpp"
 
@@ -163,10 +164,11 @@ class TopView {
   /// Of what is shown, the higher ones later.
   void collect_footprints() {
     LinkFrames frames;
+    AnnotatedColors colors;
     for (std::size_t i = 0; i < count(); ++i) {
       if (!is_shown(i)) continue;
       extent_.add(position(i));
-      for (PlacedShape& shape : placed_shapes(scene_, i, frames)) {
+      for (PlacedShape& shape : placed_shapes(scene_, i, frames, colors)) {
         const std::vector<Vector3> points = outline(shape);
         if (points.empty()) continue;
         Footprint footprint{std::move(shape), points.front()[2], i};

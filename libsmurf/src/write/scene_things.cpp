@@ -8,6 +8,10 @@ namespace {
 
 constexpr std::string_view kKept = "kept";
 constexpr std::string_view kLost = "lost";
+constexpr std::string_view kOfUrdf = "partly: those of the URDF";
+constexpr std::string_view kNotApplied = "lost: smurf2urdf --apply materials writes them";
+constexpr std::string_view kDiffuse = "lost: only the diffuse colour and transparency are written";
+constexpr std::string_view kMaterialName = "partly: names of materials";
 constexpr std::array<std::string_view, kSceneColumns> kLostEverywhere{kLost, kLost, kLost, kLost,
                                                                       kLost, kLost, kLost, kLost};
 constexpr std::string_view kShown = "shown";
@@ -126,13 +130,13 @@ constexpr SceneThing kThings[] = {
     {.title = "material",
      .of = ThingOf::annotation,
      .in_model = things::materials,
-     .cells = {kLost, kLost, kLost, kLost, kLost, "partly: those of the URDF", kLost, kLost}},
+     .cells = {kOfUrdf, kOfUrdf, kOfUrdf, kNotApplied, kNotApplied, kOfUrdf, kOfUrdf, kOfUrdf}},
     {.title = "material setting",
      .of = ThingOf::annotation,
      .in_model = things::material_keys,
-     .cells = {kKept, kKept, kKept, kKept, kKept,
-               "lost: the page shows diffuse colours and textures, and transparency", kKept,
-               kKept}},
+     .cells = {kDiffuse, kDiffuse, kDiffuse, kKept, kKept,
+               "lost: the page shows diffuse colours and textures, and transparency", kDiffuse,
+               kDiffuse}},
     {.title = "collision setting",
      .of = ThingOf::annotation,
      .in_model = things::collision_settings,
@@ -149,7 +153,8 @@ constexpr SceneThing kThings[] = {
     {.title = "visual setting",
      .of = ThingOf::annotation,
      .in_model = things::visual_settings,
-     .cells = {kLost, kLost, kLost, kLost, kLost, "partly: names of materials", kLost, kLost}},
+     .cells = {kMaterialName, kMaterialName, kMaterialName, kLost, kLost, kMaterialName,
+               kMaterialName, kMaterialName}},
     {.title = "node",
      .of = ThingOf::annotation,
      .in_model = things::entries<&Annotations::nodes>,

@@ -6,6 +6,7 @@
 #include "base/numbers.hpp"
 #include "base/path.hpp"
 #include "base/unique_names.hpp"
+#include "write/annotated_colors.hpp"
 #include "write/contacts.hpp"
 #include "write/placed_shapes.hpp"
 #include "write/preview_meshes.hpp"
@@ -120,7 +121,9 @@ class UsdaWriter {
       solid.name = part.name.value_or({});
       add_shape({urdf::to_pose(part.origin), std::move(*geometry), color, part.span}, solid);
     };
-    for (const urdf::Visual& visual : written.visuals) add(visual, {}, color_of(visual, model));
+    for (const urdf::Visual& visual : written.visuals) {
+      add(visual, {}, colors_.of(visual, model, flat));
+    }
     const bool is_shown = written.visuals.empty();
     number = 0;
     for (const urdf::Collision& collision : written.collisions) {
@@ -372,6 +375,7 @@ class UsdaWriter {
   UsdaText text_;
   UsdPhysics physics_;
   std::map<const LinkedModel*, CollisionContacts> contacts_;
+  AnnotatedColors colors_;
   std::string materials_;                    ///< path of the scope of the entity
   std::map<double, std::string> frictions_;  ///< in it: names, by value
   PreviewMeshes files_;

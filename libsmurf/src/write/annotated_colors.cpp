@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write/annotated_colors.hpp"
+
+namespace smurf {
+
+std::optional<Rgba> AnnotatedColors::of(const urdf::Visual& visual, const LinkedModel& model,
+                                        const FlatModel& flat) {
+  const Annotations& all = model.annotations;
+  if (all.materials.empty() && all.visuals.empty()) return color_of(visual, model);
+  const auto [known, is_new] = known_.try_emplace(&visual);
+  if (is_new) {
+    known->second = looks_.try_emplace(&model, model, flat).first->second.of(visual).color;
+  }
+  return known->second;
+}
+
+}  // namespace smurf

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The colours of visuals with those of the annotations, for writers that go through all instances.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include "write/viewer_looks.hpp"
+
+namespace smurf {
+
+class AnnotatedColors {
+ public:
+  /// The colour of a visual of a model, which outlives this.
+  std::optional<Rgba> of(const urdf::Visual& visual, const LinkedModel& model,
+                         const FlatModel& flat);
+
+ private:
+  std::map<const LinkedModel*, ViewerLooks> looks_;
+  std::unordered_map<const urdf::Visual*, std::optional<Rgba>> known_;
+};
+
+}  // namespace smurf
