@@ -96,15 +96,18 @@ class Svg(reader.ReaderTest):
     def test_axes_point_where_the_instance_does(self):
         self.write("one.smurfs", "entities:\n- {name: A, type: thing, rotation: [90]}\n")
         root = self.svg("one.smurfs")
-        frame = next(g for g in root.iter(SVG + "g") if g.find(SVG + "title") is not None)
+        frame, aside = [g for g in root.iter(SVG + "g") if g.find(SVG + "title") is not None]
         self.assertEqual(frame.find(SVG + "title").text, "A: thing, free")
-        starts = {}
-        for path in frame.iter(SVG + "path"):
-            if path.get("stroke-width") == "2":
-                x0, y0, x1, y1 = map(float, re.findall(r"-?[\d.]+", path.get("d")))
-                starts[path.get("stroke")] = (round(x1 - x0), round(y1 - y0))
-        self.assertEqual(starts, {"#d62828": (0, -26), "#2a9134": (-26, 0)})  # y points down here
+        for view, expected in ((frame, {"#d62828": (0, -26), "#2a9134": (-26, 0)}),  # y points down here
+                               (aside, {"#2a9134": (-26, 0), "#1d5fd1": (0, -26)})):
+            starts = {}
+            for path in view.iter(SVG + "path"):
+                if path.get("stroke-width") == "2":
+                    x0, y0, x1, y1 = map(float, re.findall(r"-?[\d.]+", path.get("d")))
+                    starts[path.get("stroke")] = (round(x1 - x0), round(y1 - y0))
+            self.assertEqual(starts, expected)
         self.assertEqual(len(list(frame.iter(SVG + "circle"))), 2)  # z, towards the viewer
+        self.assertEqual(len(list(aside.iter(SVG + "circle"))), 1)  # x, away from the viewer
 
     @reader.needs_program("rsvg-convert")
     def test_what_is_far_away_is_pointed_at(self):
@@ -117,6 +120,60 @@ class Svg(reader.ReaderTest):
         self.assertIn("<&'>", self.names(self.svg("odd.smurfs")))
         self.write("empty.smurfs", "entities: []\n")
         self.assertEqual(self.names(self.svg("empty.smurfs")), [])
+
+    def outlines(self, root):
+        """Width, height and colour of each shape, from above and from the side."""
+        found = []
+        for group in root.iter(SVG + "g"):
+            if group.get("clip-path"):
+                paths = [[[float(n) for n in point.split()] for point in re.findall(r"[-\d.]+ [-\d.]+", path.get("d"))]
+                         for path in group.iter(SVG + "path")]
+                found.append([tuple(round(max(p[i] for p in path) - min(p[i] for p in path), 1) for i in (0, 1))
+                              + (element.get("fill"),) for path, element in zip(paths, group.iter(SVG + "path"))])
+        return found
+
+    @reader.needs_program("rsvg-convert")
+    def test_outlines_of_meshes_and_of_the_other_side(self):
+        corners = [(x, y, z) for x in (0, 1) for y in (0, 2) for z in (0, 3)]
+        self.write("m.obj", "".join(f"v {x} {y} {z}\n" for x, y, z in corners) + "f 1 2 3\nf 6 7 8\nf 1 5 4\nf 2 3 7\n")
+        self.write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.obj" scale="2 1 1"/></geometry>'
+                   "</visual></link></robot>")
+        self.write("s.smurfs", "entities:\n- {name: a, type: urdf, file: r.urdf, position: [0, 0, 0]}\n"
+                   "- {name: b, type: urdf, file: r.urdf, position: [5, 0, 0]}\n")
+        above, aside = self.outlines(self.svg("s.smurfs"))
+        metre = above[0][0] / 2
+        for (width, height, _), (_, high, _) in zip(above, aside):
+            self.assertAlmostEqual(height, 2 * metre, delta=0.1)
+            self.assertAlmostEqual(width, 2 * metre, delta=0.1)
+            self.assertAlmostEqual(high, 3 * metre, delta=0.1)
+        self.assertEqual(len({color for *_, color in above}), 2)  # one for each robot
+        self.assertEqual([color for *_, color in above], [color for *_, color in aside])
+        self.write("m.obj", "v 0 0 0\n")
+        self.assertIn("some meshes are not drawn", [text.text for text in self.svg("s.smurfs").iter(SVG + "text")])
+
+    @reader.needs_program("rsvg-convert")
+    def test_names_do_not_cover_each_other(self):
+        """In one place, a hundred names have no place; those that are written do not overlap."""
+        for step, all_are_there in ((1.5, True), (0.01, False)):
+            self.write("s.smurfs", "entities:\n" + "".join(
+                f"- {{name: robot_{i}, type: thing, position: [{i % 10 * step}, {i // 10 * step}, 0]}}\n" for i in range(100)))
+            root = self.svg("s.smurfs")
+            names = [text for text in root if text.get("class") == "name"]  # from above
+            boxes = [(float(t.get("x")), float(t.get("y")), len(t.text) * 7.2) for t in names]
+            for i, (x, y, width) in enumerate(boxes):
+                for other_x, other_y, other_width in boxes[:i]:
+                    self.assertFalse(abs(y - other_y) < 12 and x < other_x + other_width and other_x < x + width)
+            self.assertEqual(len(names) == 100, all_are_there)
+            texts = [text.text for text in root.iter(SVG + "text")]
+            self.assertEqual("some names have no place: point at the axes" in texts, not all_are_there)
+
+    @reader.needs_program("rsvg-convert")
+    def test_many_shapes_are_seen_from_above_only(self):
+        self.write("s.smurfs", "entities:\n" + "".join(
+            f"- {{name: e{i}, type: thing, position: [{i % 80}, {i // 80}, 0]}}\n" for i in range(5001)))
+        root = self.svg("s.smurfs")
+        self.assertEqual(len(self.outlines(root)), 1)
+        self.assertIn("too many shapes for a view from the side", [text.text for text in root.iter(SVG + "text")])
 
 
 if __name__ == "__main__":

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kFontSize = 13;
 constexpr double kLegendHeight = 26;
+constexpr double kTitleHeight = 34;
+constexpr double kNumbersHeight = 30;
 
 double cross(const Point2& o, const Point2& a, const Point2& b) {
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
@@ -63,7 +65,8 @@ std::vector<Point2> convex_hull(std::vector<Point2> points) {
   return hull;
 }
 
-SvgCanvas::SvgCanvas(const Box2& world, std::string_view title) {
+SvgCanvas::SvgCanvas(const Box2& world, double height, std::string title)
+    : title_(std::move(title)) {
   constexpr double kLongSide = 860;
   constexpr double kShortSide = 420;
   Box2 shown = world;
@@ -74,7 +77,10 @@ SvgCanvas::SvgCanvas(const Box2& world, std::string_view title) {
     shown.low[i] -= border;
     shown.high[i] += border;
   }
-  scale_ = kLongSide / std::max(shown.size(0), shown.size(1));
+  constexpr double kMuchHigher = 8;
+  const double size = std::max(shown.size(0), shown.size(1));
+  const double with_border = 1.12 * height;
+  scale_ = kLongSide / (with_border < kMuchHigher * size ? std::max(size, with_border) : size);
   Point2 side{};
   for (std::size_t i = 0; i < 2; ++i) {
     side[i] = std::max(kShortSide, scale_ * shown.size(i));
@@ -82,23 +88,60 @@ SvgCanvas::SvgCanvas(const Box2& world, std::string_view title) {
   }
   width_ = side[0] + 2 * kMargin;
   height_ = side[1] + 2 * kMargin;
+  lay_out();
+}
+
+SvgCanvas::SvgCanvas(const SvgCanvas& upper, const Box2& world, std::string title)
+    : scale_(upper.scale_), width_(upper.width_), title_(std::move(title)) {
+  constexpr double kShortSide = 180;
+  constexpr double kLongSide = 1200;
+  Box2 shown = world;
+  if (shown.is_empty()) shown.add({0, 0});
+  const double border = 0.06 * std::max(shown.size(1), 1.0);
+  const double side =
+      std::min(std::max(kShortSide, scale_ * (shown.size(1) + 2 * border)), kLongSide);
+  origin_ = {upper.origin_[0], (shown.low[1] + shown.high[1]) / 2 - side / scale_ / 2};
+  height_ = side + 2 * kMargin;
+  top_ = upper.top_ + upper.height_;
+  lay_out();
+}
+
+void SvgCanvas::lay_out() {
   columns_ = static_cast<std::size_t>(width_ / kCell) + 1;
   rows_ = static_cast<std::size_t>(height_ / kCell) + 1;
   cells_.resize(columns_ * rows_);
-  add_head(title);
 }
 
-void SvgCanvas::add_head(std::string_view title) {
+void SvgCanvas::open(double below) {
   const std::string width = pixels(width_);
-  const std::string height = pixels(height_ + kLegendHeight);
+  const std::string height = pixels(height_ + below + kLegendHeight);
   text_ += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
            "\" viewBox=\"0 0 " + width + " " + height +
            "\" font-family=\"sans-serif\" font-size=\"" + pixels(kFontSize) + "\">\n<title>" +
-           escape_xml(title) +
+           escape_xml(title_) +
            "</title>\n<style>.name{fill:#111;stroke:#fff;stroke-width:3;stroke-linejoin:round;"
            "paint-order:stroke}</style>\n<rect width=\"" +
-           width + "\" height=\"" + height + "\" fill=\"#fff\"/>\n<text x=\"" + pixels(kMargin) +
-           "\" y=\"26\" font-size=\"15\" font-weight=\"bold\">" + escape_xml(title) + "</text>\n";
+           width + "\" height=\"" + height + "\" fill=\"#fff\"/>\n";
+  add_title();
+}
+
+void SvgCanvas::open_below(SvgCanvas& upper) {
+  text_ = std::move(upper.text_);
+  text_ += "<g transform=\"translate(0 " + pixels(top_) + ")\">\n";
+  add_title();
+}
+
+void SvgCanvas::add_title() {
+  text_ += "<text x=\"" + pixels(kMargin) + "\" y=\"26\" font-size=\"15\" font-weight=\"bold\">" +
+           escape_xml(title_) + "</text>\n";
+}
+
+void SvgCanvas::close_sheet() {
+  const Box2 area = sheet();
+  text_ += "<rect x=\"" + pixels(area.low[0]) + "\" y=\"" + pixels(area.low[1]) + "\" width=\"" +
+           pixels(area.size(0)) + "\" height=\"" + pixels(area.size(1)) +
+           "\" fill=\"none\" stroke=\"#999\"/>\n";
+  if (top_ > 0) text_ += "</g>\n";
 }
 
 template <class Visit>
@@ -166,40 +209,49 @@ void SvgCanvas::add_grid() {
   text_ += "<g fill=\"#777\" font-size=\"11\">\n" + numbers + "</g>\n";
 }
 
-void SvgCanvas::add_label(const Point2& at, std::string_view text) {
-  const double width = 0.56 * kFontSize * static_cast<double>(utf8::count_code_points(text));
-  const Box2 area{{4, 4}, {width_ - 4, height_ - 4}};
-  const auto box_at = [&](double x, double y) {
-    return Box2{{x, y - kFontSize}, {x + width, y + 3}};
-  };
+std::optional<Box2> SvgCanvas::place_of_label(const Point2& at, double width) const {
+  // Names are in the view from above; the other one shows those that have a place at once. In a
+  // crowd, searching farther is in vain.
+  constexpr std::size_t kMostLost = 100;
+  const double farthest = top_ > 0 || lost_names_ > kMostLost ? 30 : 130;
+  const Box2 area{{4, kTitleHeight}, {width_ - 4, height_ - kNumbersHeight}};
   // Right, left, above, below; then farther away.
-  Box2 chosen = box_at(at[0] + 12, at[1] - 10);
-  bool is_placed = false;
-  for (double far = 0; far < 60 && !is_placed; far += kFontSize + 3) {
+  for (double far = 0; far < farthest; far += kFontSize + 3) {
     for (const Point2& offset : {Point2{12, -10 - far}, Point2{-12 - width, -10 - far},
                                  Point2{12, 20 + far}, Point2{-12 - width, 20 + far},
                                  Point2{-width / 2, -16 - far}, Point2{-width / 2, 26 + far}}) {
-      const Box2 box = box_at(at[0] + offset[0], at[1] + offset[1]);
+      const Point2 low{at[0] + offset[0], at[1] + offset[1] - kFontSize};
+      const Box2 box{low, {low[0] + width, low[1] + kFontSize + 3}};
       const bool is_inside = box.low[0] >= area.low[0] && box.high[0] <= area.high[0] &&
                              box.low[1] >= area.low[1] && box.high[1] <= area.high[1];
-      is_placed = is_inside && is_free(box);
-      if (!is_placed) continue;
-      chosen = box;
-      break;
+      if (is_inside && is_free(box)) return box;
     }
   }
-  occupy(chosen);
-  text_ += "<text class=\"name\" x=\"" + pixels(chosen.low[0]) + "\" y=\"" +
-           pixels(chosen.high[1] - 3) + "\">" + escape_xml(text) + "</text>\n";
+  return std::nullopt;
+}
+
+void SvgCanvas::add_label(const Point2& at, std::string_view text) {
+  const double width = 0.56 * kFontSize * static_cast<double>(utf8::count_code_points(text));
+  const std::optional<Box2> box = place_of_label(at, width);
+  if (!box) {
+    ++lost_names_;
+    return;
+  }
+  occupy(*box);
+  constexpr double kNear = 40;
+  const double gap = std::max(box->low[1] - at[1], at[1] - box->high[1]);
+  if (gap > kNear) {
+    const Point2 end{std::clamp(at[0], box->low[0], box->high[0]),
+                     at[1] > box->high[1] ? box->high[1] : box->low[1]};
+    text_ += "<path d=\"M" + pixels(at) + "L" + pixels(end) + "\" stroke=\"#999\"/>\n";
+  }
+  text_ += "<text class=\"name\" x=\"" + pixels(box->low[0]) + "\" y=\"" +
+           pixels(box->high[1] - 3) + "\">" + escape_xml(text) + "</text>\n";
 }
 
 std::string SvgCanvas::finish(std::string_view legend) {
-  const Box2 area = sheet();
-  text_ += "<rect x=\"" + pixels(area.low[0]) + "\" y=\"" + pixels(area.low[1]) + "\" width=\"" +
-           pixels(area.size(0)) + "\" height=\"" + pixels(area.size(1)) +
-           "\" fill=\"none\" stroke=\"#999\"/>\n<g transform=\"translate(" + pixels(kMargin) + " " +
-           pixels(height_ + 6) + ")\" font-size=\"12\" fill=\"#444\">\n" + std::string(legend) +
-           "</g>\n</svg>\n";
+  text_ += "<g transform=\"translate(" + pixels(kMargin) + " " + pixels(top_ + height_ + 6) +
+           ")\" font-size=\"12\" fill=\"#444\">\n" + std::string(legend) + "</g>\n</svg>\n";
   return std::move(text_);
 }
 

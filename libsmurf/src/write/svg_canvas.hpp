@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sheet of SVG seen from above: metres in, pixels out, and places for labels.
+// A sheet of SVG: metres in, pixels out, and places for labels. Sheets can be below each other.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,8 +31,24 @@ std::vector<Point2> convex_hull(std::vector<Point2> points);
 /// x goes right, y up. Text is escaped here.
 class SvgCanvas {
  public:
-  /// `world` is what has to be on the sheet, in metres.
-  SvgCanvas(const Box2& world, std::string_view title);
+  /// `world` is what has to be on the sheet, in metres. `height` is that of a sheet below, which
+  /// decides the scale unless it is far larger.
+  SvgCanvas(const Box2& world, double height, std::string title);
+  /// A sheet below another one, with the same scale and the same horizontal extent. What is too
+  /// high is cut off.
+  SvgCanvas(const SvgCanvas& upper, const Box2& world, std::string title);
+
+  double height() const { return height_; }
+  /// Begins the picture, with so much room for a sheet below.
+  void open(double below);
+  /// Goes on with the picture of the sheet above, which is complete.
+  void open_below(SvgCanvas& upper);
+  /// Draws the border.
+  void close_sheet();
+  /// The id of the clip path of the sheet.
+  std::string clip() const { return top_ > 0 ? "lower" : "sheet"; }
+  /// Whether labels were left out because no place was free.
+  bool lacks_names() const { return lost_names_ > 0; }
 
   Point2 to_pixels(const Point2& world) const;
   double scale() const { return scale_; }  ///< pixels per metre
@@ -45,7 +62,8 @@ class SvgCanvas {
   void add_grid();
   /// Keeps a place free of labels.
   void occupy(const Box2& pixels);
-  /// A label beside a point, where it covers no other one.
+  /// A label beside a point, where it covers no other one; a line leads to a label that is farther
+  /// away. None where no place is free.
   void add_label(const Point2& pixels, std::string_view text);
   /// The whole picture. It may be long, and is given away.
   std::string finish(std::string_view legend);
@@ -54,7 +72,9 @@ class SvgCanvas {
   static constexpr double kMargin = 48;
   static constexpr double kCell = 16;
 
-  void add_head(std::string_view title);
+  void lay_out();
+  void add_title();
+  std::optional<Box2> place_of_label(const Point2& at, double width) const;
   bool is_free(const Box2& pixels) const;
   /// Calls `visit(cell)` for the cells that a box covers, until it returns false.
   template <class Visit>
@@ -64,6 +84,9 @@ class SvgCanvas {
   double scale_ = 1;
   double width_ = 0;
   double height_ = 0;
+  double top_ = 0;  ///< of the sheet in the picture
+  std::string title_;
+  std::size_t lost_names_ = 0;
   std::string text_;
   std::size_t columns_ = 0, rows_ = 0;
   /// What is occupied, by squares of kCell pixels of the sheet: a label is compared with what is
