@@ -20,6 +20,8 @@ URDF = """<robot name="rich">
 <link name="base">""" + BODY.format(m="2") + """
   <visual name="hull"><geometry><box size="1 2 3"/></geometry>
     <material name="red"><color rgba="1 0 0 1"/></material></visual>
+  <visual><geometry><box size="2 1 1"/></geometry>
+    <material name="blue"><color rgba="0 0 1 1"/></material></visual>
   <visual><geometry><box size="1 1 1"/></geometry>
     <material name="skin"><color rgba="0 1 0 1"/><texture filename="skin.png"/></material></visual>
   <collision name="bumper"><geometry><box size="1 2 3"/></geometry></collision>
@@ -53,7 +55,7 @@ sensors:
 controllers:
 - {name: brain, rate: 10, sensors: [imu], motors: [shoulder_motor]}
 materials:
-- {name: red, diffuseColor: {r: 1, g: 0.5, b: 0, a: 1}}
+- {name: skin, shininess: 2, diffuseColor: {r: 1, g: 0.5, b: 0, a: 1}}
 collision:
 - {name: bumper, link: base, bitmask: 6, cfriction1: 0.5, cerp: 0.3}
 joint:
@@ -61,7 +63,7 @@ joint:
 link:
 - {name: arm, density: 3}
 visuals:
-- {name: hull, link: base, materialName: red}
+- {name: hull, link: base, materialName: skin}
 nodes:
 - {name: extra, parent: arm}
 lights:
@@ -104,7 +106,7 @@ CHANGES = {
                          '<collision name="bumper"><geometry><box size="1 2 4"/>'),
     "shapes with a size of 0": ('<sphere radius="0"/>', '<sphere radius="1"/>'),
     "names of visuals and collisions": ('<visual name="hull">', '<visual name="shell">'),
-    "colours": ('rgba="1 0 0 1"', 'rgba="1 0 1 1"'),
+    "colours": ('rgba="0 0 1 1"', 'rgba="0 1 1 1"'),
     "textures": ('<texture filename="skin.png"/>', ""),
     "movable joints": ('name="hinge" type="continuous"', 'name="hinge" type="fixed"'),
     "mimicking joints": ('<mimic joint="shoulder" multiplier="0.5"/>', ""),
@@ -126,6 +128,7 @@ CHANGES = {
     "sensor setting": (", cutoff: 3", ""),
     "controller": ("controllers:\n.*?}\n", ""),
     "material": ("materials:\n.*?}}\n", ""),
+    "material setting": (" shininess: 2,", ""),
     "collision setting": (", cerp: 0.3", ""),
     "joint setting": ("joint:\n- {name: shoulder, springDamping: 3}\n", ""),
     "link setting": ("link:\n- {name: arm, density: 3}\n", ""),
@@ -163,7 +166,7 @@ PARTS = {
 }
 # A format that keeps everything else has nothing to say of these.
 ASIDES = {"masses of moving links that have none", "inertias that simulators refuse", "motor setting",
-          "sensor setting", "gravity when none is set", "step size when none is set",
+          "sensor setting", "material setting", "gravity when none is set", "step size when none is set",
           "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives"}
 OF_URDF = set(list(CHANGES)[:list(CHANGES).index("motor")])
 

@@ -176,6 +176,16 @@ class Copies(ImportTest):
         self.assertIn('filename="meshes/2/upper_arm.obj"', urdf)
         self.assertEqual(self.read("out/meshes/2/upper_arm.obj"), self.read("in/meshes/forearm.obj"))
 
+    def test_files_that_meshes_name(self):
+        mesh = self.read("in/meshes/forearm.obj")
+        self.write("in/meshes/forearm.obj", "mtllib colours of it.mtl\n" + mesh)
+        self.write("in/meshes/colours of it.mtl", "newmtl a\nmap_Kd ../wood.png\n")
+        self.write("in/wood.png", "wood")
+        self.expect(0, "in/urdf/arm.urdf", "-o", "out", "--copy-meshes")
+        self.assertEqual(self.read("out/meshes/forearm.obj"), "mtllib colours_of_it.mtl\n" + mesh)
+        self.assertEqual(self.read("out/meshes/colours_of_it.mtl"), "newmtl a\nmap_Kd wood.png\n")
+        self.assertEqual(self.read("out/meshes/wood.png"), "wood")
+
     def test_nothing_from_outside(self):
         self.write("secret.stl", "solid s\nendsolid s\n")
         (self.folder / "project" / ".git").mkdir(parents=True)

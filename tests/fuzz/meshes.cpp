@@ -49,7 +49,12 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   for (const char* extension : {".stl", ".obj", ".dae", ".gltf"}) {
     result.broken = broken_promises(read_triangles(bytes, extension, neighbours));
     require_kept(result);
-    read_mesh(bytes, extension);
+    read_mesh(bytes, extension, {}, neighbours);
+    FileNames names;
+    for (const MeshDependency& named : files_named_in(bytes, extension)) {
+      names.emplace(named.filename, "other.png");
+    }
+    with_other_names(bytes, extension, names);
   }
   return 0;
 }

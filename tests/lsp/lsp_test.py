@@ -4,6 +4,7 @@ import json
 import pathlib
 import re
 import shutil
+import struct
 import sys
 import tempfile
 import time
@@ -590,6 +591,26 @@ class Hover(LspTest):
         text = self.hover(self.urdf, self.find(self.urdf, "upper_arm.obj"))
         self.assertIn("triangles", text)
         self.assertIn(" m\n", text + "\n")
+
+    def test_gltf(self):
+        """The mesh is turned to z and is 1 m wide; its points are in a file beside it, which then is gone."""
+        folder = self.folder / "glass"
+        folder.mkdir()
+        (folder / "m.bin").write_bytes(struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 2, 0))
+        (folder / "m.gltf").write_text(json.dumps({
+            "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "m.bin"}]}))
+        robot = folder / "r.urdf"
+        robot.write_text('<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry></visual></link>'
+                         "</robot>")
+        self.open(robot)
+        text = self.hover(robot, self.find(robot, "m.gltf"))
+        self.assertIn("glTF, 1 triangle", text)
+        self.assertIn("1 x 0 x 2 m", text)
+        (folder / "m.bin").unlink()
+        self.assertIn("which is not there", self.hover(robot, self.find(robot, "m.gltf")))
 
     def test_nothing(self):
         self.open(self.motors)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/counted.hpp"
 #include "base/numbers.hpp"
 #include "base/quoted.hpp"
 
@@ -217,7 +218,7 @@ std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link
 std::vector<std::string> describe(const MeshFacts& mesh, const Vector3& scale) {
   const bool is_read = mesh.unread.empty();
   Lines lines{"mesh: " + std::string(to_string(mesh.format)) +
-              (is_read ? ", " + std::to_string(mesh.triangles) + " triangles" : "")};
+              (is_read ? ", " + counted(mesh.triangles, "triangle") : "")};
   if (!is_read) lines.push_back("the mesh " + mesh.unread);
   if (mesh.box) {
     Vector3 size = mesh.box->size();
