@@ -367,6 +367,27 @@ def mesh_of_many_names_copied(n, write):
     mesh_of_many_names(n, write)
 
 
+@grows(100, "smurfs-flatten", "-q", "--format", "sdf", "--copy-assets", "copies", "-o", "out", "r.urdf")
+def files_of_a_mesh_copied(n, write):
+    for i in range(n):
+        write(f"t{i}/wood.png", "")
+    images = ", ".join(f'{{"uri": "{way}t{i}/wood.png"}}' for i in range(n) for way in ("", "t0/../"))
+    write("m.gltf", '{"asset": {"version": "2.0"}, "scenes": [{"nodes": []}], "images": [' + images + "]}")
+    write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry></visual></link></robot>')
+
+
+@grows(300, "smurf-lint", "-q", "r.urdf")
+def nodes_and_accessors_of_gltf(n, write):
+    accessors = ", ".join(['{"bufferView": 0, "componentType": 5126, "count": 300, "type": "VEC3"}'] * n)
+    primitives = ", ".join(f'{{"attributes": {{"POSITION": {i}}}}}' for i in range(n))
+    nodes = ", ".join(['{"mesh": 0}'] * n)
+    write("m.gltf", f'{{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": {list(range(n))}}}], "nodes": [{nodes}], '
+          f'"meshes": [{{"primitives": [{primitives}]}}], "accessors": [{accessors}], '
+          '"bufferViews": [{"buffer": 0, "byteLength": 3600}], "buffers": [{"byteLength": 3600, "uri": "m.bin"}]}')
+    write("m.bin", "\0" * 3600)
+    write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry></visual></link></robot>')
+
+
 @grows(50, "smurf-lint", "-q", "a.smurf")
 def keys_beside_a_missing_one(n, write):
     keys = "".join(f", k{i}: 1" for i in range(n * 8))
