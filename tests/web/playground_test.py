@@ -387,6 +387,25 @@ class UseTest(PlaygroundTest):
         self.assertEqual((results[5], results[10]), ([], []))
         self.assertEqual(results[13], [1, None])
 
+    def test_an_edit_keeps_the_search_and_the_view(self):
+        viewer = "document.getElementById('viewer').contentWindow.smurfViewer"
+        loaded = f"{PAGE}.checker.page.picture.viewer().then(() => new Promise((done) => setTimeout(done, 200)))"
+        edit = (f"(() => {{ const name = 'urdf/arm.urdf'; const text = new TextDecoder().decode({PAGE}.files.all.get(name));"
+                f" {PAGE}.files.set(name, new TextEncoder().encode(text + '<!-- -->\\n'), name); }})()")
+        words = "[document.getElementById('words').value, document.getElementById('status').textContent]"
+        view = f"[{viewer}.selected?.link, {viewer}.motion.positions[0].get('joint1_waist'), ...({viewer}.stage.view() ?? [])]"
+        results = self.play(example(ARM), CHECKED, "document.getElementById('words').value = 'joint2'", f"{PAGE}.checker.page.filters.change()",
+                            words, click("#show-robot"), {"until": f"{viewer}?.stage"}, f"{viewer}.select(0, 3)",
+                            f"{viewer}.joints.set(0, new Map([['joint1_waist', 0.5]]))", f"{viewer}.stage.turn(0.5, 0.25, 0.5)", view, edit,
+                            CHECKED, loaded, words, view)
+        self.assertEqual(results[4][0], "joint2")
+        self.assertRegex(results[4][1], "^2 of ")
+        self.assertEqual(results[-2], results[4])
+        before, after = results[10], results[-1]
+        self.assertEqual(before[:2], [3, 0.5])
+        for a, b in zip(before, after):
+            self.assertAlmostEqual(a, b, 4)
+
     def test_everything_has_a_name_and_is_readable(self):
         fits = "[document.documentElement.scrollWidth, [...document.querySelectorAll('body *')]" \
                ".filter((part) => part.getBoundingClientRect().right > innerWidth + 1).map((part) => part.outerHTML)]"

@@ -81,6 +81,21 @@ export class Filters {
     this.change();
   }
 
+  /** What somebody has chosen, for restore() of the filters of another list. */
+  get state() {
+    return { hidden: [...this.hidden], values: this.fields().map(({ id, value }) => [id, value]) };
+  }
+
+  /** Chooses the same again, as far as this list has it. */
+  restore({ hidden, values }) {
+    this.hidden = new Set(hidden.filter((value) => this.shown.includes(value)));
+    for (const [id, value] of values) {
+      byId(id).value = value;
+      if (byId(id).value !== value) byId(id).value = "";
+    }
+    this.change();
+  }
+
   isNarrowed() {
     return this.hidden.size > 0 || this.fields().some((field) => field.value !== "");
   }

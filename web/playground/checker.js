@@ -46,6 +46,8 @@ export class Checker {
   }
 
   show({ stdout, stderr }, page) {
+    const kept = this.page?.filters.state;
+    const hash = this.page?.picture.hash;
     const wasOpen = this.close();
     this.playground.fail(stderr);
     this.html = page && textOf(page);
@@ -66,6 +68,7 @@ export class Checker {
       onFix: (finding) => this.playground.fix(finding),
     };
     this.page = new Page(report, { actions, signal: this.keys.signal });
+    if (kept) this.page.filters.restore(kept);
     this.byFile = new Map();
     for (const finding of report.diagnostics)
       if (!this.byFile.get(finding.file)?.push(finding)) this.byFile.set(finding.file, [finding]);
@@ -73,7 +76,7 @@ export class Checker {
     const { shown, files, convert } = this.playground;
     const first = report.diagnostics.find(({ file }) => files.all.has(file))?.file ?? convert.source;
     this.playground.showFile(shown ?? (files.all.has(first) ? first : undefined));
-    if (wasOpen) this.showRobot();
+    if (wasOpen) this.showRobot(hash);
   }
 
   showBar({ diagnostics }) {
@@ -101,8 +104,11 @@ export class Checker {
     if (result.files.size > 0) files.change(new Map([...before, ...result.files]));
   }
 
-  /** Opens the picture. The report has none where nothing was found, or where there are several robots. */
-  async showRobot() {
+  /**
+   * Opens the picture, with the view that another one had. The report has none where nothing was found, or where there
+   * are several robots.
+   */
+  async showRobot(hash) {
     const { page } = this;
     const { source } = this.playground.convert;
     if (!page.picture.page) {
@@ -114,7 +120,8 @@ export class Checker {
       if (!html) return void this.playground.fail(result.stderr);
       page.picture = new Picture(textOf(html));
     }
-    await page.picture.open(source);
+    const viewer = await page.picture.open(source);
+    if (hash && page === this.page) viewer?.readHash(hash);
   }
 
   /** How many findings a file has, as the list of files shows it. */

@@ -67,6 +67,11 @@ export class Picture {
     viewer.goTo(thing.entity, thing.link);
   }
 
+  /** The view of the picture, as its address would have it; undefined when it is closed or loads. */
+  get hash() {
+    return this.isOpen ? byId("viewer").contentWindow?.smurfViewer?.hash() : undefined;
+  }
+
   /** False when it is closed already. */
   close() {
     if (!this.isOpen) return false;

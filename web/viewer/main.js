@@ -345,10 +345,15 @@ class Viewer {
     this.stage.fit(box.expandByScalar(margin).intersect(all), this.stage.direction());
   }
 
+  /** What is selected and moved, and the camera, for readHash(). */
+  hash() {
+    return toHash(this.scene, this.motion, this.selected, this.stage?.view());
+  }
+
   writeHash() {
     clearTimeout(this.writing);
     if (isInFrame) return; // it has no address of its own
-    history.replaceState(null, "", toHash(this.scene, this.motion, this.selected, this.stage?.view()));
+    history.replaceState(null, "", this.hash());
   }
 
   /** Browsers limit how often the address may change. */
@@ -357,8 +362,8 @@ class Viewer {
     this.writing = setTimeout(() => this.writeHash(), kWriteDelay);
   }
 
-  readHash() {
-    const { entity, link, positions, camera } = fromHash(this.scene, location.hash);
+  readHash(hash = location.hash) {
+    const { entity, link, positions, camera } = fromHash(this.scene, hash);
     for (const [moved, values] of positions) this.joints.set(moved, values);
     if (camera) this.stage?.look(camera);
     if (entity !== undefined) this.select(entity, link);
