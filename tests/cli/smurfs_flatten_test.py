@@ -838,6 +838,17 @@ class NumbersOfAnnotations(FlattenTest):
                     self.assertEqual(done.returncode, 0, (entry, value, done.stderr))
                     self.assertNotRegex(done.stdout, r"(?i)(?<![\w.])[+-]?(nan|inf(inity)?)(?!\w)", (entry, value))
 
+    def test_colors_lie_between_0_and_1(self):
+        visual = '<visual><geometry><box size="1 1 1"/></geometry><material name="m"><color rgba="0 0 1 1"/></material></visual></link>'
+        self.write("r.urdf", self.URDF.replace("</link>", visual, 1))
+        self.write("r.smurf", "modelname: r\nfiles: [r.urdf, r.yml]\n")
+        for keys, expected in (("diffuseColor: {r: 204, g: -1, b: 0.5}", "1 0 0.5 1"), ("transparency: 1e308", "0 0 1 0"),
+                               ("diffuseColor: {r: 1e308}, transparency: -2", "1 0 0 1")):
+            self.write("r.yml", f"materials: [{{name: m, {keys}}}]\n")
+            for form, pattern in (("sdf", "<diffuse>(.*?)</diffuse>"), ("mjcf", 'rgba="(.*?)"')):
+                done = self.run_tool("r.smurf", "--force", "--quiet", "--format", form)
+                self.assertIn(expected, re.findall(pattern, done.stdout), (keys, form))
+
     def test_each_has_a_finding(self):
         """Except limits, where the largest number means that there is none."""
         self.write("r.urdf", self.URDF)

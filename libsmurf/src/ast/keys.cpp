@@ -82,14 +82,19 @@ void check_text(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
       {Applicability::safe, {{value.span(), "'" + std::string(value.text()) + "'"}}});
 }
 
-/// A number that can be computed with. Others are reported and have no value.
+bool has_range(const KeySpec& spec) {
+  return spec.type == ValueType::color || std::isfinite(bounds_of(spec).maximum);
+}
+
+/// A number that can be computed with, or one that is outside of its range, which is reported
+/// there. Others are reported and have no value.
 std::optional<double> usable_number(const KeySpec& spec, yaml::View value, DiagnosticSink& sink) {
   const std::optional<double> number = value.number();
   if (!number || !std::isfinite(*number)) {
     report_not_number(spec, value, "a number", sink);
     return std::nullopt;
   }
-  if (spec.is_limit || is_quantity(*number)) return number;
+  if (spec.is_limit || has_range(spec) || is_quantity(*number)) return number;
   sink.report(rules::sml4003_out_of_range, value.span(),
               name_of(spec) + " is " + format_number(*number) + ", too large to compute with");
   return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert/annotation_values.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -98,7 +99,10 @@ std::optional<bool> AnnotationValues::says_dynamics(const JointAnnotation& entry
 }
 
 std::array<double, 4> rgba_of(const Color& color) {
-  return {color.r.value_or(0), color.g.value_or(0), color.b.value_or(0), color.a.value_or(1)};
+  std::array<double, 4> rgba{color.r.value_or(0), color.g.value_or(0), color.b.value_or(0),
+                             color.a.value_or(1)};
+  for (double& part : rgba) part = std::clamp(part, 0.0, 1.0);
+  return rgba;
 }
 
 std::optional<LimitValue> limit_value(std::string_view key) {

@@ -38,7 +38,7 @@ class AnnotationValues {
   std::map<std::string_view, const urdf::Material*> materials_;
 };
 
-/// Of a colour; absent components as Phobos takes them: black, opaque.
+/// Absent components as Phobos takes them: black, opaque. Others are brought between 0 and 1.
 std::array<double, 4> rgba_of(const Color& color);
 
 enum class LimitValue : std::uint8_t { lower, upper, effort, velocity };

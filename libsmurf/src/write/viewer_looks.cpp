@@ -2,6 +2,8 @@
 // Sources: MARS smurf.cpp:333-352 and 404-426, MaterialData.cpp:47-118.
 #include "write/viewer_looks.hpp"
 
+#include <algorithm>
+
 #include "base/path.hpp"
 
 namespace smurf {
@@ -34,7 +36,9 @@ ViewerLooks::Look ViewerLooks::of(const urdf::Visual& visual) const {
   for (auto entry = first; entry != last; ++entry) {
     const MaterialAnnotation& annotation = *entry->second;
     if (annotation.diffuse_color) look.color = rgba_of(*annotation.diffuse_color);
-    if (annotation.transparency && look.color) (*look.color)[3] *= 1 - *annotation.transparency;
+    if (annotation.transparency && look.color) {
+      (*look.color)[3] *= 1 - std::clamp(*annotation.transparency, 0.0, 1.0);
+    }
     if (annotation.diffuse_texture) {
       look.texture = path::join(path::parent(flat_.file), *annotation.diffuse_texture);
     }
