@@ -34,6 +34,14 @@ class Release(unittest.TestCase):
             "install(DIRECTORY bin share DESTINATION . USE_SOURCE_PERMISSIONS)\n")
         subprocess.run(["cmake", "-S", source, "-B", self.folder / "build"], check=True, stdout=subprocess.DEVNULL)
 
+    def build_for_arm64(self):
+        """The same programs, whose headers name the other machine."""
+        shutil.copytree(self.folder / "source", self.folder / "arm64-source")
+        for program in (self.folder / "arm64-source/bin").iterdir():
+            content = bytearray(program.read_bytes())
+            content[18:20] = (183).to_bytes(2, "little")
+            program.write_bytes(content)
+
     def release(self, *arguments, output="out"):
         command = [ROOT / "scripts/release", *arguments, "--built", self.folder / "build", "--output", self.folder / output]
         environment = {name: value for name, value in os.environ.items() if not name.startswith(("SMURF_", "PYTHON"))}
@@ -62,11 +70,13 @@ class Release(unittest.TestCase):
 
     def test_a_release_with_a_tag(self):
         """With other scripts in place of the build and the tests. What pip makes of the tagged sources is the wheel."""
+        self.build_for_arm64()
         project = self.folder / "project"
         (project / "scripts").mkdir(parents=True)
         copy_of_project(project)
         shutil.copy(ROOT / "scripts/release", project / "scripts")
         for name, text in (("setup", "exit 0"), ("static-libraries", "exit 0"), ("viewer", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release"),
+                           ("arm64", f"cmake -S '{self.folder}/arm64-source' -B build/arm64"),
                            ("wasm", "mkdir -p build/wasm && echo packed >build/wasm/smurf-tools.tgz")):
             (project / "scripts" / name).write_text(f"#!/bin/sh\n{text}\n")
             (project / "scripts" / name).chmod(0o755)
@@ -83,13 +93,16 @@ class Release(unittest.TestCase):
         self.assertEqual((out / "notes.md").read_text(), "- all\n")
         self.assertEqual(subprocess.run([*git, "status", "--porcelain"], check=True, capture_output=True).stdout, b"")
         table = subprocess.run([*git, "show", f"v{VERSION}:python/backend/releases.sha256"], check=True, capture_output=True)
-        self.assertIn(table.stdout.splitlines()[-1], (out / "SHA256SUMS").read_bytes().splitlines())
+        archives = table.stdout.decode().splitlines()[-2:]
+        self.assertLessEqual(set(archives), set((out / "SHA256SUMS").read_text().splitlines()))
+        self.assertEqual([line.rpartition(VERSION)[2] for line in archives], ["-linux-x86_64.tar.gz", "-linux-aarch64.tar.gz"])
         self.assertIn(f"{hashlib.sha256(b'packed' + os.linesep.encode()).hexdigest()}  smurf-tools.tgz",
                       (out / "SHA256SUMS").read_text().splitlines())
         build = "import sys, backend; backend.build_wheel(sys.argv[1])"
         subprocess.run([sys.executable, "-c", build, self.folder], check=True, stderr=subprocess.DEVNULL,
                        env=environment | {"PYTHONPATH": str(project / "python"), "SMURF_RELEASES": out.as_uri()})
-        wheel = next(out.glob("*.whl"))
+        wheel = next(out.glob("*_x86_64.whl"))
+        self.assertEqual(len(list(out.glob("*_aarch64.whl"))), 1)
         self.assertEqual((self.folder / wheel.name).read_bytes(), wheel.read_bytes())
         again = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
         self.assertEqual((again.returncode, again.stderr), (2, f"release: the tag v{VERSION} exists\n"))

@@ -194,13 +194,14 @@ class Tags(unittest.TestCase):
 
         class Made(elf.Elf):
             def __init__(self, content):
-                self.machine, self.libraries, self.versions = "x86_64", *self.made[content[6:]]
+                self.machine, self.libraries, self.versions = machine, *self.made[content[6:]]
 
         Made.made = {
             b"static": ([], []), b"old": (["libc.so.6"], ["GLIBC_2.2.5", "GLIBC_PRIVATE"]),
             b"new": (["libc.so.6", "libm.so.6"], ["GLIBC_2.4", "GLIBC_2.35"]), b"more": (["libc.so.6", "libode.so.8"], [])}
         self.addCleanup(setattr, elf, "Elf", elf.Elf)
         elf.Elf = Made
+        machine = "x86_64"
         for names, expected in {
             ("static", "static"): "manylinux_2_17_x86_64.manylinux2014_x86_64.musllinux_1_1_x86_64",
             ("static", "old"): "manylinux_2_17_x86_64.manylinux2014_x86_64",
@@ -209,6 +210,9 @@ class Tags(unittest.TestCase):
         }.items():
             files = [b"\x7fELF\x02\x01" + name.encode() for name in names]
             self.assertEqual(elf.tag_of(files, False), f"py3-none-{expected}")
+        machine = "aarch64"
+        self.assertEqual(elf.tag_of([b"\x7fELF\x02\x01static"], False),
+                         "py3-none-manylinux_2_17_aarch64.manylinux2014_aarch64.musllinux_1_1_aarch64")
 
 
 HAS_VENV = importlib.util.find_spec("ensurepip") is not None
@@ -240,6 +244,23 @@ class Pip(Case):
         self.assertEqual(self.call(environment / "bin/pip", "uninstall", "-y", "smurf-tools").returncode, 0)
         left = [path for path in environment.rglob("*smurf*")]
         self.assertEqual(left, [])
+
+    def test_what_pip_chooses_on_arm64(self):
+        """Among wheels of both machines; those of glibc and of musl."""
+        (self.folder / "arm64").mkdir()
+        for program in PROGRAMS:  # ELF files without contents
+            header = b"\x7fELF\x02\x01".ljust(18, b"\0") + (183).to_bytes(2, "little")
+            (self.folder / "arm64" / program).write_bytes(header.ljust(64, b"\0"))
+        for programs in (self.small, self.folder / "arm64"):
+            self.assertEqual(self.build(SMURF_PREBUILT=str(programs)).returncode, 0)
+        environment = self.folder / "environment"
+        self.assertEqual(self.call(sys.executable, "-m", "venv", environment).returncode, 0)
+        for platform in ("manylinux2014_aarch64", "manylinux_2_17_aarch64", "musllinux_1_1_aarch64"):
+            done = self.call(environment / "bin/pip", "download", "--no-deps", "--only-binary=:all:", "--platform", platform,
+                             "-d", self.folder / platform, "smurf-tools", PIP_FIND_LINKS=str(self.folder / "out"))
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            wheel = next((self.folder / platform).iterdir())
+            self.assertIn("_aarch64", wheel.name)
 
     def test_the_line_of_the_readme(self):
         """With a folder in place of the Python index."""

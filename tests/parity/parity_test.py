@@ -1,25 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tools as WebAssembly say, write and return what the native ones do, on all fixtures and the corpus.
+"""Another build of the tools prints, writes and returns what the native one does, on all fixtures and the corpus.
 
-usage: parity_test.py FOLDER_OF_TOOLS PACKAGE [CORPUS]
+usage: parity_test.py FOLDER_OF_TOOLS wasm PACKAGE [CORPUS]
+       parity_test.py FOLDER_OF_TOOLS arm64 FOLDER_OF_PROGRAMS [CORPUS]
+
+SMURF_PARITY_SHARD=K/N compares the K-th of N parts only.
 """
-import hashlib
-import json
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 
-from built import skip_without
+from builds import BUILDS, Native, sum_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FIXTURES = ROOT / "fixtures"
 SCENE_FORMATS = ("json", "tsv", "dot", "svg", "sdf", "mjcf", "urdf", "dmd", "gltf", "usda")
 PRESETS = ("ros2", "gazebo", "mujoco", "drake")
 MOST_SHOWN = 20
-ENVIRONMENT = {"PATH": os.environ["PATH"], "NO_COLOR": "1"}
 
 
 def lint_jobs(roots):
@@ -60,15 +59,10 @@ def conversion_jobs(roots, scratch):
         yield "urdf2smurf", ["--force", "--overwrite", "-o", "robot", str(path)], scratch
 
 
-def sum_of(data):
-    return hashlib.sha256(data).hexdigest()
-
-
-def run_native(tools, job):
-    tool, arguments, folder = job
-    done = subprocess.run([tools / tool, *arguments], cwd=folder, env=ENVIRONMENT, capture_output=True, check=False,
-                          stdin=subprocess.DEVNULL)
-    return [done.returncode, sum_of(done.stdout), sum_of(done.stderr)]
+def comparison_jobs(roots):
+    for root in roots:
+        paths = files_in([root], ".urdf")
+        yield from (("smurf-diff", ["--format=json", str(old), str(new)], root) for old, new in zip(paths, paths[1:]))
 
 
 def written(folder):
@@ -82,59 +76,44 @@ def written(folder):
     return found
 
 
-class Package:
-    """One process that runs one job after the other."""
-
-    def __init__(self, package):
-        script = pathlib.Path(__file__).with_name("run_jobs.mjs")
-        self.process = subprocess.Popen(["node", script, package], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-
-    def run(self, job):
-        tool, arguments, folder = job
-        self.process.stdin.write(json.dumps({"tool": tool, "args": arguments, "folder": str(folder)}) + "\n")
-        self.process.stdin.flush()
-        return json.loads(self.process.stdout.readline())
-
-
-def show(tools, package, job):
+def show(native, other, job):
     """Where the two differ, for whoever has to find out why."""
-    tool, arguments, folder = job
-    program = [str(package / "bin" / f"{tool}.mjs")]
     outputs = []
-    for command in ([tools / tool], ["node", *program]):
-        done = subprocess.run([*command, *arguments], cwd=folder, env=ENVIRONMENT, capture_output=True, check=False,
-                              stdin=subprocess.DEVNULL)
+    for build in (native, other):
+        done = build.run_alone(job)
         outputs.append([f"exit code {done.returncode}", *(done.stdout + done.stderr).decode(errors="replace").splitlines()])
-    for native, wasm in zip(*outputs):
-        if native != wasm:
-            print(f"    native {native[:300]}\n    wasm   {wasm[:300]}")
+    for lines in zip(*outputs):
+        if lines[0] != lines[1]:
+            print(f"    native {lines[0][:300]}\n    other  {lines[1][:300]}")
             return
 
 
 def main():
-    tools, package = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
-    skip_without(tools, package)
+    tools, kind, folder = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], pathlib.Path(sys.argv[3]).resolve()
+    BUILDS[kind].skip_without(tools, folder)
     roots = [FIXTURES]
-    if len(sys.argv) > 3 and (pathlib.Path(sys.argv[3]) / "MANIFEST.tsv").is_file():
-        roots.append(pathlib.Path(sys.argv[3]).resolve())
+    if len(sys.argv) > 4 and (pathlib.Path(sys.argv[4]) / "MANIFEST.tsv").is_file():
+        roots.append(pathlib.Path(sys.argv[4]).resolve())
     else:
         print("there is no corpus; only the fixtures are compared")
-    process = Package(package)
+    part, parts = map(int, os.environ.get("SMURF_PARITY_SHARD", "1/1").split("/"))
+    native, other = Native(tools), BUILDS[kind](folder)
     different = 0
-    with tempfile.TemporaryDirectory(prefix="smurf-wasm-") as scratch:
+    with tempfile.TemporaryDirectory(prefix="smurf-parity-") as scratch:
         scratch = pathlib.Path(scratch)
-        jobs = [*lint_jobs(roots), *conversion_jobs(roots, scratch)]
+        jobs = [*lint_jobs(roots), *conversion_jobs(roots, scratch), *comparison_jobs(roots)]
+        jobs = [job for job in jobs if job[0] in other.tools][part - 1 :: parts]
         for job in jobs:
-            native = [run_native(tools, job), written(scratch)]
-            wasm = [process.run(job), written(scratch)]
-            if native == wasm:
+            expected = [native.run(job), written(scratch)]
+            found = [other.run(job), written(scratch)]
+            if expected == found:
                 continue
             different += 1
             if different <= MOST_SHOWN:
                 print("differs:", job[0], *job[1], "in", job[2])
-                if native[0] == wasm[0]:
-                    print("    in what was written:", native[1], wasm[1])
-                show(tools, package, job)
+                if expected[0] == found[0]:
+                    print("    in what was written:", expected[1], found[1])
+                show(native, other, job)
                 written(scratch)
     print(f"{len(jobs) - different} of {len(jobs)} runs are equal")
     sys.exit(different > 0)

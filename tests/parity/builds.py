@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The builds of the tools that are compared with the native one. A job is a tool, its arguments and its folder."""
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent / "wasm"))
+from built import skip_without  # noqa: E402
+
+QEMU = "qemu-aarch64-static"
+ENVIRONMENT = {"PATH": os.environ["PATH"], "NO_COLOR": "1"}
+
+
+def sum_of(data):
+    return hashlib.sha256(data).hexdigest()
+
+
+class Native:
+    """Programs of this machine, in a folder."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def command(self, tool):
+        return [self.folder / tool]
+
+    def run_alone(self, job):
+        tool, arguments, folder = job
+        return subprocess.run([*self.command(tool), *arguments], cwd=folder, env=ENVIRONMENT, capture_output=True, check=False,
+                              stdin=subprocess.DEVNULL)
+
+    def run(self, job):
+        """The exit code and the sums of both outputs."""
+        done = self.run_alone(job)
+        return [done.returncode, sum_of(done.stdout), sum_of(done.stderr)]
+
+
+class Emulated(Native):
+    """Programs for arm64, which qemu runs."""
+
+    tools = ("smurf-lint", "smurf2urdf", "urdf2smurf", "smurfs-flatten", "smurf-diff")
+
+    def command(self, tool):
+        return [QEMU, self.folder / tool]
+
+    @staticmethod
+    def skip_without(tools, folder):
+        program = folder / "smurf-lint"
+        if shutil.which(QEMU) is None or not program.exists():
+            print("SKIPPED: scripts/arm64 builds what is tested here")
+            sys.exit(77)
+        if program.stat().st_mtime < (tools / "smurf-lint").stat().st_mtime:
+            print("SKIPPED: the programs are older than the native tools; scripts/arm64 builds them again")
+            sys.exit(77)
+
+
+class WebAssembly(Native):
+    """The npm package; one process runs one job after the other."""
+
+    tools = ("smurf-lint", "smurf2urdf", "urdf2smurf", "smurfs-flatten")
+    skip_without = staticmethod(skip_without)
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.process = subprocess.Popen(["node", HERE / "run_jobs.mjs", folder], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        text=True)
+
+    def command(self, tool):
+        return ["node", self.folder / "bin" / f"{tool}.mjs"]
+
+    def run(self, job):
+        tool, arguments, folder = job
+        self.process.stdin.write(json.dumps({"tool": tool, "args": arguments, "folder": str(folder)}) + "\n")
+        self.process.stdin.flush()
+        return json.loads(self.process.stdout.readline())
+
+
+BUILDS = {"arm64": Emulated, "wasm": WebAssembly}
