@@ -76,7 +76,7 @@ class Release(unittest.TestCase):
         copy_of_project(project)
         shutil.copy(ROOT / "scripts/release", project / "scripts")
         for name, text in (("setup", "exit 0"), ("static-libraries", "exit 0"), ("viewer", "exit 0"), ("test", f"cmake -S '{self.folder}/source' -B build/release"),
-                           ("arm64", f"cmake -S '{self.folder}/arm64-source' -B build/arm64"),
+                           ("container", 'echo image >"$2"'), ("arm64", f"cmake -S '{self.folder}/arm64-source' -B build/arm64"),
                            ("wasm", "mkdir -p build/wasm && echo packed >build/wasm/smurf-tools.tgz")):
             (project / "scripts" / name).write_text(f"#!/bin/sh\n{text}\n")
             (project / "scripts" / name).chmod(0o755)
@@ -93,6 +93,8 @@ class Release(unittest.TestCase):
         self.assertEqual((out / "notes.md").read_text(), "- all\n")
         self.assertEqual(subprocess.run([*git, "status", "--porcelain"], check=True, capture_output=True).stdout, b"")
         table = subprocess.run([*git, "show", f"v{VERSION}:python/backend/releases.sha256"], check=True, capture_output=True)
+        self.assertEqual({file.name for file in out.glob("*.oci.tar")},
+                         {f"smurf-lint-{VERSION}-linux-{machine}.oci.tar" for machine in ("x86_64", "aarch64")})
         archives = table.stdout.decode().splitlines()[-2:]
         self.assertLessEqual(set(archives), set((out / "SHA256SUMS").read_text().splitlines()))
         self.assertEqual([line.rpartition(VERSION)[2] for line in archives], ["-linux-x86_64.tar.gz", "-linux-aarch64.tar.gz"])
