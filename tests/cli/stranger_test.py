@@ -304,17 +304,58 @@ class Links(StrangerTest):
         before = self.texts(self.victim)
         (self.project / "assets/r").symlink_to(self.victim)
         done = self.expect(2, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf")
-        self.assertIn("cannot write 'assets/r/m.stl': another file is there", done.stderr)
+        self.assertIn("cannot write 'assets/r': it is a symbolic link", done.stderr)
         done = self.expect(2, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "--overwrite",
                            "-o", "w.sdf")
         self.assertIn("cannot write 'assets/r': it is a symbolic link", done.stderr)
         (self.project / "assets/r").unlink()
         (self.project / "assets/r").mkdir()
-        for target in (self.victim / "m.stl", self.victim / "new"):
+        (self.victim / "same.stl").write_text(MESH)
+        before = self.texts(self.victim)
+        # The answer does not tell whether a file outside exists, or what it contains.
+        for target in (self.victim / "m.stl", self.victim / "same.stl", self.victim / "new"):
             (self.project / "assets/r/m.stl").symlink_to(target)
-            self.expect(2, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf")
+            done = self.expect(2, "smurfs-flatten", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf")
+            self.assertIn("cannot write 'assets/r/m.stl': it is a symbolic link", done.stderr)
             (self.project / "assets/r/m.stl").unlink()
         self.assertEqual(self.texts(self.victim), before)
+
+    def test_unreadable_mesh_is_no_empty_file(self):
+        (self.victim / "m.stl").write_text(MESH)
+        (self.project / "m.stl").unlink()
+        (self.project / "m.stl").symlink_to(self.victim / "m.stl")
+        self.write("assets/r/m.stl", "")
+        self.expect(2, "smurfs-flatten", "--force", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf")
+        self.assertFalse((self.project / "w.sdf").exists())
+
+    def test_chain_of_material_libraries(self):
+        """A library names textures only, whatever it is called."""
+        for i in range(3000):
+            self.write(f"c{i}.obj", f"mtllib c{i + 1}.obj\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        self.write("r.urdf", urdf("c0.obj"))
+        self.expect(0, "smurfs-flatten", "--force", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf")
+        self.assertEqual(sorted(path.name for path in (self.project / "assets").rglob("*.obj")), ["c0.obj", "c1.obj"])
+
+    def test_one_file_with_many_links(self):
+        """All of them are refused, before their bytes fill the memory."""
+        libraries = "".join(f"mtllib l{i}.obj\n" for i in range(200))
+        self.write("big.obj", libraries + "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 100_000)
+        for i in range(200):
+            (self.project / f"l{i}.obj").symlink_to("big.obj")
+        self.write("r.urdf", urdf("big.obj"))
+        done = self.expect(2, "smurfs-flatten", "--force", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf",
+                           "--limit", "scene-bytes=20000000")
+        self.assertIn("have more than 20000000 bytes", done.stderr)
+
+    def test_names_of_files_and_folders(self):
+        """A neighbour has the name of another one's folder."""
+        image = "![](x)"
+        self.write("k/m.gltf", '{"asset": {"version": "2.0"}, "images": [{"uri": "../x.png"}, {"uri": "x.png/y.png"}]}')
+        self.write("x.png", image)
+        self.write("k/x.png/y.png", image)
+        self.write("r.urdf", urdf("k/m.gltf"))
+        self.expect(0, "smurfs-flatten", "--force", "--format", "sdf", "r.urdf", "--copy-assets", "assets", "-o", "w.sdf")
+        self.assertEqual(len([path for path in (self.project / "assets").rglob("*.png") if path.is_file()]), 2)
 
     def test_copies_replace_no_other_files(self):
         """The scene chooses the names of the folder and of the file."""

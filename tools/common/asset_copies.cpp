@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A path whose names need no quoting in any format.
-std::string plain(std::string_view name) {
+std::string plain(std::string_view written) {
+  const std::string name = path::normalize(written);
   std::string all;
   for (std::size_t begin = 0; begin <= name.size();) {
     const std::size_t end = std::min(name.find('/', begin), name.size());
@@ -36,7 +37,7 @@ std::string plain(std::string_view name) {
 /// What the copy will contain.
 FileContent renamed(FileContent content, const AssetCopy& copy) {
   if (content.status == ReadStatus::ok && !copy.names.empty()) {
-    content.text = with_other_names(content.text, path::extension(copy.from), copy.names);
+    content.text = with_other_names(content.text, copy.format, copy.names);
   }
   return content;
 }
@@ -74,9 +75,20 @@ class RepeatedBytes {
   std::uint64_t bytes_ = 0;
 };
 
+/// A link below the folder would have another file compared, and could lead anywhere.
+bool is_behind_link(const AssetCopy& copy) {
+  const std::string whole = copy.to();
+  std::error_code error;
+  for (std::size_t end = copy.folder.size(); end != std::string::npos && end < whole.size();) {
+    end = whole.find('/', end + 1);
+    if (fs::is_symlink(whole.substr(0, end), error)) return true;
+  }
+  return false;
+}
+
 bool is_in_place(const AssetCopy& copy) {
   std::error_code error;
-  return fs::equivalent(copy.from, copy.to(), error);
+  return !is_behind_link(copy) && fs::equivalent(copy.from, copy.to(), error);
 }
 
 }  // namespace
@@ -131,12 +143,23 @@ std::string CopyPlan::add(const std::string& from, const std::string& group) {
   return path::join(current_, path::join(folder_, inside));
 }
 
+/// The content of a file whose names are followed. Links can give one file thousands of names; the
+/// copying refuses that many bytes.
+std::string CopyPlan::read(const std::string& from) {
+  std::string text = files_.read(from, limits_.mesh_bytes).text;
+  if (!read_.insert(files_.identity(from)).second) read_again_ += text.size();
+  return read_again_ > limits_.scene_bytes ? std::string() : text;
+}
+
 void CopyPlan::add_copy(const std::string& from, const std::string& inside,
                         const std::string& group, Kind kind) {
-  AssetCopy copy{from, folder_, inside, {}, kind == Kind::buffer};
+  AssetCopy copy{
+      from, folder_, inside, {}, kind == Kind::buffer, std::string(path::extension(from))};
+  // It names textures only, whatever it is called: a chain of libraries would have no end.
+  if (kind == Kind::material_library) copy.format = ".mtl";
   const bool names_files = kind == Kind::mesh || kind == Kind::material_library;
-  const FileContent content = names_files ? files_.read(from, limits_.mesh_bytes) : FileContent{};
-  for (const MeshDependency& named : files_named_in(content.text, path::extension(from))) {
+  const std::string text = names_files ? read(from) : std::string();
+  for (const MeshDependency& named : files_named_in(text, copy.format)) {
     if (named.length == 0 || copy.names.contains(named.filename)) continue;
     const auto place = copy_neighbour(named, from, inside, group);
     if (place) copy.names.emplace(named.filename, path::relative(*place, path::parent(inside)));
@@ -168,16 +191,33 @@ std::string CopyPlan::unique(const std::string& first, const std::string& from,
                              bool has_materials) {
   std::string inside = first;
   const auto is_taken = [&](const std::string& place) {
-    return is_source(place, from) || taken_.contains(place);
+    return is_source(place, from) || taken_.contains(place) || is_taken_as_other(place);
   };
   int& number = numbers_.try_emplace(first, 1).first->second;
+  // Below a file there is no place, whatever the number.
+  const bool is_below_file = is_taken_as_other(first);
+  const std::string_view above = is_below_file ? std::string_view() : path::parent(first);
+  const std::string_view below = is_below_file ? std::string_view(first) : path::file_name(first);
   while (is_taken(inside) || (has_materials && is_taken(with_extension(inside, ".mtl")))) {
-    const std::string folder = path::join(path::parent(first), std::to_string(++number));
-    inside = path::join(folder, path::file_name(first));
+    inside = path::join(path::join(above, std::to_string(++number)), below);
   }
   taken_.insert(inside);
   if (has_materials) taken_.insert(with_extension(inside, ".mtl"));
+  for (std::string above(path::parent(inside)); !above.empty();
+       above = std::string(path::parent(above))) {
+    if (!taken_folders_.insert(above).second) break;
+  }
   return inside;
+}
+
+/// A file has the name of a folder, or a folder that of a file.
+bool CopyPlan::is_taken_as_other(const std::string& place) const {
+  if (taken_folders_.contains(place)) return true;
+  for (std::string above(path::parent(place)); !above.empty();
+       above = std::string(path::parent(above))) {
+    if (taken_.contains(above)) return true;
+  }
+  return false;
 }
 
 bool CopyPlan::is_source(const std::string& inside, const std::string& from) const {
@@ -208,10 +248,16 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
                          "': its name is not that of a mesh or image; nothing was written");
       return false;
     }
-    const FileContent there = disk.read(copy.to(), limits.mesh_bytes);
-    if (there.status == ReadStatus::not_found || overwrite) {
+    // Writing says why it refuses links and what cannot be read.
+    if (overwrite || is_behind_link(copy)) {
       missing.push_back(copy);
-    } else if (there.text != renamed(files.read(copy.from, limits.mesh_bytes), copy).text) {
+      continue;
+    }
+    const FileContent there = disk.read(copy.to(), limits.mesh_bytes);
+    const FileContent wanted = renamed(files.read(copy.from, limits.mesh_bytes), copy);
+    if (there.status == ReadStatus::not_found || wanted.status != ReadStatus::ok) {
+      missing.push_back(copy);
+    } else if (there.status != ReadStatus::ok || there.text != wanted.text) {
       complain(tool, "cannot write '" + copy.to() +
                          "': another file is there; see --overwrite; nothing was written");
       return false;

@@ -26,6 +26,7 @@ struct AssetCopy {
   std::string inside;      ///< path relative to the folder
   FileNames names;         ///< what the files that it names, as written, are called in the copy
   bool is_buffer = false;  ///< of a glTF, and may be a .bin
+  std::string format{};    ///< the extension that says how it names files
 
   std::string to() const;
 };
@@ -51,11 +52,13 @@ class CopyPlan {
   static Kind kind_of(const MeshDependency& named);
   std::string in_first_folder(const std::string& file);
   std::string add(const std::string& from, const std::string& group);
+  std::string read(const std::string& from);
   void add_copy(const std::string& from, const std::string& inside, const std::string& group,
                 Kind kind);
   std::optional<std::string> copy_neighbour(const MeshDependency& named, const std::string& from,
                                             const std::string& inside, const std::string& group);
   std::string unique(const std::string& first, const std::string& from, bool has_materials);
+  bool is_taken_as_other(const std::string& place) const;
   bool is_source(const std::string& inside, const std::string& from) const;
 
   const FileReader& files_;
@@ -64,7 +67,9 @@ class CopyPlan {
   std::set<std::string> sources_;
   std::map<std::pair<std::string, std::string>, std::optional<std::string>> copies_;
   std::map<std::pair<std::string, std::string>, std::string> neighbours_;  ///< in the folder
-  std::set<std::string> taken_;
+  std::set<std::string> taken_, taken_folders_;
+  std::set<std::string> read_;    ///< by identity
+  std::uint64_t read_again_ = 0;  ///< bytes
   std::map<std::string, int> numbers_;
   std::map<std::string, std::string> folders_;        ///< the first name, by any
   std::map<std::string, std::string> first_folders_;  ///< by identity

@@ -99,8 +99,10 @@ std::optional<bool> AnnotationValues::says_dynamics(const JointAnnotation& entry
 }
 
 std::array<double, 4> rgba_of(const Color& color) {
-  std::array<double, 4> rgba{color.r.value_or(0), color.g.value_or(0), color.b.value_or(0),
-                             color.a.value_or(1)};
+  return {color.r.value_or(0), color.g.value_or(0), color.b.value_or(0), color.a.value_or(1)};
+}
+
+std::array<double, 4> visible(std::array<double, 4> rgba) {
   for (double& part : rgba) part = std::clamp(part, 0.0, 1.0);
   return rgba;
 }

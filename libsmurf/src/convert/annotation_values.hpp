@@ -38,8 +38,10 @@ class AnnotationValues {
   std::map<std::string_view, const urdf::Material*> materials_;
 };
 
-/// Absent components as Phobos takes them: black, opaque. Others are brought between 0 and 1.
+/// Absent components as Phobos takes them: black, opaque.
 std::array<double, 4> rgba_of(const Color& color);
+/// The same colour with components between 0 and 1, as graphics show it.
+std::array<double, 4> visible(std::array<double, 4> rgba);
 
 enum class LimitValue : std::uint8_t { lower, upper, effort, velocity };
 /// The URDF value that a key of a motor is about.

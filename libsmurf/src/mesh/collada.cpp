@@ -34,7 +34,7 @@ class ColladaReader {
     for (const View child : file_.document()->view()) {
       if (child.name() == "library_visual_scenes") scenes(child);
     }
-    if (is_placed_) facts_.box = box_.box();
+    if (is_placed_) facts_.box = box_.finite_box();
   }
 
  private:

@@ -22,7 +22,7 @@ class GltfFacts {
       const auto [known, is_new] = meshes_.try_emplace(number);
       return (!is_new || read_mesh(mesh, known->second)) && place(known->second, X);
     });
-    if (data_.reason().empty()) facts_.box = box_.box();
+    if (data_.reason().empty()) facts_.box = box_.finite_box();
   }
 
  private:

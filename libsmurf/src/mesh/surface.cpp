@@ -37,6 +37,16 @@ void BoxSum::add_corners(const Box& box, const Affine& X) {
   }
 }
 
+std::optional<Box> BoxSum::finite_box() const {
+  if (!box_) return std::nullopt;
+  for (const Vector3& corner : {box_->low, box_->high}) {
+    for (const double coordinate : corner) {
+      if (!std::isfinite(coordinate)) return std::nullopt;
+    }
+  }
+  return box_;
+}
+
 void SurfaceSum::add(const Vector3& a, const Vector3& b, const Vector3& c) {
   if (visit_) visit_(a, b, c);
   if (!origin_) origin_ = a;

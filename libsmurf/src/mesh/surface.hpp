@@ -18,6 +18,8 @@ class BoxSum {
   /// The corners of a box, transformed.
   void add_corners(const Box& box, const Affine& X);
   const std::optional<Box>& box() const { return box_; }
+  /// None also when transforms made it infinite.
+  std::optional<Box> finite_box() const;
 
  private:
   std::optional<Box> box_;

@@ -35,7 +35,7 @@ ViewerLooks::Look ViewerLooks::of(const urdf::Visual& visual) const {
   const auto [first, last] = annotations_.equal_range(name);
   for (auto entry = first; entry != last; ++entry) {
     const MaterialAnnotation& annotation = *entry->second;
-    if (annotation.diffuse_color) look.color = rgba_of(*annotation.diffuse_color);
+    if (annotation.diffuse_color) look.color = visible(rgba_of(*annotation.diffuse_color));
     if (annotation.transparency && look.color) {
       (*look.color)[3] *= 1 - std::clamp(*annotation.transparency, 0.0, 1.0);
     }
