@@ -72,7 +72,7 @@ class Application {
     const xml::View element = view(material.element);
     if (entry.diffuse_color && material.rgba.value() != rgba_of(*entry.diffuse_color)) {
       std::string rgba;
-      for (const double part : visible(rgba_of(*entry.diffuse_color))) {
+      for (const double part : rgba_of(*entry.diffuse_color)) {
         rgba += (rgba.empty() ? "" : " ") + format_number(part);
       }
       set_child(element, "color", "rgba", rgba);
