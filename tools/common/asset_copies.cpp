@@ -196,10 +196,10 @@ std::string CopyPlan::unique(const std::string& first, const std::string& from,
   int& number = numbers_.try_emplace(first, 1).first->second;
   // Below a file there is no place, whatever the number.
   const bool is_below_file = is_taken_as_other(first);
-  const std::string_view above = is_below_file ? std::string_view() : path::parent(first);
-  const std::string_view below = is_below_file ? std::string_view(first) : path::file_name(first);
+  const std::string_view front = is_below_file ? std::string_view() : path::parent(first);
+  const std::string_view rest = is_below_file ? std::string_view(first) : path::file_name(first);
   while (is_taken(inside) || (has_materials && is_taken(with_extension(inside, ".mtl")))) {
-    inside = path::join(path::join(above, std::to_string(++number)), below);
+    inside = path::join(path::join(front, std::to_string(++number)), rest);
   }
   taken_.insert(inside);
   if (has_materials) taken_.insert(with_extension(inside, ".mtl"));
