@@ -46,35 +46,6 @@ std::string with_extension(const std::string& file, std::string_view extension) 
   return file.substr(0, file.size() - path::extension(file).size()) + std::string(extension);
 }
 
-/// Reads files to copy. A model may name a file any number of times, so repeated reads have a
-/// limit.
-class RepeatedBytes {
- public:
-  RepeatedBytes(const FileReader& files, const Limits& limits) : files_(files), limits_(limits) {}
-
-  FileContent read(const std::string& file) {
-    FileContent content = files_.read(file, limits_.mesh_bytes);
-    if (content.status != ReadStatus::ok) {
-      content.reason = "cannot read '" + file + "': " + content.reason;
-    } else if (!seen_.insert(files_.identity(file)).second) {
-      bytes_ += content.text.size();
-      if (bytes_ > limits_.scene_bytes) {
-        return {ReadStatus::too_large,
-                {},
-                "copies of files that are copied already have more than " +
-                    std::to_string(limits_.scene_bytes) + " bytes; " + raise_limit("scene-bytes")};
-      }
-    }
-    return content;
-  }
-
- private:
-  const FileReader& files_;
-  const Limits& limits_;
-  std::set<std::string> seen_;  ///< by identity
-  std::uint64_t bytes_ = 0;
-};
-
 /// A link below the folder would have another file compared, and could lead anywhere.
 bool is_behind_link(const AssetCopy& copy) {
   const std::string whole = copy.to();
@@ -93,6 +64,22 @@ bool is_in_place(const AssetCopy& copy) {
 
 }  // namespace
 
+FileContent RepeatedReads::read(const std::string& file) {
+  FileContent content = files_.read(file, limits_.mesh_bytes);
+  if (content.status != ReadStatus::ok) {
+    content.reason = "cannot read '" + file + "': " + content.reason;
+  } else if (!seen_.insert(files_.identity(file)).second) {
+    bytes_ += content.text.size();
+    if (bytes_ > limits_.scene_bytes) {
+      return {ReadStatus::too_large,
+              {},
+              "copies of files that are copied already have more than " +
+                  std::to_string(limits_.scene_bytes) + " bytes; " + raise_limit("scene-bytes")};
+    }
+  }
+  return content;
+}
+
 CopyPlan::Kind CopyPlan::kind_of(const MeshDependency& named) {
   switch (named.kind) {
   case MeshDependency::Kind::material_library: return Kind::material_library;
@@ -105,7 +92,7 @@ CopyPlan::Kind CopyPlan::kind_of(const MeshDependency& named) {
 CopyPlan::CopyPlan(const FileReader& files, const Limits& limits, std::string current_folder,
                    std::string folder, std::set<std::string> sources)
     : files_(files),
-      limits_(limits),
+      reads_(files, limits),
       current_(std::move(current_folder)),
       folder_(std::move(folder)),
       sources_(std::move(sources)) {}
@@ -143,14 +130,6 @@ std::string CopyPlan::add(const std::string& from, const std::string& group) {
   return path::join(current_, path::join(folder_, inside));
 }
 
-/// The content of a file whose names are followed. Links can give one file thousands of names; the
-/// copying refuses that many bytes.
-std::string CopyPlan::read(const std::string& from) {
-  std::string text = files_.read(from, limits_.mesh_bytes).text;
-  if (!read_.insert(files_.identity(from)).second) read_again_ += text.size();
-  return read_again_ > limits_.scene_bytes ? std::string() : text;
-}
-
 void CopyPlan::add_copy(const std::string& from, const std::string& inside,
                         const std::string& group, Kind kind) {
   AssetCopy copy{
@@ -158,7 +137,7 @@ void CopyPlan::add_copy(const std::string& from, const std::string& inside,
   // It names textures only, whatever it is called: a chain of libraries would have no end.
   if (kind == Kind::material_library) copy.format = ".mtl";
   const bool names_files = kind == Kind::mesh || kind == Kind::material_library;
-  const std::string text = names_files ? read(from) : std::string();
+  const std::string text = names_files ? reads_.read(from).text : std::string();
   for (const MeshDependency& named : files_named_in(text, copy.format)) {
     if (named.length == 0 || copy.names.contains(named.filename)) continue;
     const auto place = copy_neighbour(named, from, inside, group);
@@ -263,7 +242,7 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
       return false;
     }
   }
-  RepeatedBytes repeated(files, limits);
+  RepeatedReads repeated(files, limits);
   std::vector<OutputFile> outputs;
   for (const AssetCopy& copy : missing) {
     outputs.push_back({.folder = copy.folder, .path = copy.inside, .read = [&repeated, &copy] {
