@@ -9,6 +9,7 @@
 #include <minizip/unzip.h>
 
 #include "base/limits.hpp"
+#include "base/little_endian.hpp"
 #include "base/path.hpp"
 
 namespace smurf {
@@ -151,14 +152,10 @@ class Reader {
   /// Programs that unpack a stream read the name in front of the bytes, others that of the
   /// directory.
   bool check_name(unzFile zip, const std::string& name) {
-    constexpr std::size_t kPlaceOfFile =
-        42;  // in an entry of the directory; 4 bytes, little-endian
+    constexpr std::size_t kPlaceOfFile = 42;  // in an entry of the directory
     constexpr std::size_t kPlaceOfName = 30;  // in the header of a file
     const auto entry = static_cast<std::size_t>(unzGetOffset64(zip));
-    std::size_t file = 0;
-    for (std::size_t i = 4; i-- > 0;) {
-      file = file << 8U | static_cast<unsigned char>(file_.bytes[entry + kPlaceOfFile + i]);
-    }
+    const std::size_t file = read_uint32(file_.bytes, entry + kPlaceOfFile);
     const std::string_view header = file_.bytes.substr(std::min(file, file_.bytes.size()));
     if (!header.starts_with("PK\x03\x04") || header.size() < kPlaceOfName) {
       return refuse("is a broken zip archive");

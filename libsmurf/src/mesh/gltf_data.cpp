@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "base/little_endian.hpp"
 #include "base/path.hpp"
 #include "base/quoted.hpp"
 #include "base/utf8.hpp"
 #include "mesh/base64_text.hpp"
-#include "mesh/bytes.hpp"
 #include "mesh/uri.hpp"
 
 namespace smurf::gltf {

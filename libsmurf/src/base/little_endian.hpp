@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of binary mesh files: little-endian, wherever they lie.
+// Little-endian numbers of binary files, wherever they lie.
 #pragma once
 
 #include <cstdint>
