@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a URDF cannot express of a model. Neither values that it already has nor the names by which
 // annotations refer to it are losses.
-#include <algorithm>
 #include <map>
 #include <set>
 
 #include "base/quoted.hpp"
 #include "base/rules.hpp"
+#include "base/words.hpp"
 #include "convert/annotation_values.hpp"
 #include "convert/passes.hpp"
 
 namespace smurf {
 namespace {
-
-using Names = std::initializer_list<std::string_view>;
 
 /// Names of MARS's first format that are not applied, and what replaced them.
 constexpr std::pair<std::string_view, std::string_view> kOldNames[] = {
@@ -21,10 +19,6 @@ constexpr std::pair<std::string_view, std::string_view> kOldNames[] = {
     {"texturename", "diffuseTexture"},
     {"motorMaxForce", "maxEffort"},
     {"maximumVelocity", "maxSpeed"}};
-
-bool is_one_of(std::string_view name, Names names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 class LossReport {
  public:

@@ -7,6 +7,7 @@
 
 #include "base/path.hpp"
 #include "base/suggest.hpp"
+#include "base/words.hpp"
 
 namespace smurf {
 
@@ -114,11 +115,9 @@ std::optional<double> quaternion_length(yaml::View orientation) {
 }
 
 MotorControl control_in_mars(const Motor& motor) {
-  const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
-    return motor.type && std::find(words.begin(), words.end(), *motor.type) != words.end();
-  };
-  if (is_one_of({"2", "DC", "generic_dc"})) return MotorControl::velocity;
-  if (is_one_of({"7", "direct_torque", "direct_effort"})) return MotorControl::torque;
+  const std::string type = motor.type.value_or("");
+  if (is_one_of(type, {"2", "DC", "generic_dc"})) return MotorControl::velocity;
+  if (is_one_of(type, {"7", "direct_torque", "direct_effort"})) return MotorControl::torque;
   return MotorControl::position;
 }
 

@@ -7,11 +7,11 @@
 #include <set>
 
 #include "base/numbers.hpp"
-#include "base/ranges.hpp"
 #include "base/unique_names.hpp"
+#include "base/words.hpp"
+#include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
 #include "convert/passes.hpp"
-#include "convert/sensor_pose.hpp"
 #include "convert/sensor_views.hpp"
 #include "write/joint_drives.hpp"
 #include "write/ray_directions.hpp"
@@ -42,13 +42,7 @@ class SensorReader {
   }
 
   std::vector<MujocoSensor> read() {
-    for (const xml::ElementId id : model_.robot->extensions) {
-      const xml::View gazebo(model_.robot->document, id);
-      if (gazebo.name() != "gazebo") continue;
-      for (const xml::View child : gazebo) {
-        if (child.name() == "sensor") of_gazebo(child, import::attribute_of(gazebo, "reference"));
-      }
-    }
+    for (const GazeboSensor& found : gazebo_sensors(*model_.robot)) of_gazebo(found);
     for (const Sensor& sensor : model_.annotations.sensors) of_annotation(sensor);
     return std::move(sensors_);
   }
@@ -118,10 +112,11 @@ class SensorReader {
     return !boxes.empty();
   }
 
-  void of_gazebo(xml::View sensor, std::string_view reference) {
+  void of_gazebo(const GazeboSensor& found) {
+    const xml::View sensor = found.element;
     const std::string_view name = import::attribute_of(sensor, "name");
     const std::size_t first = sensors_.size();
-    if (name.empty() || !is_gazebo_taken(sensor, reference, name)) return;
+    if (name.empty() || !is_gazebo_taken(sensor, found.reference, name)) return;
     for (std::size_t i = first; i < sensors_.size(); ++i) sensors_[i].element = sensor.id();
     known_.insert(name);
   }
@@ -267,10 +262,6 @@ class SensorReader {
   std::vector<MujocoSensor> sensors_;
 };
 
-bool is_child_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return ranges::contains(names, name);
-}
-
 }  // namespace
 
 std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model) {
@@ -280,14 +271,14 @@ std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model) {
 std::vector<xml::View> unsaid_by_mujoco(xml::View sensor) {
   std::vector<xml::View> unsaid;
   for (const xml::View child : sensor) {
-    if (is_child_of(child.name(), {"pose", "origin", "parent"})) continue;
-    if (!is_child_of(child.name(), {"camera", "ray", "lidar", "imu", "force_torque", "contact"})) {
+    if (is_one_of(child.name(), {"pose", "origin", "parent"})) continue;
+    if (!is_one_of(child.name(), {"camera", "ray", "lidar", "imu", "force_torque", "contact"})) {
       unsaid.push_back(child);
       continue;
     }
     for (const xml::View setting : child) {
-      if (is_child_of(setting.name(),
-                      {"horizontal_fov", "scan", "measure_direction", "frame", "collision"})) {
+      if (is_one_of(setting.name(),
+                    {"horizontal_fov", "scan", "measure_direction", "frame", "collision"})) {
         continue;
       }
       if (setting.name() == "range" && !setting.child("min") && !setting.child("resolution")) {
@@ -300,20 +291,20 @@ std::vector<xml::View> unsaid_by_mujoco(xml::View sensor) {
 }
 
 bool is_said_by_mujoco(const Sensor& sensor, std::string_view key) {
-  if (is_child_of(key, {"name", "type", "link", "joint", "id", "links", "joints"})) return true;
+  if (is_one_of(key, {"name", "type", "link", "joint", "id", "links", "joints"})) return true;
   const std::string type = sensor.type.value_or("");
-  if (type == "RaySensor") return is_child_of(key, {"width", "opening_width", "max_distance"});
+  if (type == "RaySensor") return is_one_of(key, {"width", "opening_width", "max_distance"});
   if (type == "RotatingRaySensor") {
     return key != "min_distance" && passes::gazebo_says(sensor, key) && key != "rate";
   }
   if (type == "MultiLevelLaserRangeFinder") {
-    return is_child_of(key, {"numRaysHorizontal", "numRaysVertical", "horizontalOpeningAngle",
-                             "verticalOpeningAngle", "maxDistance"});
+    return is_one_of(key, {"numRaysHorizontal", "numRaysVertical", "horizontalOpeningAngle",
+                           "verticalOpeningAngle", "maxDistance"});
   }
   if (type == "NodeContact" || type == "NodeContactForce") return key == "collisions";
   return type == "CameraSensor" &&
-         is_child_of(key, {"opening_width", "opening_height", "opening_angle", "opening_angle2",
-                           "position_offset", "orientation_offset"});
+         is_one_of(key, {"opening_width", "opening_height", "opening_angle", "opening_angle2",
+                         "position_offset", "orientation_offset"});
 }
 
 }  // namespace smurf

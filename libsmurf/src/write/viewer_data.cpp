@@ -7,12 +7,12 @@
 #include "base/path.hpp"
 #include "link/kinematics.hpp"
 #include "lint/geometry_queries.hpp"
+#include "write/annotated_looks.hpp"
 #include "write/body_inertia.hpp"
 #include "write/json_printer.hpp"
 #include "write/scene_losses.hpp"
 #include "write/scene_parts.hpp"
 #include "write/viewer_images.hpp"
-#include "write/viewer_looks.hpp"
 #include "write/viewer_meshes.hpp"
 #include "write/viewer_sensors.hpp"
 
@@ -45,13 +45,6 @@ class VersionData {
   }
 
  private:
-  void numbers(std::string_view key, std::initializer_list<double> values) {
-    json_.key(key);
-    json_.begin_list();
-    for (const double value : values) json_.number(value);
-    json_.end();
-  }
-
   /// A list with a line for each item.
   void begin_lines(std::string_view key) {
     json_.key(key);
@@ -61,16 +54,11 @@ class VersionData {
   void add_pose(std::string_view key, const Pose& pose) {
     const Vector3& p = pose.position;
     const Quaternion& q = pose.orientation;
-    numbers(key, {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
-  }
-
-  void add_text(std::string_view key, std::string_view text) {
-    json_.key(key);
-    json_.text(text);
+    json_.member(key, {p[0], p[1], p[2], q.w, q.x, q.y, q.z});
   }
 
   void add_name(const Field<std::string>& name) {
-    if (name) add_text("name", *name);
+    if (name) json_.member("name", *name);
   }
 
   void add_number(std::string_view key, const Field<double>& value) {
@@ -87,8 +75,8 @@ class VersionData {
   void add_model(const FlatModel& flat) {
     const LinkedModel& model = scene_.scene.models[to_size(flat.source)];
     json_.begin_object(Layout::block);
-    add_text("name", flat.id);
-    add_text("file", flat.file);
+    json_.member("name", flat.id);
+    json_.member("file", flat.file);
     add_version();
     begin_lines("links");
     if (model.robot) add_links(flat, model);
@@ -106,7 +94,7 @@ class VersionData {
 
   void add_links(const FlatModel& flat, const LinkedModel& model) {
     const std::vector<std::optional<Pose>> X_RL = forward_kinematics(model, {});
-    const ViewerLooks looks(model, flat);
+    const AnnotatedLooks looks(model, flat);
     for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
       const urdf::Link& link = model.robot->links[i];
       json_.begin_object();
@@ -121,7 +109,7 @@ class VersionData {
         json_.key("mass");
         json_.number(mass->mass);
         add_pose("com", mass->X_LC);
-        numbers("inertia", {mass->ixx, mass->ixy, mass->ixz, mass->iyy, mass->iyz, mass->izz});
+        json_.member("inertia", {mass->ixx, mass->ixy, mass->ixz, mass->iyy, mass->iyz, mass->izz});
       }
       json_.key("visuals");
       json_.begin_list();
@@ -140,7 +128,7 @@ class VersionData {
   }
 
   template <class Part>
-  void add_part(const Part& part, const ViewerLooks::Look& look, const FlatModel& flat,
+  void add_part(const Part& part, const AnnotatedLooks::Look& look, const FlatModel& flat,
                 const LinkedModel& model) {
     const std::optional<FlatGeometry> geometry = to_flat(part.geometry, flat);
     if (!geometry) return;
@@ -166,8 +154,7 @@ class VersionData {
     const urdf::Joint& joint = model.robot->joints[index];
     json_.begin_object();
     add_name(joint.name);
-    json_.key("type");
-    json_.text(joint.type_name.value_or({}));
+    json_.member("type", joint.type_name.value_or({}));
     if (const auto parent = model.tree.joint_parent[index]) add_index("parent", to_size(*parent));
     if (const auto child = model.tree.joint_child[index]) add_index("child", to_size(*child));
     add_pose("pose", urdf::to_pose(joint.origin));
@@ -238,8 +225,7 @@ class VersionData {
                   const std::optional<std::uint32_t>& link) {
     if (!name || !link) return;
     json_.begin_object();
-    json_.key("kind");
-    json_.text(kind);
+    json_.member("kind", kind);
     add_name(name);
     add_index("link", *link);
     json_.end();
@@ -258,8 +244,8 @@ class VersionData {
   void add_entity(std::size_t index) {
     const FlatInstance& entity = scene_.flat.instances[index];
     json_.begin_object();
-    add_text("path", entity.path);
-    add_text("type", entity.type);
+    json_.member("path", entity.path);
+    json_.member("type", entity.type);
     add_version();
     if (entity.model) add_index("model", models_before_ + *entity.model);
     if (entity.X_WE) add_pose("pose", *entity.X_WE);
@@ -274,7 +260,7 @@ class VersionData {
     const Span place = place_of(scene_.scene.entity(scene_.scene.instances[index]));
     for (const FlatShape& shape : entity.shapes) {
       json_.begin_object();
-      if (!shape.name.empty()) add_text("name", shape.name);
+      if (!shape.name.empty()) json_.member("name", shape.name);
       add_solid({shape.X_ES, shape.geometry, shape.color, place}, std::nullopt);
       json_.end();
     }
@@ -309,25 +295,25 @@ class VersionData {
     if (shape.X_LS != Pose{}) add_pose("pose", shape.X_LS);
     if (shape.color) {
       const Rgba& color = *shape.color;
-      numbers("color", {color[0], color[1], color[2], color[3]});
+      json_.member("color", {color[0], color[1], color[2], color[3]});
     }
     if (const auto* box = std::get_if<FlatBox>(&shape.geometry)) {
-      numbers("box", {box->size[0], box->size[1], box->size[2]});
+      json_.member("box", {box->size[0], box->size[1], box->size[2]});
     } else if (const auto* sphere = std::get_if<FlatSphere>(&shape.geometry)) {
-      numbers("sphere", {sphere->radius});
+      json_.member("sphere", {sphere->radius});
     } else if (const auto* cylinder = std::get_if<FlatCylinder>(&shape.geometry)) {
-      numbers("cylinder", {cylinder->radius, cylinder->length});
+      json_.member("cylinder", {cylinder->radius, cylinder->length});
     } else if (const auto* capsule = std::get_if<FlatCapsule>(&shape.geometry)) {
-      numbers("capsule", {capsule->radius, capsule->length});
+      json_.member("capsule", {capsule->radius, capsule->length});
     } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
-      numbers("plane", {plane->length, plane->width});
+      json_.member("plane", {plane->length, plane->width});
     } else if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) {
       add_mesh(*mesh, shape, around);
     } else if (const auto* map = std::get_if<FlatHeightmap>(&shape.geometry)) {
       losses_.unseen_shape(shape.span, shape.geometry, {});
       meshes_.add_unseen(map->file, "is a heightmap");
-      numbers("around",
-              {-map->length / 2, -map->width / 2, 0, map->length / 2, map->width / 2, map->height});
+      json_.member("around", {-map->length / 2, -map->width / 2, 0, map->length / 2, map->width / 2,
+                              map->height});
     }
   }
 
@@ -346,7 +332,7 @@ class VersionData {
     if (!around) return;
     const Vector3& low = around->low;
     const Vector3& high = around->high;
-    numbers("around", {low[0], low[1], low[2], high[0], high[1], high[2]});
+    json_.member("around", {low[0], low[1], low[2], high[0], high[1], high[2]});
   }
 
   void add_version() {
@@ -375,8 +361,7 @@ std::optional<std::string> viewer_data(const SceneExport& scene, const SceneExpo
   versions.emplace_back(scene, nullptr, meshes, images, json);
   if (before != nullptr) versions.emplace_back(*before, &scene, meshes, images, json);
   json.begin_object(Layout::block);
-  json.key("scene");
-  json.text(path::file_name(scene.flat.scene));
+  json.member("scene", path::file_name(scene.flat.scene));
   json.key("models");
   json.begin_list(Layout::block);
   for (VersionData& version : versions) version.add_models();

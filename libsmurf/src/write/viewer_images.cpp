@@ -73,12 +73,9 @@ void ViewerImages::print(JsonPrinter& json) const {
   json.begin_list(JsonPrinter::Layout::block);
   for (const Shown& image : shown_) {
     json.begin_object();
-    json.key("file");
-    json.text(image.file);
-    json.key("type");
-    json.text(image.type);
-    json.key("bytes");
-    json.text(image.bytes);
+    json.member("file", image.file);
+    json.member("type", image.type);
+    json.member("bytes", image.bytes);
     json.end();
   }
   json.end();

@@ -59,9 +59,7 @@ void ViewerMeshes::print_parts(const std::vector<MeshPart>& parts, JsonPrinter& 
     json.integer(part.first_index);
     if (part.color) {
       json.key("color");
-      json.begin_list();
-      for (const double value : *part.color) json.number(value);
-      json.end();
+      json.numbers(*part.color);
     }
     json.end();
   }
@@ -72,12 +70,9 @@ void ViewerMeshes::print(JsonPrinter& json) const {
   json.begin_list(JsonPrinter::Layout::block);
   for (const Shown& mesh : shown_) {
     json.begin_object();
-    json.key("file");
-    json.text(mesh.file);
-    json.key("points");
-    json.text(mesh.points);
-    json.key("indices");
-    json.text(mesh.indices);
+    json.member("file", mesh.file);
+    json.member("points", mesh.points);
+    json.member("indices", mesh.indices);
     json.key("wide");
     json.boolean(mesh.is_wide);
     if (has_colors(mesh.parts)) print_parts(mesh.parts, json);
@@ -90,10 +85,8 @@ void ViewerMeshes::print_unseen(JsonPrinter& json) const {
   json.begin_list(JsonPrinter::Layout::block);
   for (const auto& [what, shapes] : unseen_) {
     json.begin_object();
-    json.key("file");
-    json.text(what.first);
-    json.key("why");
-    json.text(what.second);
+    json.member("file", what.first);
+    json.member("why", what.second);
     json.key("shapes");
     json.integer(static_cast<std::int64_t>(shapes));
     json.end();
