@@ -9,6 +9,12 @@
 
 namespace smurf {
 
+/// Precondition: offset + 2 <= bytes.size().
+inline std::uint32_t read_uint16(std::string_view bytes, std::size_t offset) {
+  return static_cast<unsigned char>(bytes[offset]) |
+         std::uint32_t{static_cast<unsigned char>(bytes[offset + 1])} << 8U;
+}
+
 /// Precondition: offset + 4 <= bytes.size().
 inline std::uint32_t read_uint32(std::string_view bytes, std::size_t offset) {
   std::uint32_t value = 0;
