@@ -537,6 +537,27 @@ class Names(LspTest):
         self.assertIsNone(self.client.request("workspace/willRenameFiles", {"files": [{
             "oldUri": uri(self.folder / "a.yml"), "newUri": uri(self.folder / "x\nmotors: []\n/a.yml")}]}))
 
+    def test_a_new_folder_is_in_the_project_around_it(self):
+        """The folder of a new file does not exist yet. What lies beside the repository stays unread."""
+        self.write("v/secret.yml", "motors:\n- {name: TOPSECRET, joint: j}\n")
+        (self.folder / "p/.git").mkdir(parents=True)
+        self.write("p/r.smurf", "modelname: r\nfiles: [r.urdf, ../v/secret.yml]\n")
+        self.write("p/r.urdf", '<robot name="r"><link name="b"/></robot>')
+        other = self.another([self.folder / "p"], capabilities=self.capabilities)
+        other.open(self.folder / "p/q/r.urdf", '<robot name="r"><link name="visible"/></robot>')
+        found = other.request("workspace/symbol", {"query": ""})
+        self.assertEqual({one["name"] for one in found} & {"visible", "TOPSECRET"}, {"visible"})
+        self.assertEqual(other.stop(), 0)
+
+    def test_no_name_becomes_markup(self):
+        self.write("m.smurf", "modelname: m\nfiles: [m.urdf, m.yml]\n")
+        self.write("m.urdf", '<robot name="m"><link name="a"/></robot>')
+        text = "motors:\n- {name: \"a`` ``` b\", joint: j, type: \"![i](https://example.org/x.png)\"}\n"
+        motors = self.write("m.yml", text)
+        self.open(motors)
+        said = self.client.at("textDocument/hover", motors, text.index("a``"))["contents"]["value"]
+        self.assertIn("\\!\\[i", said)
+
     def test_rename_to_a_name_that_is_taken(self):
         with self.assertRaisesRegex(client.RequestError, "there is a joint `joint2_shoulder` already"):
             self.client.at("textDocument/rename", self.motors, self.at, newName="joint2_shoulder")

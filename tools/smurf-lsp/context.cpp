@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smurf-lsp/context.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -112,21 +113,29 @@ std::string unmarked(std::string_view text) {
   return result;
 }
 
-/// Leaves text in backquotes unchanged.
+/// The place of the next backquote that stands alone.
+std::size_t find_mark(std::string_view line, std::size_t at) {
+  while ((at = line.find('`', at)) != std::string_view::npos) {
+    const std::size_t end = std::min(line.find_first_not_of('`', at), line.size());
+    if (end - at == 1) break;
+    at = end;
+  }
+  return at;
+}
+
+/// Leaves text between backquotes unchanged. In Markdown, only as many of them end a text as begin
+/// it, so several in a row neither begin nor end one of ours.
 std::string marked_line(std::string_view line) {
   std::string result;
-  bool is_code = false;
   while (!line.empty()) {
-    const std::size_t end = line.find('`');
-    const std::string_view part = line.substr(0, end);
-    result += is_code ? std::string(part) : unmarked(part);
+    const std::size_t begin = find_mark(line, 0);
+    const std::size_t end = begin == std::string_view::npos ? begin : find_mark(line, begin + 1);
     if (end == std::string_view::npos) break;
+    result += unmarked(line.substr(0, begin));
+    result += line.substr(begin, end + 1 - begin);
     line.remove_prefix(end + 1);
-    const bool is_closed = is_code || line.find('`') != std::string_view::npos;
-    result += is_closed ? "`" : "\\`";
-    is_code = is_closed && !is_code;
   }
-  return result;
+  return result + unmarked(line);
 }
 
 }  // namespace
