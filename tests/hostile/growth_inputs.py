@@ -388,6 +388,19 @@ def nodes_and_accessors_of_gltf(n, write):
     write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry></visual></link></robot>')
 
 
+@grows(300, "smurf-lint", "-q", "r.urdf")
+def buffers_of_one_file(n, write):
+    buffers = ", ".join([f'{{"byteLength": {96 * n}, "uri": "m.bin"}}'] * n)
+    views = ", ".join(f'{{"buffer": {i}, "byteLength": {96 * n}}}' for i in range(n))
+    accessors = ", ".join(f'{{"bufferView": {i}, "componentType": 5126, "count": {8 * n}, "type": "VEC3"}}' for i in range(n))
+    primitives = ", ".join(f'{{"attributes": {{"POSITION": {i}}}}}' for i in range(n))
+    write("m.gltf", '{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], '
+          f'"meshes": [{{"primitives": [{primitives}]}}], "accessors": [{accessors}], '
+          f'"bufferViews": [{views}], "buffers": [{buffers}]}}')
+    write("m.bin", "\0" * 96 * n)
+    write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.gltf"/></geometry></visual></link></robot>')
+
+
 @grows(50, "smurf-lint", "-q", "a.smurf")
 def keys_beside_a_missing_one(n, write):
     keys = "".join(f", k{i}: 1" for i in range(n * 8))

@@ -233,7 +233,7 @@ std::optional<std::string_view> Data::buffer(const Json* index) {
   return known->second;
 }
 
-bool Data::read_buffer(const Json& buffer, std::string& bytes) {
+bool Data::read_buffer(const Json& buffer, std::string_view& bytes) {
   const Json* written = member(buffer, "uri");
   if (written == nullptr || !written->is_string()) return fail_broken("a buffer has no data");
   const std::string_view uri = written->get_ref<const std::string&>();
@@ -244,7 +244,7 @@ bool Data::read_buffer(const Json& buffer, std::string& bytes) {
                            uri.substr(0, comma + 1).ends_with(kBase64);
     auto content = is_base64 ? from_base64(uri.substr(comma + 1)) : std::nullopt;
     if (!content) return fail_broken("the data of a buffer is no base64");
-    bytes = std::move(*content);
+    bytes = contents_.emplace_back(std::move(*content));
     bytes_ += bytes.size();
     return true;
   }
@@ -253,20 +253,31 @@ bool Data::read_buffer(const Json& buffer, std::string& bytes) {
   if (path::is_absolute(name) || name.find(':') != std::string::npos) {
     return fail_unread("has its points in " + shown + ", which is no file beside it");
   }
-  FileContent content = neighbours_ ? neighbours_(name) : FileContent{};
-  if (content.status == ReadStatus::not_found) {
-    return fail_unread("has its points in " + shown + ", which is not there");
-  }
-  if (content.status != ReadStatus::ok) {
-    return fail_unread("has its points in " + shown + ", which cannot be read: " + content.reason);
-  }
-  bytes = std::move(content.text);
-  bytes_ += bytes.size();
+  if (!read_file(name, bytes)) return false;
   const auto length = natural(member(buffer, "byteLength"));
   if (!length || *length <= bytes.size()) return true;
   short_buffer_ = uri;
   return fail_broken("the buffer " + shown + " has " + std::to_string(bytes.size()) + " of " +
                      std::to_string(*length) + " bytes");
+}
+
+bool Data::read_file(const std::string& name, std::string_view& bytes) {
+  const auto [known, is_new] = files_.try_emplace(name);
+  if (is_new) {
+    FileContent content = neighbours_ ? neighbours_(name) : FileContent{};
+    const std::string shown = smurf::quoted(utf8::replace_controls(name));
+    if (content.status == ReadStatus::not_found) {
+      return fail_unread("has its points in " + shown + ", which is not there");
+    }
+    if (content.status != ReadStatus::ok) {
+      return fail_unread("has its points in " + shown +
+                         ", which cannot be read: " + content.reason);
+    }
+    known->second = contents_.emplace_back(std::move(content.text));
+    bytes_ += known->second.size();
+  }
+  bytes = known->second;
+  return true;
 }
 
 }  // namespace smurf::gltf

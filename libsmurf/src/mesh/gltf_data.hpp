@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 #include <nlohmann/json.hpp>
 
@@ -81,13 +82,17 @@ class Data {
   bool read_json(std::string_view text);
   bool check_extensions();
   std::optional<std::string_view> buffer(const Json* index);
-  bool read_buffer(const Json& buffer, std::string& bytes);
+  bool read_buffer(const Json& buffer, std::string_view& bytes);
+  /// The content of a file beside this one, which is read once, whatever number of buffers name it.
+  bool read_file(const std::string& name, std::string_view& bytes);
 
   const MeshNeighbours& neighbours_;
   Json json_;
   std::string_view chunk_;  ///< the buffer in a binary file
   bool has_chunk_ = false;
-  std::unordered_map<std::uint64_t, std::string> buffers_;
+  std::map<std::uint64_t, std::string_view> buffers_;
+  std::map<std::string, std::string_view> files_;  ///< by name
+  std::deque<std::string> contents_;               ///< of files and embedded buffers
   std::string_view text_;
   std::size_t text_offset_ = 0;
   std::uint64_t bytes_;
