@@ -64,6 +64,13 @@ def texture(name, more=""):
     return f'<material name="m_{abs(hash(name)) % 9999}">{more}<texture filename="{escaped(name)}"/></material>'
 
 
+def jpeg_of_two_frames():
+    """One of 16,000 x 16,000 pixels behind a marker without length, and a small one where the marker's length would lead."""
+    frame = b"\xff\xc0\0\x11\x08%s%s"
+    start = b"\xff\xd8\xff\xd0" + frame % (b"\x3e\x80", b"\x3e\x80")
+    return start.ljust(4 + 0xffc0, b"\0") + frame % (b"\0\4", b"\0\4") + bytes(20)
+
+
 def main_color(pixel):
     """The colour without what the light makes of it."""
     return "".join(name for name, part in zip("rgb", pixel) if part > 0.6 * max(pixel))
@@ -91,7 +98,7 @@ class TexturesTest(viewer.ViewerTest):
     def test_what_is_no_picture_is_named(self):
         files = {"evil.png": SVG, "page.png": b"<script>window.hacked=4</script>", "huge.png": png([[RED]], 5000, 5000),
                  "damaged.png": png([[RED]], 4, 4), HOSTILE: png([[GREEN]]), "cut.jpg": JPEG[:100],
-                 "empty.png": png([[RED]])[:20]}
+                 "empty.png": png([[RED]])[:20], "wide.jpg": jpeg_of_two_frames()}
         for name, content in files.items():
             (self.folder / name).write_bytes(content)
         self.write("flat.stl", "solid s\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\nendsolid s\n")
@@ -101,7 +108,7 @@ class TexturesTest(viewer.ViewerTest):
         self.write("robot.urdf", urdf)
         done = self.run_tool("robot.urdf", "--format", "html", "-o", "page.html", "--force")
         page = self.folder / "page.html"
-        names = ["evil.png", "page.png", "huge.png", "cut.jpg", "empty.png", "absent.png"]
+        names = ["evil.png", "page.png", "huge.png", "cut.jpg", "empty.png", "wide.jpg", "absent.png"]
         for name in names:
             self.assertRegex(done.stderr, rf"textures \(.*`{re.escape(name)}`.*\) are not in the HTML")
         policy = re.search('http-equiv="Content-Security-Policy"\\s*content="([^"]*)"', page.read_text())[1]
@@ -114,7 +121,8 @@ class TexturesTest(viewer.ViewerTest):
         self.assertEqual(set(unseen), {*names, "damaged.png", HOSTILE})
         for name in ("evil.png", "page.png", "cut.jpg", "empty.png"):
             self.assertEqual(unseen[name], "is neither PNG nor JPEG")
-        self.assertEqual(unseen["huge.png"], "would make more than 16000000 pixels of textures")
+        for name in ("huge.png", "wide.jpg"):
+            self.assertEqual(unseen[name], "would make more than 16000000 pixels of textures")
         self.assertEqual(unseen["damaged.png"], "is damaged")
         self.assertEqual(unseen[HOSTILE], "is on a mesh, whose texture coordinates are not read")
         self.assertEqual(results[2], [None, 0, 2])
