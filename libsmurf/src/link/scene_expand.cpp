@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The include graph: every scene and model file is read once, every entity becomes one instance per
 // use of its scene.
-#include <unordered_map>
-#include <unordered_set>
+#include <map>
+#include <set>
 
 #include "ast/key_renames.hpp"
 #include "ast/scene_reader.hpp"
@@ -400,13 +400,13 @@ class SceneExpander {
   LoadContext& context_;
   LinkedScene& scene_;
   SceneNames& names_;
-  std::unordered_map<std::string, std::optional<SceneIndex>> scene_files_;
-  std::unordered_map<std::string, std::optional<ModelIndex>> models_;
-  std::unordered_map<std::string, bool> data_files_;
+  std::map<std::string, std::optional<SceneIndex>> scene_files_;
+  std::map<std::string, std::optional<ModelIndex>> models_;
+  std::map<std::string, bool> data_files_;
   FirstNames first_names_{context_.files};
-  std::unordered_map<std::string, ArchivedMain> archives_;
-  std::unordered_set<std::string> paths_;
-  std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::map<std::string, ArchivedMain> archives_;
+  std::set<std::string> paths_;
+  std::map<std::string, std::uint32_t> numbers_;
   std::optional<SceneIndex> empty_scene_;
   /// Of the texts of instances: a long one may be repeated in each of a nested scene.
   std::uint64_t bytes_ = 0;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
+#include <set>
 
 #include "base/path.hpp"
 #include "base/suggest.hpp"
@@ -80,7 +80,7 @@ std::vector<TopLevelKey> top_level_keys(const LinkedModel& model) {
 Span place_in_files(const LinkedModel& model, SourceId source) {
   if (!model.is_complete || !model.main.files) return {};
   std::size_t index = 0;  // of the file in `files` of the model, where the main file is the first
-  std::unordered_set<std::string> read;
+  std::set<std::string> read;
   for (const Spanned<std::string>& entry : *model.main.files) {
     const std::string extension = path::to_lower(path::extension(entry.value));
     const bool is_read =

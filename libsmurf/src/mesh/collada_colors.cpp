@@ -2,6 +2,7 @@
 #include "mesh/collada_colors.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace smurf::collada {
 namespace {
@@ -36,7 +37,7 @@ std::optional<Rgba> color_of(View effect) {
 }  // namespace
 
 Colors::Colors(View root) {
-  std::unordered_map<std::string_view, std::optional<Rgba>> effects;
+  std::map<std::string_view, std::optional<Rgba>> effects;
   for (const View library : root) {
     if (library.name() != "library_effects") continue;
     for (const View effect : library) effects.emplace(value(effect, "id"), color_of(effect));

@@ -4,6 +4,7 @@
 // Gazebo reads <unit> only (ColladaLoader.cc:718), and MoveIt and urdf-loader undo the rotation of
 // the root.
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 #include "base/quoted.hpp"
@@ -163,7 +164,7 @@ class ColladaTriangles {
   View root_;
   TriangleCollector& triangles_;
   Colors colors_;
-  std::unordered_map<std::string_view, View> geometry_of_id_, node_of_id_, scene_of_id_;
+  std::map<std::string_view, View> geometry_of_id_, node_of_id_, scene_of_id_;
   GeometryReader geometries_;
   std::unordered_map<xml::ElementId, Geometry> geometries_read_;
   std::vector<xml::ElementId> path_;                       ///< from the scene to the node

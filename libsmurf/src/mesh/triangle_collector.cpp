@@ -2,8 +2,9 @@
 #include "mesh/triangle_collector.hpp"
 
 #include <cmath>
+#include <cstring>
 
-#include "base/bits.hpp"
+#include "base/hash.hpp"
 
 namespace smurf {
 namespace {
@@ -16,12 +17,9 @@ constexpr double kFarthest = 1e15;
 }  // namespace
 
 std::size_t TriangleCollector::HashOfPoint::operator()(const Point& point) const {
-  std::uint64_t hash = 0;
-  for (const float coordinate : point) {
-    hash = (hash ^ bit_cast<std::uint32_t>(coordinate)) * 0x9e3779b97f4a7c15U;
-    hash ^= hash >> 32U;
-  }
-  return static_cast<std::size_t>(hash);
+  std::array<char, sizeof point> bytes;
+  std::memcpy(bytes.data(), point.data(), sizeof point);
+  return hash_of(std::string_view(bytes.data(), bytes.size()));
 }
 
 TriangleCollector::TriangleCollector(std::size_t most_triangles)

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
-#include <unordered_map>
 
 #include "smurf/source.hpp"
 #include "smurf/write_scene.hpp"
@@ -33,8 +33,8 @@ class PreviewMeshes {
  private:
   const SceneExport& scene_;
   Cost cost_;
-  std::unordered_map<std::string, std::string> by_name_;
-  std::unordered_map<std::string, std::string> by_identity_;
+  std::map<std::string, std::string> by_name_;
+  std::map<std::string, std::string> by_identity_;
   std::uint64_t bytes_ = 0;
 };
 

@@ -3,7 +3,6 @@
 // and one keyframe `initial` that holds every joint's start.
 #include <map>
 #include <set>
-#include <unordered_set>
 
 #include "base/numbers.hpp"
 #include "base/unique_names.hpp"
@@ -302,8 +301,8 @@ class MjcfWriter : MjcfSensors {
   std::map<const LinkedModel*, CollisionContacts> contacts_;
   AnnotatedColors colors_;
   UniqueNames geom_names_;
-  std::map<std::string, std::string> textures_;    ///< file -> name of its material
-  std::unordered_set<std::string_view> existing_;  ///< names of the model's meshes that are there
+  std::map<std::string, std::string> textures_;  ///< file -> name of its material
+  std::set<std::string_view> existing_;          ///< names of the model's meshes that are there
   std::set<const urdf::Joint*> reported_;
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;
 };

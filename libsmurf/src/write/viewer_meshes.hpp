@@ -44,7 +44,7 @@ class ViewerMeshes {
 
   PreviewMeshes files_;
   bool has_copies_;
-  std::unordered_map<std::string, Known> known_;
+  std::map<std::string, Known> known_;
   std::vector<Shown> shown_;
   std::map<std::pair<std::string, std::string>, std::size_t> unseen_;
 };
