@@ -3,7 +3,7 @@
 // universal string hashing is fast", 2014).
 #include "base/hash.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <random>
@@ -11,12 +11,7 @@
 namespace smurf {
 namespace {
 
-std::uint64_t random_seed() {
-  std::random_device random;
-  return std::uint64_t{random()} << 32U | random();
-}
-
-/// The key for the next four bytes (the generator splitmix64).
+/// Advances a generator (splitmix64).
 std::uint64_t next_key(std::uint64_t& state) {
   state += 0x9e3779b97f4a7c15U;
   std::uint64_t key = state;
@@ -25,20 +20,41 @@ std::uint64_t next_key(std::uint64_t& state) {
   return key ^ key >> 31U;
 }
 
+/// A key for each four bytes.
+class Keys {
+ public:
+  Keys() {
+    std::random_device random;
+    rest_ = std::uint64_t{random()} << 32U | random();
+    for (std::uint64_t& key : first_) key = next_key(rest_);
+  }
+
+  /// `state` begins as rest(); the keys of long texts come from it.
+  std::uint64_t at(std::size_t i, std::uint64_t& state) const {
+    return i < first_.size() ? first_[i] : next_key(state);
+  }
+  std::uint64_t rest() const { return rest_; }
+
+ private:
+  std::array<std::uint64_t, 24> first_{};
+  std::uint64_t rest_ = 0;
+};
+
 }  // namespace
 
 std::size_t hash_of(std::string_view bytes) {
-  static const std::uint64_t seed = random_seed();
-  std::uint64_t state = seed;
-  std::uint64_t sum = next_key(state);
-  sum += next_key(state) * bytes.size();
-  while (!bytes.empty()) {
-    std::uint32_t word = 0;
-    const std::size_t size = std::min(bytes.size(), sizeof word);
-    std::memcpy(&word, bytes.data(), size);
-    sum += next_key(state) * word;
-    bytes.remove_prefix(size);
+  static const Keys keys;
+  std::uint64_t state = keys.rest();
+  std::uint64_t sum = keys.at(0, state) + keys.at(1, state) * bytes.size();
+  std::size_t i = 2;
+  std::uint32_t word = 0;
+  for (; bytes.size() >= sizeof word; bytes.remove_prefix(sizeof word)) {
+    std::memcpy(&word, bytes.data(), sizeof word);
+    sum += keys.at(i++, state) * word;
   }
+  word = 0;
+  for (const char c : bytes) word = word << 8U | static_cast<unsigned char>(c);
+  sum += keys.at(i, state) * word;
   return static_cast<std::size_t>(sum >> 32U);
 }
 
