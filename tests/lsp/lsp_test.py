@@ -219,6 +219,21 @@ class Pulled(LspTest):
         again = self.client.request("workspace/diagnostic", {"previousResultIds": known})
         self.assertEqual({one["kind"] for one in again["items"]}, {"unchanged"})
 
+    def test_closed_without_saving(self):
+        """The folder has the text of the disk again: in the findings and in the names."""
+        self.client.open(self.motors, self.motors.read_text().replace("joint1_waist", "no_joint"))
+        self.assertEqual(self.found_in_folder(), {"SML3101"})
+        self.assertEqual(len(self.client.request("workspace/symbol", {"query": "no_joint"})), 1)
+        self.client.close(self.motors)
+        self.assertEqual(self.found_in_folder(), set())
+        self.assertEqual(self.client.request("workspace/symbol", {"query": "no_joint"}), [])
+
+    def found_in_folder(self):
+        """The rules of the findings in the list of motors."""
+        report = self.client.request("workspace/diagnostic", {"previousResultIds": []})
+        return {one["code"] for file in report["items"] if path_of(file["uri"]) == str(self.motors)
+                for one in file["items"]}
+
     def test_memory_of_many_findings(self):
         """A megabyte of 25,000 findings: they are printed one by one, as a tree of all takes 70 MB."""
         entry = f"- {{name: {'n' * 40}, joint: {'n' * 40}q, mimic_motor: {'n' * 40}r, joitn: j}}\n"
@@ -226,6 +241,31 @@ class Pulled(LspTest):
         self.client.of("textDocument/diagnostic", self.motors)
         if not cli.is_sanitized(TOOL):
             self.assertLess(self.peak(), 150)
+
+
+class Refreshed(LspTest):
+    """A client that asks is told when to ask again."""
+    capabilities = {**ALL, "workspace": {name: {"refreshSupport": True}
+                                         for name in ("diagnostics", "inlayHint", "semanticTokens")},
+                    "textDocument": {"diagnostic": {}}}
+
+    def asked(self):
+        self.client.request("workspace/symbol", {"query": "no such name"})
+        methods = {one["method"] for one in self.client.requests}
+        self.client.requests.clear()
+        return methods
+
+    def test_files(self):
+        self.client.open(self.motors)
+        self.assertEqual(self.asked(), set())
+        self.client.notify("workspace/didChangeWatchedFiles", {"changes": [{"uri": uri(self.urdf), "type": 2}]})
+        self.assertEqual(self.asked(), {f"workspace/{name}/refresh" for name in
+                                        ("diagnostic", "inlayHint", "semanticTokens")})
+
+    def test_settings(self):
+        self.asked()
+        self.client.notify("workspace/didChangeConfiguration", {"settings": {"smurf": {}}})
+        self.assertEqual(self.asked(), {"workspace/inlayHint/refresh"})
 
 
 class Actions(LspTest):
