@@ -696,6 +696,56 @@ class Completion(LspTest):
         self.open(self.motors, "motors:\n- {name: a, joint: ")
         self.assertIn("joint3_elbow", self.labels(self.motors, len("motors:\n- {name: a, joint: ")))
 
+    def completed(self, path, before, label, after=""):
+        """The text of a document after a choice of the menu at the end of `before`."""
+        if str(path) in self.client.texts:
+            self.client.replace(path, before + after)
+        else:
+            self.open(path, before + after)
+        items = self.client.at("textDocument/completion", path, len(before))["items"]
+        item = next((one for one in items if one["label"] == label), None)
+        self.assertIsNotNone(item, [one["label"] for one in items])
+        return apply(before + after, [item["textEdit"]])
+
+    def test_items_of_lists_in_brackets(self):
+        """Only the item is replaced, and lists may span lines."""
+        sensors = self.folder / "arm/smurf/arm_sensors.yml"
+        start = "sensors:\n- name: a\n  type: JointPosition\n"
+        for before, after in (("  id: [joint1_waist, ", "]\n"), ("  id: [joint1_waist,\n    joint2", "\n  ]\n"),
+                              ("  id:\n  - ", "\n")):
+            self.assertEqual(self.completed(sensors, start + before, "joint3_elbow", after),
+                             start + before.removesuffix("joint2") + "joint3_elbow" + after)
+        # A bracket that is not closed yet ends with its entry.
+        self.assertEqual(self.completed(sensors, start + "  id: [a, b\n  link: ", "turret"),
+                         start + "  id: [a, b\n  link: turret")
+
+    def test_json(self):
+        """Phobos writes models as JSON."""
+        before = '{\n "modelname": "arm",\n "files": ["../urdf/arm.urdf",\n  "arm_m'
+        self.assertEqual(self.completed(self.main, before, "arm_motors.yml", '"]}'),
+                         '{\n "modelname": "arm",\n "files": ["../urdf/arm.urdf",\n  "arm_motors.yml"]}')
+        self.assertEqual(self.completed(self.main, '{"modelname": "arm", "', "files", '"}'), '{"modelname": "arm", "files": }')
+        labels = self.labels(self.main, len('{"modelname": "arm", "'))
+        self.assertNotIn("modelname", labels)
+        self.client.replace(self.main, self.main.read_text())
+        self.assertEqual(self.completed(self.motors, '{"motors": [{"name": "a", "joint":"', "joint3_elbow", '"}]}'),
+                         '{"motors": [{"name": "a", "joint":"joint3_elbow"}]}')
+
+    def test_quotes(self):
+        for before, after in (('"', '"'), ("'", "'"), ('"joi', '"'), ("'", "")):
+            start = f"motors:\n- name: a\n  joint: {before[0]}"
+            self.assertEqual(self.completed(self.motors, start + before[1:], "joint3_elbow", after),
+                             f"{start}joint3_elbow{before[0]}")
+
+    def test_types(self):
+        """The types that readers know."""
+        self.assertIn("PID", self.completed(self.motors, "motors:\n- name: a\n  type: ", "PID"))
+        sensors = self.folder / "arm/smurf/arm_sensors.yml"
+        self.assertIn("NodeIMU", self.completed(sensors, "sensors:\n- name: a\n  type: Node", "NodeIMU"))
+        scene = self.folder / "nested/outer.smurfs"
+        self.assertIn("smurfs", self.completed(scene, "entities:\n- name: a\n  type: ", "smurfs"))
+        self.assertIn("world", self.completed(scene, "entities:\n- name: a\n  anchor: ", "world"))
+
     def test_not_in_comments(self):
         self.open(self.motors)
         self.assertEqual(self.labels(self.motors, self.find(self.motors, "every motor")), [])
@@ -712,6 +762,7 @@ class Completion(LspTest):
         self.assertIn("arm_motors.yml", labels)
         self.client.edit(self.main, at, at, "../urdf/")
         self.assertIn("../urdf/arm.urdf", self.labels(self.main, at + len("../urdf/")))
+        self.assertEqual(self.completed(self.main, "files:\n- ../", "../urdf/"), "files:\n- ../urdf/")
 
     def test_configuration(self):
         config = self.write("arm/.smurf-lint.yaml", "")
@@ -727,6 +778,21 @@ class Completion(LspTest):
         labels = self.labels(self.urdf, at + 1)
         self.assertIn("dynamics", labels)
         self.assertNotIn("inertial", labels)
+
+    def test_what_an_element_needs(self):
+        self.open(self.urdf)
+        at = self.find(self.urdf, "  <joint")
+        self.client.edit(self.urdf, at, at, "<")
+        items = self.client.at("textDocument/completion", self.urdf, at + 1)["items"]
+        joint = next(one for one in items if one["label"] == "joint")
+        self.assertEqual(joint["textEdit"]["newText"],
+                         'joint name="$1" type="$2">\n\t<parent link="$3"/>\n\t<child link="$4"/>\n</joint>')
+        at = self.find(self.urdf, "<visual")
+        self.client.edit(self.urdf, at, at, "<")
+        items = self.client.at("textDocument/completion", self.urdf, at + 1)["items"]
+        collision = next(one for one in items if one["label"] == "collision")
+        self.assertEqual(collision["textEdit"]["newText"],
+                         "collision>\n\t<geometry>\n\t\t$1\n\t</geometry>\n</collision>")
 
     def test_attributes(self):
         self.open(self.urdf)
@@ -747,6 +813,23 @@ class Completion(LspTest):
         self.client.edit(self.urdf, at, self.find(self.urdf, "\n", after=at), "")
         self.assertIn("turret", self.labels(self.urdf, at))
         self.assertGreater(len(self.client.published(self.urdf)), 0)
+
+    def test_names_in_unclosed_elements(self):
+        """Who writes from top to bottom has not closed the joint yet."""
+        whole = self.urdf.read_text().removesuffix("</robot>\n")
+        self.open(self.urdf)
+        for added in ('<joint name="new" type="fixed">\n<parent link="', '<joint name="new">\n<parent link="turret"/><child link="tu'):
+            self.assertIn("turret", self.completed(self.urdf, whole + added, "turret", '"\n</robot>\n'))
+
+    def test_names_in_extensions(self):
+        whole = self.urdf.read_text().removesuffix("</robot>\n")
+        self.open(self.urdf)
+        self.assertIn("turret", self.completed(self.urdf, whole + '<gazebo reference="', "turret", '"/></robot>\n'))
+        text = whole + '<transmission name="t"><joint name="'
+        self.client.replace(self.urdf, text + '"/></transmission></robot>\n')
+        labels = self.labels(self.urdf, len(text))
+        self.assertIn("joint3_elbow", labels)
+        self.assertNotIn("turret", labels)
 
 
 class Structure(LspTest):
