@@ -21,7 +21,8 @@ TOOL = None
 FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
 ALL = {
     "general": {"positionEncodings": ["utf-16"]},
-    "workspace": {"workspaceEdit": {"documentChanges": True}, "didChangeWatchedFiles": {"dynamicRegistration": True}},
+    "workspace": {"workspaceEdit": {"documentChanges": True, "resourceOperations": ["rename"]},
+                  "didChangeWatchedFiles": {"dynamicRegistration": True}},
     "window": {"workDoneProgress": True},
     "textDocument": {
         "completion": {"completionItem": {"snippetSupport": True}},
@@ -541,6 +542,51 @@ class Names(LspTest):
             "oldUri": uri(self.folder / "nothing"), "newUri": uri(self.folder / "new")}]}))
 
     @staticmethod
+    def lines_of(found):
+        return sorted((pathlib.Path(path_of(one["uri"])).name, one["range"]["start"]["line"]) for one in found)
+
+    def test_names_of_files(self):
+        """All places that name a mesh."""
+        self.open(self.urdf)
+        text = self.urdf.read_text()
+        at = self.find(self.urdf, "forearm.obj")
+        lines = [i for i, line in enumerate(text.split("\n")) if "forearm.obj" in line]
+        found = self.client.at("textDocument/references", self.urdf, at, context={"includeDeclaration": True})
+        self.assertEqual(self.lines_of(found), [("arm.urdf", line) for line in lines])
+        self.assertEqual(len(self.client.at("textDocument/documentHighlight", self.urdf, at)), len(lines))
+        self.open(self.main)
+        at = self.find(self.main, "arm_motors.yml") + 2
+        found = self.client.at("textDocument/references", self.main, at, context={"includeDeclaration": True})
+        self.assertEqual([name for name, _ in self.lines_of(found)], ["arm.smurf"])
+
+    def test_rename_a_file_by_its_name(self):
+        self.open(self.main)
+        at = self.find(self.main, "arm_motors.yml") + 2
+        prepared = self.client.at("textDocument/prepareRename", self.main, at)
+        self.assertEqual(prepared["placeholder"], "arm_motors.yml")
+        self.assertEqual(text_in(self.client.texts[str(self.main)], prepared["range"]), "arm_motors.yml")
+        edit = self.client.at("textDocument/rename", self.main, at, newName="drives.yml")
+        self.assertEqual(edit["documentChanges"].pop(), {
+            "kind": "rename", "oldUri": uri(self.motors), "newUri": uri(self.motors.with_name("drives.yml"))})
+        self.assertEqual(self.applied(self.main, edit), self.main.read_text().replace("arm_motors", "drives"))
+        for name in ("arm_sensors.yml", "../x.yml", "", ".."):
+            with self.assertRaises(client.RequestError):
+                self.client.at("textDocument/rename", self.main, at, newName=name)
+
+    def test_rename_a_folder(self):
+        self.open(self.urdf)
+        edit = self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.folder / "arm/meshes"), "newUri": uri(self.folder / "arm/shapes")}]})
+        self.assertEqual(self.applied(self.urdf, edit), self.urdf.read_text().replace("../meshes/", "../shapes/"))
+        # A file that moves finds its meshes again.
+        edit = self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.urdf), "newUri": uri(self.folder / "arm/a/b/arm.urdf")}]})
+        self.assertEqual(self.applied(self.urdf, edit), self.urdf.read_text().replace("../meshes/", "../../meshes/"))
+        # All that a model consists of moves together.
+        self.assertIsNone(self.client.request("workspace/willRenameFiles", {"files": [{
+            "oldUri": uri(self.folder / "arm"), "newUri": uri(self.folder / "robot")}]}))
+
+    @staticmethod
     def said(scalar):
         """By a scalar of YAML in a list with brackets."""
         if scalar.startswith('"'):
@@ -630,11 +676,41 @@ class Hover(LspTest):
         self.open(scene)
         self.assertIn("in the world: xyz", self.hover(scene, self.find(scene, "position:") + 2))
 
+    def test_pose_of_a_shape(self):
+        """The origin of a visual is in the frame of its link."""
+        robot = self.write("r.urdf", """<robot name="r"><link name="a"/>
+            <joint name="j" type="fixed"><origin xyz="1 0 0"/><parent link="a"/><child link="b"/></joint>
+            <link name="b"><visual><origin xyz="0 2 0"/><geometry><box size="1 1 1"/></geometry></visual></link></robot>""")
+        self.open(robot)
+        self.assertIn("seen from `a`, all joints at 0: xyz 1 2 0 ", self.hover(robot, self.find(robot, '"0 2 0"') + 1))
+        self.assertIn("seen from `a`, all joints at 0: xyz 1 0 0 ", self.hover(robot, self.find(robot, '"1 0 0"') + 1))
+
+    def test_file(self):
+        self.open(self.main)
+        self.assertIn(str(self.motors), self.hover(self.main, self.find(self.main, "arm_motors.yml") + 1))
+
     def test_mesh(self):
         self.open(self.urdf)
         text = self.hover(self.urdf, self.find(self.urdf, "upper_arm.obj"))
         self.assertIn("triangles", text)
         self.assertIn(" m\n", text + "\n")
+        self.assertIn("no unit", text)
+
+    def test_unit_of_a_mesh(self):
+        """The size is in metres, whatever the unit of the file."""
+        self.write("m.dae", """<COLLADA version="1.4.1"><asset><unit meter="0.001"/><up_axis>Z_UP</up_axis></asset>
+            <library_geometries><geometry id="g"><mesh><source id="p"><float_array id="f" count="9">0 0 0 500 0 0 0 250 0</float_array>
+            <technique_common><accessor source="#f" count="3" stride="3"/></technique_common></source>
+            <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+            <triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>
+            <library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+            <scene><instance_visual_scene url="#s"/></scene></COLLADA>""")
+        robot = self.write("r.urdf", '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.dae"/></geometry></visual>'
+                           "</link></robot>")
+        self.open(robot)
+        text = self.hover(robot, self.find(robot, "m.dae"))
+        self.assertIn("0.5 x 0.25 x 0 m", text)
+        self.assertIn("unit 0.001 m", text)
 
     def test_gltf(self):
         """The mesh is turned to z and is 1 m wide; its points are in a file beside it, which then is gone."""
