@@ -19,6 +19,13 @@ void Context::send(const Json& message) {
   if (!lists.empty()) lists.clear();  // other threads tell how far they are, without lists
 }
 
+void Context::ask(const char* method, Json params) {
+  send({{"jsonrpc", "2.0"},
+        {"id", "server-" + std::to_string(++last_id)},
+        {"method", method},
+        {"params", std::move(params)}});
+}
+
 std::string path_in(const Json& params) {
   return path_of_uri(text_at(params, {"textDocument", "uri"}));
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ast/key_renames.hpp"
+#include "ast/known_words.hpp"
 #include "ast/scene_reader.hpp"
 #include "base/limits.hpp"
 #include "base/path.hpp"
@@ -433,8 +434,7 @@ EntityKind kind_of(std::string_view type) {
 }
 
 std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string_view type) {
-  std::vector<std::string_view> known = {"smurf", "urdf", "smurfs",    "smurfa",  "scn",
-                                         "scene", "yml",  "primitive", "particle"};
+  std::vector<std::string_view> known(std::begin(kEntityTypes), std::end(kEntityTypes));
   if (is_archive_type(type)) return std::nullopt;
   if (scene.schemas != nullptr) {
     if (scene.schemas->has_entity_type(type)) return std::nullopt;
