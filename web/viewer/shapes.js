@@ -45,7 +45,7 @@ function aroundOf(scene) {
 /** Triangles of a mesh that have one colour, if the file gives colours; else the whole mesh. */
 function partsOf(shape, meshes, layer) {
   const parts = meshes[shape.mesh]?.parts;
-  if (!parts || shape.color || layer !== Layer.visuals) return [shape];
+  if (!parts || shape.color || shape.texture !== undefined || layer !== Layer.visuals) return [shape];
   return parts.map((part) => ({ ...shape, part, color: part.color }));
 }
 
@@ -83,9 +83,10 @@ function solidOf(shape, meshes, around) {
   return { key: "box", make: makeBox, scale: high.sub(low).toArray(), center };
 }
 
-function toGeometry({ points, indices }, part) {
+function toGeometry({ points, indices, texturePoints }, part) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points, 3));
+  if (texturePoints) geometry.setAttribute("uv", new BufferAttribute(texturePoints, 2));
   geometry.setIndex(new BufferAttribute(part ? indices.subarray(part.first, part.end) : indices, 1));
   return geometry;
 }
