@@ -22,8 +22,8 @@ enum class SceneForm : std::uint8_t { reference, expand };
 
 /// Where the meshes and textures of a preview come from. Files are relative to the output's folder.
 struct MeshSource {
-  /// Null when no mesh is at hand. Asked for once a file, since nothing is kept.
-  std::function<MeshTriangles(const std::string& file)> triangles;
+  /// Null when no mesh is at hand. Asked for once a file and kind, since nothing is kept.
+  std::function<MeshTriangles(const std::string& file, TexturePoints texture_points)> triangles;
   /// Equal for names of one file that have the same triangles.
   std::function<std::string(const std::string& file)> identity;
   /// Null when no image is at hand.

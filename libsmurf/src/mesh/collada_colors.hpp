@@ -21,9 +21,12 @@ class Colors {
 
   /// None for a texture.
   std::optional<Rgba> of(std::string_view material) const;
+  /// Whether any effect of the file has one.
+  bool has_textures() const { return has_textures_; }
 
  private:
   std::map<std::string_view, std::optional<Rgba>> colors_;  ///< by the id of a material
+  bool has_textures_ = false;
 };
 
 }  // namespace smurf::collada

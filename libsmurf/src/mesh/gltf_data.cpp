@@ -106,6 +106,16 @@ Vector3 Accessor::point(std::uint64_t place) const {
   return {read_float(bytes, at), read_float(bytes, at + 4), read_float(bytes, at + 8)};
 }
 
+std::array<double, 2> Accessor::texture_point(std::uint64_t place) const {
+  const std::size_t at = static_cast<std::size_t>(place) * stride;
+  const auto byte = [&](std::size_t i) {
+    return static_cast<double>(static_cast<unsigned char>(bytes[at + i]));
+  };
+  if (type == kFloat) return {read_float(bytes, at), read_float(bytes, at + 4)};
+  if (type == kByte) return {byte(0) / 255, byte(1) / 255};
+  return {(byte(0) + 256 * byte(1)) / 65535, (byte(2) + 256 * byte(3)) / 65535};
+}
+
 Data::Data(std::string_view bytes, const MeshNeighbours& neighbours)
     : neighbours_(neighbours), bytes_(bytes.size()) {
   if (bytes.starts_with("glTF") ? read_binary(bytes) : read_json(bytes)) check_extensions();
@@ -205,7 +215,8 @@ std::optional<Accessor> Data::accessor(const Json* index, std::string_view type)
   const auto offset = number(*written, "byteOffset", 0);
   const auto count = number(*written, "count", 0);
   const auto component = number(*written, "componentType", 0);
-  const std::size_t size = component ? size_of(*component) * (type == "VEC3" ? 3 : 1) : 0;
+  const std::size_t components = type == "VEC3" ? 3 : type == "VEC2" ? 2 : 1;
+  const std::size_t size = component ? size_of(*component) * components : 0;
   const auto stride = number(*view, "byteStride", size);
   if (!start || !length || !offset || !count || size == 0 || !stride || *stride < size ||
       !is_text(member(*written, "type"), type)) {

@@ -2,6 +2,7 @@
 // The data of glTF 2.0: the JSON, the buffers beside it, and the numbers in them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -40,6 +41,8 @@ struct Accessor {
   std::uint32_t index(std::uint64_t place) const;
   /// Precondition: the type is float, and place < count.
   Vector3 point(std::uint64_t place) const;
+  /// Precondition: the accessor has two components, no integers of four bytes, and place < count.
+  std::array<double, 2> texture_point(std::uint64_t place) const;
 };
 
 /// Types of components.

@@ -87,7 +87,7 @@ class VersionData {
     }
     json_.end();
     add_joint_poses(model);
-    add_motors_and_sensors(model);
+    print_devices(model, json_);
     print_sensors(model, json_);
     json_.end();
   }
@@ -134,20 +134,38 @@ class VersionData {
     if (!geometry) return;
     json_.begin_object();
     add_name(part.name);
-    if (look.texture) add_texture(*look.texture, part.span, *geometry);
+    const bool is_textured = look.texture && add_texture(*look.texture, part.span, *geometry);
     add_solid({urdf::to_pose(part.origin), *geometry, look.color, part.span},
-              bounding_box(model, part.geometry));
+              bounding_box(model, part.geometry), is_textured);
+    const bool is_visual = std::is_same_v<Part, urdf::Visual>;
+    if (is_visual && !look.color && !look.texture) name_own_textures(*geometry, part.span);
     json_.end();
   }
 
-  void add_texture(const std::string& file, Span place, const FlatGeometry& geometry) {
-    const bool is_mesh = std::holds_alternative<FlatMesh>(geometry);
-    const ViewerImages::Known known =
-        is_mesh ? ViewerImages::Known{{}, "is on a mesh, whose texture coordinates are not read"}
-                : images_.find(file);
-    if (known.index) return add_index("texture", *known.index);
+  /// Whether the shape has coordinates for the texture, also when the image cannot be shown.
+  bool add_texture(const std::string& file, Span place, const FlatGeometry& geometry) {
+    const auto* mesh = std::get_if<FlatMesh>(&geometry);
+    std::string why = mesh == nullptr ? "" : meshes_.find_textured(mesh->file, place).why_none;
+    const bool has_coordinates = why.empty();
+    if (has_coordinates) {
+      const ViewerImages::Known& known = images_.find(file);
+      if (known.index) add_index("texture", *known.index);
+      why = known.why_none;
+    } else {
+      why = "is on a mesh that " + why;
+    }
+    if (why.empty()) return true;
     losses_.note("textures", place, file);
-    meshes_.add_unseen(file, known.why_none);
+    meshes_.add_unseen(file, why);
+    return has_coordinates;
+  }
+
+  /// The page shows the colours of a mesh file, but not its images.
+  void name_own_textures(const FlatGeometry& geometry, Span place) {
+    const auto* mesh = std::get_if<FlatMesh>(&geometry);
+    if (mesh == nullptr || !meshes_.find(mesh->file, place).has_textures) return;
+    losses_.note("textures", place, mesh->file);
+    meshes_.add_unseen(mesh->file, "has textures of its own, which are not shown");
   }
 
   void add_joint(const LinkedModel& model, std::size_t index) {
@@ -200,37 +218,6 @@ class VersionData {
     json_.end();
   }
 
-  void add_motors_and_sensors(const LinkedModel& model) {
-    begin_lines("devices");
-    for (const Motor& motor : model.annotations.motors) {
-      add_device("motor", motor.name, child_of(model, motor.joint));
-    }
-    for (const Sensor& sensor : model.annotations.sensors) {
-      std::optional<std::uint32_t> link;
-      if (sensor.link) link = model.link_names.find(*sensor.link);
-      add_device("sensor", sensor.name, link ? link : child_of(model, sensor.joint));
-    }
-    json_.end();
-  }
-
-  /// The link that a joint moves.
-  static std::optional<std::uint32_t> child_of(const LinkedModel& model,
-                                               const Field<std::string>& joint) {
-    const auto index = joint ? model.joint_names.find(*joint) : std::nullopt;
-    const auto child = index ? model.tree.joint_child[*index] : std::nullopt;
-    return child ? std::optional(static_cast<std::uint32_t>(to_size(*child))) : std::nullopt;
-  }
-
-  void add_device(std::string_view kind, const Field<std::string>& name,
-                  const std::optional<std::uint32_t>& link) {
-    if (!name || !link) return;
-    json_.begin_object();
-    json_.member("kind", kind);
-    add_name(name);
-    add_index("link", *link);
-    json_.end();
-  }
-
   void add_positions(const JointPositions& positions) {
     json_.key("positions");
     json_.begin_object();
@@ -261,7 +248,8 @@ class VersionData {
     for (const FlatShape& shape : entity.shapes) {
       json_.begin_object();
       if (!shape.name.empty()) json_.member("name", shape.name);
-      add_solid({shape.X_ES, shape.geometry, shape.color, place}, std::nullopt);
+      add_solid({shape.X_ES, shape.geometry, shape.color, place}, std::nullopt, false);
+      if (!shape.color) name_own_textures(shape.geometry, place);
       json_.end();
     }
     json_.end();
@@ -291,7 +279,7 @@ class VersionData {
   }
 
   /// `around` is the box that is shown for a mesh that could not be read.
-  void add_solid(const LinkShape& shape, const std::optional<Box>& around) {
+  void add_solid(const LinkShape& shape, const std::optional<Box>& around, bool is_textured) {
     if (shape.X_LS != Pose{}) add_pose("pose", shape.X_LS);
     if (shape.color) {
       const Rgba& color = *shape.color;
@@ -308,7 +296,7 @@ class VersionData {
     } else if (const auto* plane = std::get_if<FlatPlane>(&shape.geometry)) {
       json_.member("plane", {plane->length, plane->width});
     } else if (const auto* mesh = std::get_if<FlatMesh>(&shape.geometry)) {
-      add_mesh(*mesh, shape, around);
+      add_mesh(*mesh, shape, around, is_textured);
     } else if (const auto* map = std::get_if<FlatHeightmap>(&shape.geometry)) {
       losses_.unseen_shape(shape.span, shape.geometry, {});
       meshes_.add_unseen(map->file, "is a heightmap");
@@ -317,8 +305,10 @@ class VersionData {
     }
   }
 
-  void add_mesh(const FlatMesh& mesh, const LinkShape& shape, const std::optional<Box>& around) {
-    const ViewerMeshes::Known& known = meshes_.find(mesh.file, shape.span);
+  void add_mesh(const FlatMesh& mesh, const LinkShape& shape, const std::optional<Box>& around,
+                bool is_textured) {
+    const ViewerMeshes::Known& known = is_textured ? meshes_.find_textured(mesh.file, shape.span)
+                                                   : meshes_.find(mesh.file, shape.span);
     if (known.index) {
       add_index("mesh", *known.index);
       if (mesh.scale != Vector3{1, 1, 1}) {

@@ -104,6 +104,24 @@ std::set<const Sensor*> annotations_of(const std::vector<ViewerSensor>& sensors)
   return annotations;
 }
 
+/// The link that a joint moves.
+std::optional<std::uint32_t> child_of(const LinkedModel& model, const Field<std::string>& joint) {
+  const auto index = joint ? model.joint_names.find(*joint) : std::nullopt;
+  const auto child = index ? model.tree.joint_child[*index] : std::nullopt;
+  return child ? std::optional(static_cast<std::uint32_t>(to_size(*child))) : std::nullopt;
+}
+
+void print_device(std::string_view kind, const Field<std::string>& name,
+                  const std::optional<std::uint32_t>& link, JsonPrinter& json) {
+  if (!name || !link) return;
+  json.begin_object();
+  json.member("kind", kind);
+  json.member("name", *name);
+  json.key("link");
+  json.integer(*link);
+  json.end();
+}
+
 }  // namespace
 
 std::vector<ViewerSensor> viewer_sensors(const LinkedModel& model) {
@@ -149,6 +167,19 @@ bool is_shown(const Sensor& sensor, std::string_view key) {
   return type == "MultiLevelLaserRangeFinder" &&
          is_one_of(key, {"numRaysHorizontal", "numRaysVertical", "horizontalOpeningAngle",
                          "verticalOpeningAngle", "maxDistance"});
+}
+
+void print_devices(const LinkedModel& model, JsonPrinter& json) {
+  json.key("devices");
+  json.begin_list(JsonPrinter::Layout::block);
+  for (const Motor& motor : model.annotations.motors) {
+    print_device("motor", motor.name, child_of(model, motor.joint), json);
+  }
+  for (const Sensor& sensor : model.annotations.sensors) {
+    const auto link = sensor.link ? model.link_names.find(*sensor.link) : std::nullopt;
+    print_device("sensor", sensor.name, link ? link : child_of(model, sensor.joint), json);
+  }
+  json.end();
 }
 
 void print_sensors(const LinkedModel& model, JsonPrinter& json) {
