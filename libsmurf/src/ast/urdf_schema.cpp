@@ -234,6 +234,8 @@ constexpr std::pair<std::string_view, std::string_view> kOtherNames[] = {
 
 std::optional<std::string_view> meant_name(std::string_view name,
                                            std::span<const std::string_view> known) {
+  // A prefix marks another vocabulary, which is no slip: what it replaces is missing.
+  if (name.find(':') != std::string_view::npos) return std::nullopt;
   if (const auto near = nearest(name, known)) return near;
   for (const auto& [other, own] : kOtherNames) {
     if (name != other) continue;
