@@ -146,7 +146,7 @@ class VersionData {
         is_mesh ? ViewerImages::Known{{}, "is on a mesh, whose texture coordinates are not read"}
                 : images_.find(file);
     if (known.index) return add_index("texture", *known.index);
-    losses_.note("textures", place, file);
+    if (lost_textures_.insert(file).second) losses_.note("textures", place, file);
     meshes_.add_unseen(file, known.why_none);
   }
 
@@ -346,6 +346,7 @@ class VersionData {
   std::size_t models_before_, entities_before_;
   SceneLosses losses_;
   LinkFrames frames_;
+  std::set<std::string> lost_textures_;  ///< one is noted once, however many visuals have it
   ViewerMeshes& meshes_;
   ViewerImages& images_;
   JsonPrinter& json_;
