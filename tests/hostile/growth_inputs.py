@@ -646,6 +646,14 @@ def sensors_of_a_robot_to_mjcf(n, write):
         for i in range(n)) + "</robot>"))
 
 
+@grows(1500, "smurfs-flatten", "-q", "--force", "--format", "mjcf", "-o", "out", "a.smurf")
+def shapes_of_one_name_that_a_sensor_names_again_and_again(n, write):
+    write("a.urdf", '<robot name="r"><link name="b">' + '<collision name="x"><geometry><box size="1 1 1"/></geometry></collision>' * n
+          + "</link></robot>")
+    write("s.yml", "sensors:\n- {name: s, type: NodeContact, collisions: [" + "x, " * n + "x]}\n")
+    write("a.smurf", "modelname: a\nfiles: [a.urdf, s.yml]\n")
+
+
 # Scenes whose entities name parts of one model
 
 

@@ -58,6 +58,8 @@ struct SceneFormat {
   bool has_reference_form = false;
   bool has_expanded_form = true;
   bool repeats_models = false;  ///< writes the model of each instance out
+  /// For check_scene_size(), before anything is written; null: none.
+  RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;
   /// Why this build cannot write it, and what to do; empty when it can. Null: every build can.
   std::string_view (*obstacle)() = nullptr;
 };

@@ -74,7 +74,7 @@ class LossReport {
   }
 
   static std::string title(const Annotation& entry, std::string_view kind) {
-    return std::string(kind) + (entry.name ? " `" + *entry.name + "`" : "");
+    return std::string(kind) + (entry.name ? " " + quoted(*entry.name) : "");
   }
 
   yaml::View view(const Annotation& entry) const {
@@ -102,7 +102,7 @@ class LossReport {
   void of_custom(const CustomSection& section) {
     // Their text stands in the URDF, from which urdf2smurf took it.
     if (section.name.value == "urdf_extensions") return;
-    lose(rules::sml8001_not_expressible, section.name.span, "`" + section.name.value + "`",
+    lose(rules::sml8001_not_expressible, section.name.span, quoted(section.name.value),
          "has no place in a URDF");
   }
 
@@ -237,7 +237,7 @@ class LossReport {
     if (is_new || first->second.number() == key.number()) return;
     lose(rules::sml8003_ambiguous, key.key_span(),
          quoted(key.key()) + " of " + title(entry, "joint"),
-         "differs from `" + std::string(first->second.key()) + "`, which is applied")
+         "differs from " + quoted(first->second.key()) + ", which is applied")
         .label(first->second.key_span(), "this one");
   }
 

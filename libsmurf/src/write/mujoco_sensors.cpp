@@ -22,6 +22,8 @@ namespace smurf {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
+/// What a reading takes besides names.
+constexpr std::size_t kReadingBytes = 100;
 /// Cameras of Gazebo and MARS look along x, with z up (MARS CameraSensor.cpp, preGraphicsUpdate());
 /// those of MuJoCo along -z, with y up.
 const Quaternion kCameraAxes{0.5, 0.5, -0.5, -0.5};
@@ -59,6 +61,16 @@ class SensorReader {
     return carried && X_RL_[*carried] ? carried : std::nullopt;
   }
 
+  /// Takes what so many readings cost from what is left; false when that is too little. `more` are
+  /// the bytes of other names in them. A single reading costs no more than its annotation.
+  bool can_afford(std::size_t readings, std::string_view name, std::size_t more = 0) {
+    const std::size_t bytes = readings * (kReadingBytes + name.size()) + more;
+    if (readings <= 1) return true;
+    if (bytes > bytes_left_) return false;
+    bytes_left_ -= bytes;
+    return true;
+  }
+
   bool add(std::string_view name, std::optional<std::size_t> link, const Pose& X_LS,
            std::vector<MujocoReading> readings) {
     if (!link) return false;
@@ -87,7 +99,7 @@ class SensorReader {
 
   /// MuJoCo has only single rays, so each ray of a scan becomes a sensor.
   bool add_rays(std::string_view name, std::optional<std::size_t> link, const SensorView& view) {
-    if (!view.scan || !link) return false;
+    if (!view.scan || !link || !can_afford(ray_count(*view.scan), name)) return false;
     const std::vector<Quaternion> rays = ray_directions(*view.scan);
     const double range = view.scan->farthest.value_or(0);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -99,13 +111,19 @@ class SensorReader {
   }
 
   bool add_touch(std::string_view name, const TouchedBoxes& boxes) {
+    std::size_t names = 0;
+    for (const auto& [link, box] : boxes) {
+      const Field<std::string>& of_link = model_.robot->links[link].name;
+      names += of_link ? of_link->size() : 0;
+    }
+    if (!can_afford(boxes.size(), name, names)) return false;
     for (const auto& [link, box] : boxes) {
       if (!X_RL_[link]) return false;
     }
     for (const auto& [link, box] : boxes) {
-      const std::string of_link = "/" + model_.robot->links[link].name.value_or("");
-      add(std::string(name) + (boxes.size() > 1 ? of_link : std::string()), link,
-          {box.center(), {}}, {{"touch", "site", {}}});
+      std::string whole(name);
+      if (boxes.size() > 1) whole += "/" + model_.robot->links[link].name.value_or("");
+      add(whole, link, {box.center(), {}}, {{"touch", "site", {}}});
       const Vector3 size = box.size();
       sensors_.back().reach = Vector3{size[0] / 2, size[1] / 2, size[2] / 2};
     }
@@ -181,7 +199,8 @@ class SensorReader {
       return is_view_taken(sensor);
     }
     if (type == "NodeContact" || type == "NodeContactForce") {
-      return add_touch(*sensor.name, boxes_.of(targets({&sensor.id, &sensor.collisions})));
+      const std::size_t most = bytes_left_ / (kReadingBytes + sensor.name->size());
+      return add_touch(*sensor.name, boxes_.of(targets({&sensor.id, &sensor.collisions}), most));
     }
     constexpr std::pair<std::string_view, std::string_view> kOfJoints[] = {
         {"JointPosition", "jointpos"}, {"JointVelocity", "jointvel"}};
@@ -223,7 +242,7 @@ class SensorReader {
 
   /// False when nothing is measured.
   bool add_readings(const Sensor& sensor, std::vector<MujocoReading> readings) {
-    if (readings.empty()) return false;
+    if (readings.empty() || !can_afford(readings.size(), *sensor.name)) return false;
     sensors_.push_back({names_.add(*sensor.name), {}, {}, {}, {}, std::move(readings)});
     return true;
   }
@@ -259,6 +278,7 @@ class SensorReader {
   std::map<const urdf::Joint*, std::string> motors_;
   std::set<std::string_view> known_;
   UniqueNames names_;
+  std::size_t bytes_left_ = kMostReadingBytes;
   std::vector<MujocoSensor> sensors_;
 };
 

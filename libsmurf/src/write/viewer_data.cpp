@@ -155,8 +155,7 @@ class VersionData {
       why = "is on a mesh that " + why;
     }
     if (why.empty()) return true;
-    losses_.note("textures", place, file);
-    meshes_.add_unseen(file, why);
+    lose_texture(file, place, why);
     return has_coordinates;
   }
 
@@ -164,8 +163,13 @@ class VersionData {
   void name_own_textures(const FlatGeometry& geometry, Span place) {
     const auto* mesh = std::get_if<FlatMesh>(&geometry);
     if (mesh == nullptr || !meshes_.find(mesh->file, place).has_textures) return;
-    losses_.note("textures", place, mesh->file);
-    meshes_.add_unseen(mesh->file, "has textures of its own, which are not shown");
+    lose_texture(mesh->file, place, "has textures of its own, which are not shown");
+  }
+
+  /// Thousands of visuals may have one texture.
+  void lose_texture(const std::string& file, Span place, const std::string& why) {
+    if (lost_textures_.insert(file).second) losses_.note("textures", place, file);
+    meshes_.add_unseen(file, why);
   }
 
   void add_joint(const LinkedModel& model, std::size_t index) {
@@ -336,6 +340,7 @@ class VersionData {
   std::size_t models_before_, entities_before_;
   SceneLosses losses_;
   LinkFrames frames_;
+  std::set<std::string> lost_textures_;  ///< one is noted once, however many visuals have it
   ViewerMeshes& meshes_;
   ViewerImages& images_;
   JsonPrinter& json_;
