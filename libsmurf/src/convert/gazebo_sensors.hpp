@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "smurf/urdf.hpp"
 #include "smurf/pose.hpp"
+#include "smurf/urdf.hpp"
 #include "smurf/xml.hpp"
 
 namespace smurf {
