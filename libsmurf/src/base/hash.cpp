@@ -4,8 +4,10 @@
 #include "base/hash.hpp"
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
+#include <exception>
 #include <random>
 
 namespace smurf {
@@ -24,8 +26,14 @@ std::uint64_t next_key(std::uint64_t& state) {
 class Keys {
  public:
   Keys() {
-    std::random_device random;
-    rest_ = std::uint64_t{random()} << 32U | random();
+    // Emscripten's library has no device to read where it has no files.
+    try {
+      std::random_device random;
+      rest_ = std::uint64_t{random()} << 32U | random();
+    } catch (const std::exception&) {
+      rest_ = static_cast<std::uint64_t>(
+          std::chrono::high_resolution_clock::now().time_since_epoch().count());
+    }
     for (std::uint64_t& key : first_) key = next_key(rest_);
   }
 
