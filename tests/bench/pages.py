@@ -25,7 +25,7 @@ DRAW = """const { stage, motion } = smurfViewer;
   };"""
 # Milliseconds since the page was asked for.
 FIRST = f"(() => {{ {DRAW} draw(); return performance.now(); }})()"
-# Draws pictures for three seconds, each after a step. Returns their number in a second.
+# Calls `step` and draws a picture, again and again for three seconds. Returns the pictures per second.
 RATE = DRAW + """
   const rate = (step) => {
     const start = performance.now();

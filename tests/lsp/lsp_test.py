@@ -582,7 +582,7 @@ class Names(LspTest):
         edit = self.client.request("workspace/willRenameFiles", {"files": [{
             "oldUri": uri(self.urdf), "newUri": uri(self.folder / "arm/a/b/arm.urdf")}]})
         self.assertEqual(self.applied(self.urdf, edit), self.urdf.read_text().replace("../meshes/", "../../meshes/"))
-        # All that a model consists of moves together.
+        # The whole folder of a model moves, so no path in it changes.
         self.assertIsNone(self.client.request("workspace/willRenameFiles", {"files": [{
             "oldUri": uri(self.folder / "arm"), "newUri": uri(self.folder / "robot")}]}))
 
@@ -912,7 +912,7 @@ class Completion(LspTest):
         self.assertGreater(len(self.client.published(self.urdf)), 0)
 
     def test_names_in_unclosed_elements(self):
-        """Who writes from top to bottom has not closed the joint yet."""
+        """The elements around the cursor are not closed yet."""
         whole = self.urdf.read_text().removesuffix("</robot>\n")
         self.open(self.urdf)
         for added in ('<joint name="new" type="fixed">\n<parent link="', '<joint name="new">\n<parent link="turret"/><child link="tu'):

@@ -20,7 +20,7 @@ constexpr const char* kObj = "mtllib m.mtl\n"
                              "f 1/1 2/2 3/3 4/4\n"
                              "f 2/5/1 5/-5 -3/-1\n";
 
-/// The same.
+/// The shapes of kObj as COLLADA.
 std::string collada() {
   return R"(<?xml version="1.0"?>
 <COLLADA version="1.4.1">
@@ -79,7 +79,7 @@ MeshTriangles textured(const std::string& bytes, const MeshNeighbours& neighbour
   return mesh;
 }
 
-/// Of all corners, in their order.
+/// The texture coordinates of the corners of all triangles.
 std::vector<TexturePoint> corners(const MeshTriangles& mesh) {
   std::vector<TexturePoint> all;
   if (mesh.texture_points.empty()) return all;
@@ -87,7 +87,8 @@ std::vector<TexturePoint> corners(const MeshTriangles& mesh) {
   return all;
 }
 
-/// Whether the square has its own coordinates, however it is cut, and the triangle those it has.
+/// Checks the texture coordinates of the two triangles of the square, whichever way it was cut, and
+/// those of the third triangle.
 void check_both(const MeshTriangles& mesh) {
   const std::vector<TexturePoint> found = corners(mesh);
   REQUIRE(found.size() == 9);

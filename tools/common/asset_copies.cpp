@@ -46,7 +46,8 @@ std::string with_extension(const std::string& file, std::string_view extension) 
   return file.substr(0, file.size() - path::extension(file).size()) + std::string(extension);
 }
 
-/// A link below the folder would have another file compared, and could lead anywhere.
+/// Whether a symbolic link is on the way from the folder to the place. The file may then be
+/// anywhere, so it is not compared.
 bool is_behind_link(const AssetCopy& copy) {
   const std::string whole = copy.to();
   std::error_code error;
@@ -134,7 +135,8 @@ void CopyPlan::add_copy(const std::string& from, const std::string& inside,
                         const std::string& group, Kind kind) {
   AssetCopy copy{
       from, folder_, inside, {}, kind == Kind::buffer, std::string(path::extension(from))};
-  // It names textures only, whatever it is called: a chain of libraries would have no end.
+  // Whatever its extension, it is read as a library of materials, which names only textures. A
+  // library that named libraries could go on without end.
   if (kind == Kind::material_library) copy.format = ".mtl";
   const bool names_files = kind == Kind::mesh || kind == Kind::material_library;
   const std::string text = names_files ? reads_.read(from).text : std::string();
@@ -173,7 +175,7 @@ std::string CopyPlan::unique(const std::string& first, const std::string& from,
     return is_source(place, from) || taken_.contains(place) || is_taken_as_other(place);
   };
   int& number = numbers_.try_emplace(first, 1).first->second;
-  // Below a file there is no place, whatever the number.
+  // A number in the name does not help a path that leads through a file: its first folder changes.
   const bool is_below_file = is_taken_as_other(first);
   const std::string_view front = is_below_file ? std::string_view() : path::parent(first);
   const std::string_view rest = is_below_file ? std::string_view(first) : path::file_name(first);
@@ -189,7 +191,7 @@ std::string CopyPlan::unique(const std::string& first, const std::string& from,
   return inside;
 }
 
-/// A file has the name of a folder, or a folder that of a file.
+/// Whether the file would have the path of a folder of another copy, or lie below another file.
 bool CopyPlan::is_taken_as_other(const std::string& place) const {
   if (taken_folders_.contains(place)) return true;
   for (std::string above(path::parent(place)); !above.empty();
@@ -227,7 +229,7 @@ bool copy_files(std::string_view tool, const AssetCopies& copies, const FileRead
                          "': its name is not that of a mesh or image; nothing was written");
       return false;
     }
-    // Writing says why it refuses links and what cannot be read.
+    // The writer reports links and files that cannot be read.
     if (overwrite || is_behind_link(copy)) {
       missing.push_back(copy);
       continue;

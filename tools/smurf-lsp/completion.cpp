@@ -222,7 +222,8 @@ class Completer {
     if (help.is_path) add_files(is_yaml);
   }
 
-  /// A word behind an open quote also closes it; but a folder does not, since its files follow.
+  /// Adds the closing quote to the text of an item. A folder gets none, because the name of a file
+  /// follows.
   std::string end_quote(std::string text) const {
     return quote_ == '\0' || text.ends_with('/') ? text : text + quote_;
   }

@@ -120,7 +120,7 @@ std::string unmarked(std::string_view text) {
   return result;
 }
 
-/// The place of the next backquote that stands alone.
+/// Finds the next backquote with no other backquote beside it, from `at` on. npos: there is none.
 std::size_t find_mark(std::string_view line, std::size_t at) {
   while ((at = line.find('`', at)) != std::string_view::npos) {
     const std::size_t end = std::min(line.find_first_not_of('`', at), line.size());
@@ -130,8 +130,8 @@ std::size_t find_mark(std::string_view line, std::size_t at) {
   return at;
 }
 
-/// Leaves text between backquotes unchanged. In Markdown, only as many of them end a text as begin
-/// it, so several in a row neither begin nor end one of ours.
+/// Escapes Markdown except between backquotes. Several backquotes in a row come from a name in a
+/// model: Markdown does not end our text, which began with one, at several.
 std::string marked_line(std::string_view line) {
   std::string result;
   while (!line.empty()) {

@@ -32,7 +32,7 @@ struct Renames {
   }
 };
 
-/// The ends of two paths behind the folders that they share.
+/// Two paths without the folders that both begin with.
 std::pair<std::string_view, std::string_view> different_ends(std::string_view a,
                                                              std::string_view b) {
   const auto differ = std::mismatch(a.begin(), a.end(), b.begin(), b.end());

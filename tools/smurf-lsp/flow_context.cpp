@@ -49,7 +49,7 @@ class Reader {
   }
 
  private:
-  /// The next character begins a word, or something around it.
+  /// Goes to the next character, with which a new word begins.
   void next() {
     ++at_;
     has_word_ = false;
@@ -66,7 +66,7 @@ class Reader {
     ++at_;
   }
 
-  /// False when it is open at the cursor.
+  /// Reads a quoted word. False when the quote is not closed before the cursor.
   bool read_quoted(char quote) {
     std::size_t close = at_ + 1;
     while (close < text_.size() && text_[close] != quote && text_[close] != '\n') {
@@ -84,7 +84,7 @@ class Reader {
     return true;
   }
 
-  /// Whether the next line does not belong to the collection any more.
+  /// Whether the collection ends before the next line.
   bool is_over() const {
     if (!column_) return false;
     const std::size_t first = text_.find_first_not_of(" \t\r", at_ + 1);

@@ -17,7 +17,7 @@ struct FlowLevel {
   std::vector<std::string> siblings;  ///< the keys before
 };
 
-/// What is open at the cursor, from the outside in, and the word at the cursor.
+/// The brackets that are open at the cursor, the outermost first, and the word at the cursor.
 struct FlowContext {
   std::vector<FlowLevel> levels;
   std::size_t begin = 0;  ///< of the word, behind its quote

@@ -101,7 +101,8 @@ std::optional<LinkIndex> link_around(const LinkedModel& model, xml::View element
   return std::nullopt;
 }
 
-/// The <origin> of a shape or an inertia in the frame of its link; none for that of a joint.
+/// The pose that an <origin> of a shape or an inertia gives in the frame of its link. None when the
+/// element is the <origin> of a joint.
 std::optional<Pose> pose_in(const urdf::Link& link, xml::View element) {
   std::optional<Pose> pose;
   const auto look_at = [&](const urdf::Origin& origin) {

@@ -166,12 +166,12 @@ bool is_in_comment(std::string_view before) {
   return false;
 }
 
-/// Whether a value is a block of text, whose lines say nothing.
+/// Whether a block of text (`|` or `>`) begins here. Its lines are neither keys nor items.
 bool begins_block(std::string_view value) {
   return value.starts_with('|') || value.starts_with('>');
 }
 
-/// What is in front of brackets that are open at the end of `before`.
+/// The brackets that are open at the cursor, and the line in which the first of them stands.
 struct OpenFlow {
   Line line;
   std::size_t line_begin = 0;

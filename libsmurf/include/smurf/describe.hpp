@@ -19,7 +19,7 @@ std::vector<std::string> describe(const LinkedModel& model, const Reference& ref
 std::vector<std::string> describe(const LinkedScene& scene, const Reference& reference);
 
 /// The pose of a link when all joints are at zero, and the joints on the way there from the root.
-/// With `X_LP`, that of something in the frame of the link.
+/// With `X_LP`, of the thing that has this pose in the frame of the link.
 std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link,
                                         const std::optional<Pose>& X_LP = std::nullopt);
 

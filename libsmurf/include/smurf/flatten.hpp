@@ -115,7 +115,7 @@ struct RepeatedParts {
 struct FlattenOptions {
   bool links = false;           ///< fill FlatInstance::links
   bool repeats_models = false;  ///< the format writes the model of each instance out
-  /// Those of the format; null: none.
+  /// The function of the format; null when it repeats nothing.
   RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;
   /// Folder that all files of the result are relative to.
   std::string output_folder = ".";

@@ -25,7 +25,8 @@ struct MeshPart {
 
 /// Texture coordinates: (0, 0) is the lower left corner of an image and (1, 1) its upper right one.
 using TexturePoint = std::array<float, 2>;
-/// Whether a reader looks for them. Points that differ only in them are then several points.
+/// Whether a reader also reads texture coordinates. If it does, a point with two texture
+/// coordinates becomes two points.
 enum class TexturePoints : std::uint8_t { ignored, read };
 
 /// Before any scale of the URDF. COLLADA is in metres, as its unit says, and in its own axes, since
@@ -36,7 +37,8 @@ struct MeshTriangles {
   std::vector<std::uint32_t> indices;        ///< three a triangle, in the order of the file by part
   std::string reason;                        ///< why there are none: "has no triangles"
   std::vector<MeshPart> parts = {};          ///< all of them, in the order of points and indices
-  /// Of each point. Empty unless they were asked for and the file has them for all corners.
+  /// The texture coordinates of each point. Empty when they were not asked for, or when a corner of
+  /// a triangle has none.
   std::vector<TexturePoint> texture_points = {};
   bool has_textures = false;  ///< the file names images for its triangles, or contains them
 };

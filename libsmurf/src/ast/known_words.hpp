@@ -25,7 +25,7 @@ inline constexpr std::string_view kMotorTypes[] = {"PID",
                                                    "velocity",
                                                    "force"};  // Phobos 2
 
-/// Those of MARS.
+/// The sensor types of MARS.
 inline constexpr std::string_view kSensorTypes[] = {"JointPosition",
                                                     "JointVelocity",
                                                     "JointLoad",
@@ -54,7 +54,7 @@ inline constexpr std::string_view kEntityTypes[] = {"smurf", "urdf", "smurfs",  
 inline constexpr std::string_view kParents[] = {"world"};  // beside names
 inline constexpr std::string_view kAnchors[] = {"none", "world", "parent"};
 
-/// Those of a key, in an entry of this name; empty for most keys.
+/// The known values of a key of a section; empty for most keys.
 constexpr std::span<const std::string_view> known_words(std::string_view entry,
                                                         std::string_view key) {
   if (entry == "motor" && key == "type") return kMotorTypes;

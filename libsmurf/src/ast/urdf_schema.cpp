@@ -12,7 +12,7 @@
 namespace smurf::urdf {
 namespace {
 
-/// Other rules than that on required attributes report its absence.
+/// Marks an attribute whose absence is reported by a rule of its own.
 constexpr AttributeSpec usual(AttributeSpec spec) {
   spec.is_usual = true;
   return spec;

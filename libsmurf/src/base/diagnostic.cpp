@@ -28,7 +28,8 @@ using RulesByPlace = std::map<Place, std::vector<const Rule*>>;
 
 Place key_of(Span span) { return {span.source, span.begin, span.end}; }
 
-/// The entry of that place, or of a value in which it lies: of "42 kg" only `kg` may be marked.
+/// The entry whose place contains the span. It can be larger than the span: a rule may have marked
+/// the whole value "42 kg", and another finding only `kg`.
 RulesByPlace::const_iterator find_around(const RulesByPlace& rules, Span span) {
   const auto lies_in = [&](const Place& place) {
     const auto& [source, begin, end] = place;

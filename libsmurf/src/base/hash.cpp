@@ -13,7 +13,7 @@
 namespace smurf {
 namespace {
 
-/// Advances a generator (splitmix64).
+/// Returns the next random number of splitmix64 and advances its state.
 std::uint64_t next_key(std::uint64_t& state) {
   state += 0x9e3779b97f4a7c15U;
   std::uint64_t key = state;
@@ -22,7 +22,7 @@ std::uint64_t next_key(std::uint64_t& state) {
   return key ^ key >> 31U;
 }
 
-/// A key for each four bytes.
+/// The random keys of a hash: one for each four bytes.
 class Keys {
  public:
   Keys() {

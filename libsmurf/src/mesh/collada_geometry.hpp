@@ -19,7 +19,8 @@ struct Geometry {
     std::vector<std::uint32_t> corners;  ///< three a triangle, in `points`
   };
   std::vector<Vector3> points;
-  /// Of each point. Empty when none were asked for, or no primitive has any.
+  /// The texture coordinates of each point. Empty when they were not asked for, or when no
+  /// primitive has any.
   std::vector<TexturePoint> texture_points;
   std::vector<Part> parts;
 };
@@ -46,9 +47,9 @@ class GeometryReader {
   struct Indices {
     std::size_t stride = 1;  ///< from a corner to the next
     std::size_t offset = 0;  ///< of the index of the point
-    /// Of the index of the texture coordinates, in their list; null when there are none.
+    /// The place of the index of the texture coordinates among the indices of a corner.
     std::size_t texture_offset = 0;
-    const std::vector<TexturePoint>* textures = nullptr;
+    const std::vector<TexturePoint>* textures = nullptr;  ///< null when the corners have none
   };
   bool read_points(xml::View mesh, Geometry& geometry);
   void read_primitives(xml::View element, Geometry& geometry);

@@ -104,7 +104,7 @@ class ObjReader {
     textures_.push_back(u && v ? texture_point(*u, *v) : kNoTexturePoint);
   }
 
-  /// Of the corner "7/3" or "7/3/2" of a face.
+  /// The texture coordinates of a corner of a face, such as "7/3" or "7/3/2".
   TexturePoint texture_of(std::string_view corner) const {
     const std::size_t slash = corner.find('/');
     if (slash == std::string_view::npos) return kNoTexturePoint;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostColors = 256;
 /// Larger numbers overflow in the programs that show them.
 constexpr double kFarthest = 1e15;
-/// An image that is repeated more often has no picture.
+/// Texture coordinates beyond this are a mistake: they repeat the image a million times.
 constexpr double kMostRepeated = 1e6;
 
 }  // namespace

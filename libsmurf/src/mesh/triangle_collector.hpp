@@ -16,12 +16,13 @@
 
 namespace smurf {
 
-/// Of a corner without texture coordinates.
+/// Stands for the texture coordinates of a corner that has none.
 inline constexpr TexturePoint kNoTexturePoint{std::numeric_limits<float>::quiet_NaN(),
                                               std::numeric_limits<float>::quiet_NaN()};
-/// Of the corners of a triangle.
+/// The texture coordinates of the three corners of a triangle.
 using TextureCorners = std::array<TexturePoint, 3>;
-/// Texture coordinates of any numbers; those that are out of measure are none.
+/// Texture coordinates from any two numbers; kNoTexturePoint when one of them is too large to be
+/// meant.
 TexturePoint texture_point(double u, double v);
 
 class TriangleCollector {

@@ -16,7 +16,8 @@
 namespace smurf::things {
 namespace {
 
-/// Bytes of a name that is repeated for each part of what it names: more than messages show.
+/// Longer names are cut, since a long name may be repeated for each of many parts. Messages show
+/// fewer bytes than this.
 constexpr std::size_t kMostOfName = 240;
 
 /// Joints that have the part that `part_of` returns.

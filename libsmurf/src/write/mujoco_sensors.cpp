@@ -22,7 +22,7 @@ namespace smurf {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
-/// What a reading takes besides names.
+/// The length of a written reading without its names.
 constexpr std::size_t kReadingBytes = 100;
 /// Cameras of Gazebo and MARS look along x, with z up (MARS CameraSensor.cpp, preGraphicsUpdate());
 /// those of MuJoCo along -z, with y up.
@@ -61,8 +61,9 @@ class SensorReader {
     return carried && X_RL_[*carried] ? carried : std::nullopt;
   }
 
-  /// Takes what so many readings cost from what is left; false when that is too little. `more` are
-  /// the bytes of other names in them. A single reading costs no more than its annotation.
+  /// Subtracts the bytes of the readings from kMostReadingBytes; false when too few are left. Each
+  /// reading has `name`, and all together have `more` bytes of other names. A single reading is
+  /// free, because its annotation is as long.
   bool can_afford(std::size_t readings, std::string_view name, std::size_t more = 0) {
     const std::size_t bytes = readings * (kReadingBytes + name.size()) + more;
     if (readings <= 1) return true;

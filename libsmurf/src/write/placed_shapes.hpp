@@ -19,7 +19,7 @@ std::optional<Rgba> color_of(const urdf::Visual& visual, const LinkedModel& mode
 
 /// The texture of a visual, likewise, as it is written; null without.
 const std::string* written_texture(const urdf::Visual& visual, const LinkedModel& model);
-/// The same as a file relative to the output's folder.
+/// The texture of a visual as a path relative to the output's folder; null when it has none.
 std::optional<std::string> texture_of(const urdf::Visual& visual, const LinkedModel& model,
                                       const FlatModel& flat);
 

@@ -26,19 +26,20 @@ class CollisionBoxes {
   /// Of a contact sensor in <gazebo> on this link: of the collision that it names, otherwise of all
   /// of the link.
   TouchedBoxes of(std::size_t link, std::string_view collision);
-  /// Of an annotation: names of collisions, as MARS reads them, or of links, as Phobos does. Also
-  /// empty when the names mean shapes of more than `most` links, or of a few links again and again.
+  /// The boxes of the names in an annotation: names of collisions, as MARS reads them, or of links,
+  /// as Phobos does. Empty when they name shapes of more than `most` links, or the same shapes many
+  /// times.
   TouchedBoxes of(std::vector<std::string> names, std::size_t most);
 
  private:
-  /// The collisions of one name, or of a link.
+  /// The boxes of all collisions that have one name, or that are on one link.
   struct Boxes {
     TouchedBoxes of_links;
     std::set<std::size_t> unknown;  ///< links that have such a shape of unknown size
   };
 
   void read();
-  /// What a name in an annotation means; null when nothing.
+  /// The boxes of a name in an annotation; null when it names nothing.
   const Boxes* find(std::string_view name) const;
 
   const LinkedModel& model_;

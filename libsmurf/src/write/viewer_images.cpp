@@ -24,7 +24,7 @@ std::optional<ImageHead> head_of_jpeg(std::string_view bytes) {
     if (is_frame) {
       return ImageHead{"image/jpeg", number_at(bytes, at + 7, 2), number_at(bytes, at + 5, 2)};
     }
-    // Behind these come pixels, or nothing.
+    // The pixels, or the end of the image: the header is over.
     if (marker == 0xda || marker == 0xd9) return std::nullopt;
     // 0xff may be repeated before a marker, and a few markers have no length.
     const bool is_alone = marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);

@@ -17,7 +17,7 @@ bool has_other_roots(const LinkedModel& model, std::string_view link) {
   return count > 1;
 }
 
-/// No other joint leads to the link, so that readers that start at the root do not meet it.
+/// Whether no other joint leads to the link, so that readers that start at the root never reach it.
 bool is_apart(const LinkedModel& model, std::string_view link) {
   const std::vector<urdf::Joint>& joints = model.robot->joints;
   return !model.tree.roots.empty() &&
