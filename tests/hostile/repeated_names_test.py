@@ -6,18 +6,15 @@ repeated_names_test.py FOLDER_OF_TOOLS [unittest option]...
 
 The inputs have some 200 kB. Memory is not measured with sanitizers.
 """
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
-import cli  # noqa: E402
+import inputs
+from hostile_cli_test import MEGABYTES, Run, cli
 
 TOOLS = None
-MEGABYTES = 300
 HALF = 100_000  # bytes
 LINK = '<link name="b"/>'
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
@@ -25,13 +22,8 @@ MODEL = "modelname: r\nfiles: [r.urdf, s.yml]\n"
 TOO_LARGE = "with this entity the scene, written out, has more than"
 
 
-def repeat(text, size=HALF):
-    """`@` is the number."""
-    parts = []
-    while size > 0:
-        parts.append(text.replace("@", str(len(parts))))
-        size -= len(parts[-1])
-    return "".join(parts)
+def repeat(text):
+    return inputs.repeat(text, HALF, "@")
 
 
 def robot(inside):
@@ -44,22 +36,18 @@ def with_annotations(text, urdf=robot(LINK)):
 
 class RepeatedNames(unittest.TestCase):
     def run_tool(self, files, *command, codes=(0, 1)):
-        """What is said, and what is written."""
+        """Returns the messages and the result."""
         with tempfile.TemporaryDirectory(prefix="smurf-repeated-") as name:
             folder = pathlib.Path(name)
             (folder / ".git").mkdir()
             for path, text in files.items():
                 (folder / path).write_text(text)
             tool = TOOLS / command[0]
-            with open(folder / "said", "wb") as said, subprocess.Popen(
-                    [tool, *command[1:], "-o", "out"], cwd=folder, stdin=subprocess.DEVNULL, stdout=said,
-                    stderr=subprocess.STDOUT) as run:
-                _, status, used = os.wait4(run.pid, 0)
-                run.returncode = os.waitstatus_to_exitcode(status)
-            said = (folder / "said").read_text(errors="replace")
-            self.assertIn(run.returncode, codes, said[-500:])
+            run = Run([tool, *command[1:], "-o", "out"], folder)
+            said = run.said.decode(errors="replace")
+            self.assertIn(run.code, codes, said[-500:])
             if not cli.is_sanitized(tool):
-                self.assertLess(used.ru_maxrss / 1024, MEGABYTES)
+                self.assertLess(run.megabytes, MEGABYTES)
             out = folder / "out"
             return said, out.read_text() if out.exists() else ""
 
