@@ -143,7 +143,7 @@ class Output(FlattenTest):
         self.assertEqual(self.run_tool("one.smurfs").returncode, 0)
         for path, old, new, loss in [
                 ("models/box.urdf", 'xyz="0 0 0.1"', 'xyz="0 0 O.1"', "a value cannot be read"),
-                ("models/box.urdf", '<child link="lid"/>', '<child link="lod"/>', "its links form no robot"),
+                ("models/box.urdf", '<child link="lid"/>', '<child link="lod"/>', "its links and joints do not form a valid robot"),
                 ("models/box_poses.yml", "glue: 0", "glue: far", "a named pose is not understood")]:
             text = self.read(path)
             self.write(path, text.replace(old, new))

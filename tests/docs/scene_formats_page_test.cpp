@@ -32,23 +32,23 @@ void add_rows(std::ostringstream& page, ThingOf of, std::string_view title) {
 
 std::string scene_formats_page() {
   std::ostringstream page;
-  page
-      << "# What the formats of scenes keep\n\n"
-         "What each output format of smurfs-flatten keeps of a model and a scene. Made from the table "
-         "in `libsmurf/src/write/scene_things.cpp` by `rules_page_test`; do not edit. The warnings "
-         "come from the same table: things that are `lost` or `changed`, and the missing part of "
-         "things kept `partly`, are reported by name "
-         "([lost-part](rules.md#lost-part), [lost-annotations](rules.md#lost-annotations), "
-         "[lost-world-setting](rules.md#lost-world-setting)) and refused by `--strict`; "
-         "`--loss-report` lists them for programs. `added` values are reported "
-         "([chosen-value](rules.md#chosen-value)), but are no loss.\n\n"
-         "`json` and `smurfs` name the models and keep the rest; `tsv`, `dot` and `svg` show only "
-         "where things are. With `--form reference`, and in `dmd`, the result names the URDF of a "
-         "model, so nothing of the URDF is lost; `smurf-lint --target` shows how its reader loads "
-         "it.\n\n";
-  add_rows(page, ThingOf::urdf, "Of a URDF");
-  add_rows(page, ThingOf::annotation, "Of the annotations of a model");
-  add_rows(page, ThingOf::scene, "Of a scene and its entities");
+  page << "# What the formats of scenes keep\n\n"
+          "These tables show what each output format of smurfs-flatten keeps of a model and a "
+          "scene. They are made from the table in `libsmurf/src/write/scene_things.cpp` by "
+          "`rules_page_test`; do not edit. The warnings "
+          "come from the same table: things that are `lost` or `changed`, and the missing part of "
+          "things kept `partly`, are reported by name "
+          "([lost-part](rules.md#lost-part), [lost-annotations](rules.md#lost-annotations), "
+          "[lost-world-setting](rules.md#lost-world-setting)) and refused by `--strict`; "
+          "`--loss-report` lists them for programs. `added` values are reported "
+          "([chosen-value](rules.md#chosen-value)), but are no loss.\n\n"
+          "`json` and `smurfs` name the models and keep the rest; `tsv`, `dot` and `svg` show only "
+          "where things are. With `--form reference`, and in `dmd`, the result names the URDF of a "
+          "model, so nothing of the URDF is lost; `smurf-lint --target` shows how its reader loads "
+          "it.\n\n";
+  add_rows(page, ThingOf::urdf, "URDF");
+  add_rows(page, ThingOf::annotation, "Annotations of a model");
+  add_rows(page, ThingOf::scene, "Scenes and entities");
   std::string text = page.str();
   text.pop_back();
   return text;

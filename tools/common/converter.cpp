@@ -21,7 +21,7 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
   Option fail_on = fail_on_option(options.threshold);
   fail_on.help =
       "Refuse to write when there is a finding of this severity or above: error, warning, info or "
-      "never. Without it, only what makes the result wrong is refused.";
+      "never. By default, refuse only when a finding makes the result wrong.";
   return {output_option(options.output, output_help),
           report_option("report", options.reports),
           std::move(fail_on),

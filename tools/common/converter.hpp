@@ -39,7 +39,7 @@ std::vector<Option> converter_options(ConverterOptions& options, std::string_vie
 /// A setter for exactly one operand.
 Setter take_one_operand(std::string& operand);
 
-/// Why this finding makes the result wrong: "urdfdom refuses the file". None when it does not.
+/// Why a finding makes the result wrong ("urdfdom refuses the file"); none if it does not.
 using LossOf = std::function<std::optional<std::string>(const Diagnostic&)>;
 
 /// One run of a converter. Findings go to standard error, or to the file of --report.

@@ -105,7 +105,7 @@ const std::vector<std::string>& LoadedNames::srdfs_in(const std::string& folder)
   return known->second;
 }
 
-/// Reads it once for all models. Null when it cannot be read.
+/// Reads an SRDF once for all models; null when it cannot be read.
 const xml::Document* LoadedNames::srdf(const std::string& path, LoadedModel& loaded) {
   const auto [known, is_new] = srdfs_.try_emplace(path);
   if (is_new) {

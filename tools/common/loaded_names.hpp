@@ -36,7 +36,7 @@ class LoadedNames {
   /// Why names are missing; "" when none is.
   const std::string& problem() const { return problem_; }
 
-  /// Frees the loaded files. The names stay, with the text that stands in the file for each.
+  /// Frees the loaded files, but keeps the names and their texts in the files.
   void release();
 
  private:

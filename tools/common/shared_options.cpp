@@ -110,7 +110,8 @@ Option stdin_filename_option(std::string& path) {
   return {.group = "Input",
           .name = "stdin-filename",
           .metavar = "PATH",
-          .help = "The name of '-' in messages; its relative paths start in that folder.",
+          .help = "Use PATH as the name of standard input in messages, and resolve relative paths "
+                  "in the input from the folder of PATH.",
           .set = set_text(path)};
 }
 
@@ -118,7 +119,7 @@ Option package_option(std::map<std::string, std::string>& packages) {
   return {.group = "Input",
           .name = "package",
           .metavar = "NAME=DIR",
-          .help = "The folder of the package in package://NAME/; may be repeated.",
+          .help = "Use the folder DIR for package://NAME/; may be repeated.",
           .set = set_package(packages)};
 }
 
@@ -126,9 +127,8 @@ Option limit_option(Limits& limits) {
   return {.group = "Input",
           .name = "limit",
           .metavar = "NAME=N",
-          .help =
-              "Set another limit on what files may demand, such as yaml-depth=200; `--limit help` "
-              "lists the limits.",
+          .help = "Change a limit on the input, such as yaml-depth=200; `--limit help` lists the "
+                  "limits.",
           .help_page = limits_page,
           .set = [&limits](std::string_view list) -> std::optional<std::string> {
             for (const std::string_view item : split_items(list)) {
@@ -143,7 +143,7 @@ Option jobs_option(std::optional<int>& jobs) {
           .letter = 'j',
           .name = "jobs",
           .metavar = "N",
-          .help = "Largest number of threads. The output does not depend on it.",
+          .help = "Use at most N threads. The output does not depend on N.",
           .set = set_number(jobs, 1)};
 }
 
@@ -152,8 +152,9 @@ Option allow_outside_option(bool& allow_outside) {
       .group = "Input",
       .name = "allow-outside",
       .help =
-          "Read files that models name wherever they are. By default, only files in the current "
-          "folder, in the repository or package of the input, and in packages are read.",
+          "Read all files that models name, wherever those files are. By default, only files in "
+          "the current folder, in the repository or package of the input, and in packages are "
+          "read.",
       .set = set_flag(allow_outside)};
 }
 

@@ -33,7 +33,7 @@ std::vector<Option> own_options(Options& options) {
        .name = "format",
        .metavar = "FORMAT",
        .help = "text (the default), json, or html: a page for a browser that lists the differences "
-               "and shows both versions over each other.",
+               "and overlays both versions in 3D.",
        .values = {"text", "json", "html"},
        .set = choose<DiffFormat>(
            options.format,
@@ -41,8 +41,8 @@ std::vector<Option> own_options(Options& options) {
       {.group = "Comparison",
        .name = "git",
        .help =
-           "Run as the diff driver of git: take all that follows as the operands that git passes, "
-           "and exit with 0 when the files differ.",
+           "Run as the diff driver of git: read all following arguments as operands from git, and "
+           "exit with 0 when the files differ.",
        .set = set_flag(options.for_git)}};
 }
 
@@ -87,7 +87,7 @@ Command make_command(Options& options) {
            stdin_filename_option(options.stdin_filename), package_option(options.packages),
            allow_outside_option(options.allow_outside), limit_option(options.limits),
            color_option(options.color),
-           quiet_option(options.quiet, "Print no differences; the exit code tells.")}) {
+           quiet_option(options.quiet, "Print no differences; exit with 1 if there are any.")}) {
     command.options.push_back(std::move(option));
   }
   command.set_operand = append_to(options.operands);

@@ -45,7 +45,7 @@ bool has_left_out(const Report& report) {
                      [](const Diagnostic& one) { return one.left_out != nullptr; });
 }
 
-/// A link that comes with the files does not choose what is written.
+/// True when a path leads out of its project, so a symbolic link cannot redirect a fix.
 bool leads_outside(const std::string& path, const LintOptions& options) {
   if (options.allow_outside) return false;
   const std::string folder(path::parent(path));

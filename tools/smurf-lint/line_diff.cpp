@@ -109,8 +109,8 @@ class Path {
     return true;
   }
 
-  /// Of those equally far, the one that has lost as many lines as it has gained: where every line
-  /// is replaced, both texts are left behind at the same pace.
+  /// Among diagonals that reach equally far, prefers the one with equally many removed and added
+  /// lines, so a text in which every line is replaced advances evenly on both sides.
   int farthest() const {
     int best = 0;
     int most = kUnreached;
@@ -187,7 +187,7 @@ std::vector<LineChange> changes_between(std::vector<EqualLines> equal, std::size
   return changes;
 }
 
-/// Of changes that are near each other.
+/// Writes a hunk of changes that are near each other.
 std::string hunk(std::span<const LineChange> changes, const std::vector<std::string_view>& before,
                  const std::vector<std::string_view>& after) {
   const std::size_t lead = std::min(changes.front().before, kContext);

@@ -253,7 +253,8 @@ std::vector<Option> output_options(LintOptions& options) {
        .set = set_flag(options.merge_reports)},
       {.group = "Output",
        .name = "all",
-       .help = "Show every finding (full): infos too, and more than three of one rule in a file.",
+       .help = "With the format full: show all findings, including infos and more than three per "
+               "rule and file.",
        .set = set_flag(options.shows_all)},
       {.group = "Output",
        .name = "statistics",
@@ -343,8 +344,9 @@ Command lint_command(LintOptions& options) {
   command.details =
       "A PATH is a .smurf, .smurfs, .smurfa or .urdf file, a scene drawn as .svg, an annotation "
       "file (.yml), a folder to search, or '-' for standard input; without one, the current folder "
-      "is searched. A .urdf or .yml file is checked as part of every model nearby that lists it, "
-      "and alone when none does; naming a mesh or texture checks the nearby models that use it.";
+      "is searched. A .urdf or .yml file is checked as part of every nearby model that lists it, "
+      "or alone if no model lists it. For a mesh or texture, the nearby models that use it are "
+      "checked.";
   for (std::vector<Option>& group : std::vector<std::vector<Option>>{
            rule_options(options), ignore_options(options), fix_options(options),
            output_options(options), verdict_options(options), input_options(options)}) {

@@ -77,7 +77,8 @@ class BodyCheck {
            });
   }
 
-  /// Of fixed bases too, and of links that heavier ones on fixed joints outweigh.
+  /// Reports negative masses of all links, including fixed bases and links that are merged with
+  /// heavier ones.
   void report_negative_masses() {
     for (const LinkPlan& link : plan_.links) {
       if (has_negative_mass(link)) report_bad_mass(link, mass_of(link));

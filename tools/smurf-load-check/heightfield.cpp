@@ -79,7 +79,7 @@ void decode(Reading& reading) {
   png_read_image(reading.png, reading.rows.data());
 }
 
-/// False after a fault.
+/// Reads the image; false if libpng reports an error.
 bool read_grey(Reading& reading) {
   if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
   decode(reading);

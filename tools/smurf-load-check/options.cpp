@@ -100,7 +100,7 @@ std::vector<Option> check_options(Options& options) {
        .metavar = "S",
        .help =
            "Seconds that each stage simulates; the default is 0.5, and 0.25 for HANG. In longer "
-           "runs, joint stops may add energy to undamped robots without a defect.",
+           "runs, joint stops may add energy even to a sound robot that has no damping.",
        .set = set_seconds(options.check.time, kLongest)},
       {.group = "Check",
        .name = "step",
@@ -141,7 +141,7 @@ std::vector<Option> output_options(Options& options) {
       tools::report_option("report", options.reports),
       {.group = "Output",
        .name = "all",
-       .help = "Print the table of stages of models that pass, too.",
+       .help = "Print the table of stages for models that pass as well.",
        .set = tools::set_flag(options.all)},
       {.group = "Output",
        .name = "trace",
@@ -172,12 +172,12 @@ tools::Command command_of(Options& options) {
       ".zsmurfa), or a folder to search; without one, the current folder is searched. Every model "
       "is checked on its own: BUILD makes bodies, joints and shapes; POSE0 reports overlapping "
       "shapes; STILL reports motion without gravity; HANG fixes the root link and lets the other "
-      "links hang; DROP drops the model from a millimetre. In a scene, ANCHOR reports anchors that "
-      "give way. Parts that ODE refuses to build are replaced, so that the rest is checked; after "
-      "any other failed stage the check ends. When ODE's solver gives up, the stage has no verdict "
-      "and does not pass. Meshes that do not move keep their triangles. Moving meshes become their "
-      "bounding boxes, which touch only the ground and the surroundings, because ODE may crash "
-      "where two triangle meshes cross.";
+      "links hang; DROP drops the model from a height of 1 mm. In a scene, ANCHOR reports anchors "
+      "that give way. Parts that ODE refuses to build are replaced, so that the rest is checked; "
+      "after any other failed stage the check ends. When ODE's solver gives up, the stage has no "
+      "verdict and does not pass. Meshes that do not move keep their triangles. Moving meshes "
+      "become their bounding boxes, which touch only the ground and the surroundings, because ODE "
+      "may crash where two triangle meshes cross.";
   for (auto& group : {check_options(options), output_options(options)}) {
     command.options.insert(command.options.end(), group.begin(), group.end());
   }

@@ -11,7 +11,7 @@
 
 namespace smurf::load_check {
 
-/// Of all checks of a run: half a million rows. A robot of 60 links is traced for 8 s in them.
+/// Limits the trace of a run to half a million rows, which are 8 s of a robot with 60 links.
 inline constexpr std::size_t kMostTraceBytes = 64'000'000;
 
 enum class Stage : std::uint8_t { build, pose0, still, hang, drop, anchor };

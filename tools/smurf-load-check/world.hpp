@@ -66,7 +66,7 @@ class World {
   /// Kinetic and potential, in metres: divided by the weight of all that moves; without gravity by
   /// its weight on earth.
   double energy() const;
-  /// Of a body's centre of mass; m/s.
+  /// Speed of the centre of mass of a body, in m/s.
   double speed(std::size_t body) const;
   bool is_finite() const;
 

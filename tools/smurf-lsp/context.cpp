@@ -16,7 +16,8 @@ namespace smurf::lsp {
 void Context::send(const Json& message) {
   const std::string text = dump(message);
   write(lists.insert_into(text));
-  if (!lists.empty()) lists.clear();  // other threads tell how far they are, without lists
+  // Messages about progress come from other threads, and never have lists.
+  if (!lists.empty()) lists.clear();
 }
 
 void Context::ask(const char* method, Json params) {
@@ -65,7 +66,7 @@ Json location(const Context& context, Span span) {
 
 Json workspace_edit(Context& context, std::span<const Edit> edits, const SourceMap& sources) {
   const Positions positions(sources, context.client.encoding);
-  std::map<std::string, std::string> files;  // text: a name may have hundreds of thousands of uses
+  std::map<std::string, std::string> files;  // JSON as text, because trees take more memory
   // Two models that share a file have read it twice.
   std::set<std::tuple<std::string_view, std::uint32_t, std::uint32_t, std::string_view>> seen;
   for (const Edit& edit : edits) {

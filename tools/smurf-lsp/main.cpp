@@ -33,8 +33,8 @@ Command lsp_command(Options& options) {
       "A language server for SMURF and URDF: shows the findings of smurf-lint and the "
       "meaning of names and keys in an editor.";
   command.details =
-      "An editor starts it and talks to it on standard input and output, in the Language Server "
-      "Protocol. It reads the same configurations and comments as smurf-lint.";
+      "An editor starts the server and sends it messages of the Language Server Protocol on "
+      "standard input. The server reads the same configurations and comments as smurf-lint.";
   command.options = {
       {.group = "Server",
        .name = "log",

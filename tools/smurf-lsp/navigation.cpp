@@ -21,8 +21,8 @@ void for_each_place(Context& context, const Json& params, const Visit& visit) {
   }
 }
 
-/// Removes repeated places: several models may have the same. They are kept as text, since a name
-/// may have very many, and those after the first kMostPlaces are left out.
+/// Collects places without repetitions, because several models may share a file. Keeps them as text
+/// to save memory, and ignores all after the first kMostPlaces.
 class Places {
  public:
   explicit Places(Context& context) : context_(context) {}

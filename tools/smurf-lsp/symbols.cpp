@@ -183,7 +183,7 @@ Json workspace_symbols(Context& context, const Json& params) {
   std::set<Json> symbols;  // a model that a scene loads may be loaded alone as well
   for (const Workspace::Definition& one : found.list) {
     if (!holds_letters(one.name, query)) continue;
-    // Each model that shares a file has the names in it.
+    // Each model that uses a file lists the names in it, so the file may come up several times.
     if (!seen.emplace(one.path, one.span.begin).second) continue;
     Json symbol = {
         {"name", one.name},

@@ -40,7 +40,7 @@ struct Preset {
 };
 
 constexpr Preset kPresets[] = {
-    // Comments have broken spawners that pass the text on as a parameter.
+    // Comments break spawners that pass the URDF as a parameter.
     {"ros2", "--apply limits,mimic --actuation ros2_control --comments strip",
      [](UrdfExport& wanted) {
        wanted.apply.limits = wanted.apply.mimic = true;
@@ -53,7 +53,7 @@ constexpr Preset kPresets[] = {
        wanted.adds_gazebo_sensors = true;
        wanted.strips_comments = true;
      }},
-    // None of these three knows packages without being told their folders.
+    // These three readers cannot resolve package addresses without further settings.
     {"mujoco", "--apply limits,dynamics,materials --mesh-uri relative --settings mujoco",
      [](UrdfExport& wanted) {
        wanted.apply.limits = wanted.apply.dynamics = wanted.apply.materials = true;
@@ -92,7 +92,7 @@ std::vector<Option> content_options(UrdfExport& wanted) {
   return {
       {.name = "apply",
        .metavar = "LIST",
-       .help = "Values of annotations that replace the URDF's, comma-separated: materials "
+       .help = "Replace these values of the URDF by annotations, comma-separated: materials "
                "(colours, textures), limits (of motors: effort, speed, range), dynamics "
                "(damping, friction), mimic (of motors), all.",
        .set = set_apply(wanted.apply)},
@@ -116,8 +116,8 @@ std::vector<Option> content_options(UrdfExport& wanted) {
        .values = {"none", "mujoco"},
        .set = choose<bool>(wanted.adds_mujoco_settings, {{"none", false}, {"mujoco", true}})},
       {.name = "collapse-fixed",
-       .help = "Make links on fixed joints part of the link that carries them, with their "
-               "shapes, masses and sensors. A link is kept when an extension refers to the "
+       .help = "Merge each link on a fixed joint into its parent link, with its shapes, mass and "
+               "sensors. A link is kept when an extension refers to the "
                "link itself (its frame, a plugin, its own friction).",
        .set = set_flag(wanted.collapses_fixed)},
       {.name = "keep",
@@ -143,9 +143,9 @@ std::vector<Option> form_options(UrdfExport& wanted) {
   return {
       {.name = "mesh-uri",
        .metavar = "FORM",
-       .help = "How meshes and textures are named: relative, package (with --package-name), "
-               "absolute, file, keep. By default, relative paths are adapted to the place of "
-               "the output, and others are kept.",
+       .help = "Write mesh and texture paths in this form: relative, package (with "
+               "--package-name), absolute, file, keep. By default, relative paths are adapted to "
+               "the output folder, and other paths are kept.",
        .values = {"relative", "package", "absolute", "file", "keep"},
        .set = choose<MeshUri>(wanted.mesh_uri, {{"relative", MeshUri::relative},
                                                 {"package", MeshUri::package},
@@ -154,8 +154,9 @@ std::vector<Option> form_options(UrdfExport& wanted) {
                                                 {"keep", MeshUri::keep}})},
       {.name = "package-name",
        .metavar = "NAME",
-       .help = "Package of --mesh-uri package. Its folder is that of --package NAME=DIR, else "
-               "the nearest one above the URDF with a package.xml, else the one above urdf/.",
+       .help = "Name of the package for --mesh-uri package. The folder of the package is the DIR "
+               "of --package NAME=DIR; otherwise, it is the nearest folder above the URDF with a "
+               "package.xml, or else the folder above urdf/.",
        .set = set_text(wanted.package_name)},
       {.name = "vendor",
        .metavar = "HOW",
@@ -238,13 +239,13 @@ Command make_command(Options& options) {
   Command command;
   command.name = "smurf2urdf";
   command.summary =
-      "Exports the plain URDF of a SMURF model: its own URDF, byte for byte, with mesh "
-      "paths that resolve from where it is written.";
+      "Exports the URDF of a SMURF model byte for byte. Only mesh paths that would not resolve "
+      "from the output folder change.";
   command.operands = "MODEL";
   command.details =
       "MODEL is a .smurf or .urdf file, or a folder with one of them. The result is read again and "
-      "compared with the source before it is written: urdfdom must accept it, and every link pose, "
-      "mass and inertia must be equal, and every limit that was not asked to change. A model is "
+      "compared with the source before it is written: urdfdom must accept it, and all link poses, "
+      "masses, inertias and limits must be equal, except limits that an option changes. A model is "
       "refused when its URDF does not load, or when the options need a value that is wrong; its "
       "other errors are counted, and smurf-lint shows them.";
   command.options = converter_options(options.common, "Write the URDF to FILE; without it, or with "

@@ -9,8 +9,8 @@
 
 namespace smurf::tools {
 
-/// The readings of every entity whose world pose is not the same to all readers, or that some of
-/// them do not load. As a table of at most 80 columns for people, or as JSON.
+/// Lists how each reader places the entities whose world pose differs between readers, or that some
+/// readers do not load; as a table of at most 80 columns, or as JSON.
 std::string compare_dialects(const LinkedScene& scene, const SourceMap& sources, bool as_json);
 
 }  // namespace smurf::tools

@@ -65,7 +65,7 @@ std::vector<std::string_view> dialect_names() {
 }
 
 std::string dialect_help() {
-  std::string help = "Read the scene as one of these does.";
+  std::string help = "Read the scene as this reader does.";
   for (const Dialect* dialect : dialects()) {
     help += " " + std::string(dialect->name) + ": " + std::string(dialect->help) +
             (dialect == dialects().front() ? " (default)." : ".");
@@ -108,8 +108,8 @@ void add_options(Command& command, Options& options) {
   add({.name = "copy-assets",
        .metavar = "DIR",
        .help =
-           "Copy the meshes, textures and heightmaps that the result names into DIR, and name the "
-           "copies.",
+           "Copy the meshes, textures and heightmaps that the result names into DIR, and refer to "
+           "the copies.",
        .set = set_text(options.assets)});
   add({.name = "overwrite",
        .help = "With --copy-assets: replace files that exist.",
@@ -228,7 +228,7 @@ bool has_losses(const DiagnosticSink& sink) {
   return std::any_of(findings.begin(), findings.end(), is_loss);
 }
 
-/// None when the format does not have the form that is asked for; that has been said.
+/// The form to write; reports a form that the format does not have, and returns none.
 std::optional<SceneForm> choose_form(const SceneFormat& format, const std::string& asked) {
   const bool can_expand = format.has_expanded_form;
   if (asked.empty()) return can_expand ? SceneForm::expand : SceneForm::reference;

@@ -92,14 +92,14 @@ Command make_command(Options& options) {
   command.name = kTool;
   command.summary =
       "Makes a SMURF model around a URDF: motors from transmissions and ros2_control, sensors from "
-      "Gazebo's, materials from colours.";
+      "Gazebo sensors, materials from colours.";
   command.operands = "URDF";
   command.details =
       "Writes DIR/smurf/NAME.smurf, DIR/smurf/NAME_*.yml and DIR/urdf/NAME.urdf. When it fails, "
       "it writes none of them. The URDF is kept complete; whatever has no section in SMURF is "
-      "repeated as text, so that nothing is lost. URDF is a file or a folder with one. It is "
-      "refused when its links form no robot or a value cannot be read; its other errors are "
-      "counted, and smurf-lint shows them.";
+      "repeated as text, so nothing is lost. URDF is a file or a folder with one URDF. A URDF is "
+      "refused when its links and joints do not form a valid robot, or when a value cannot be "
+      "read; its other errors are counted, and smurf-lint shows them.";
   command.options = converter_options(options.common, "Write into the folder DIR.");
   for (Option& option : command.options) {
     if (option.name == "output") option.metavar = "DIR";
@@ -107,7 +107,7 @@ Command make_command(Options& options) {
   for (Option& option : own_options(options)) command.options.push_back(std::move(option));
   command.set_operand = take_one_operand(options.urdf);
   command.examples = {
-      {"urdf2smurf robot.urdf -o robot", "Make a folder as Phobos does:"},
+      {"urdf2smurf robot.urdf -o robot", "Make a folder with the layout of Phobos:"},
       {"urdf2smurf robot.urdf --copy-meshes -o robot", "Copy the meshes into the folder:"},
       {"urdf2smurf robot.urdf --in-place", "Put the SMURF files beside the URDF:"},
       {"xacro robot.xacro | urdf2smurf - --name robot -o robot",

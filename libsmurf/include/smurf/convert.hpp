@@ -16,7 +16,7 @@ namespace smurf {
 /// How meshes and textures are named.
 enum class MeshUri : std::uint8_t {
   rebase,    ///< relative paths resolve from the output folder; others stay
-  relative,  ///< all that exist
+  relative,  ///< all paths of existing files become relative
   package,   ///< package://NAME/...
   absolute,
   file,  ///< file:///...
@@ -48,14 +48,14 @@ struct UrdfExport {
   Actuation actuation = Actuation::none;
   bool adds_gazebo_sensors = false;
   bool adds_mujoco_settings = false;  ///< those without which it does not find meshes
-  bool has_srdf = false;              ///< which has the poses and bitmasks
-  bool strips_extensions = false;     ///< what URDF does not define
+  bool has_srdf = false;           ///< an SRDF is written as well; it contains poses and bitmasks
+  bool strips_extensions = false;  ///< what URDF does not define
   bool strips_comments = false;
   bool collapses_fixed = false;
   std::vector<std::string> keep{};  ///< links and joints that are not collapsed
   std::string prefix{};             ///< of names
   BaseJoint base = BaseJoint::as_is;
-  std::string version{};  ///< that the URDF claims; empty: as it is
+  std::string version{};  ///< written into the URDF; empty: unchanged
   bool is_canonical = false;
 };
 

@@ -23,7 +23,7 @@ std::vector<std::string> describe(const LinkedScene& scene, const Reference& ref
 std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link,
                                         const std::optional<Pose>& X_LP = std::nullopt);
 
-/// Format, size in metres with this scale, triangles, unit.
+/// Describes a mesh: format, size in metres at this scale, number of triangles, unit.
 std::vector<std::string> describe(const MeshFacts& mesh, const Vector3& scale);
 
 /// "xyz 0 0 0.1  rpy 0 0 90 deg".

@@ -123,7 +123,7 @@ struct Fix {
   std::optional<NewName> new_name = {};
 };
 
-/// A finding: the rule, the place, the message, and how to mend it.
+/// A finding: the rule, the place, the message, and the fixes.
 struct Diagnostic {
   const Rule* rule = nullptr;
   Severity severity = Severity::error;
@@ -135,7 +135,7 @@ struct Diagnostic {
   std::string named_pointer;
   /// The case of the rule, when readers distinguish cases: "dae", "hex"; may be empty.
   std::string construct;
-  /// Other rules that apply, too: to readers, a misspelt `effort` is a missing one.
+  /// Other rules that the finding also breaks: readers treat a misspelt `effort` as missing.
   std::vector<const Rule*> consequences;
   /// The severity before targets changed it; none when they did not.
   std::optional<Severity> untargeted;
@@ -143,7 +143,7 @@ struct Diagnostic {
   std::vector<std::string> notes;  ///< facts without a place
   std::string help_text;           ///< what to do; may be empty
   std::vector<Fix> fixes;          ///< at most one today
-  /// Later findings of this rule are left out; for SML0002 itself, those of all rules.
+  /// The rule whose later findings were left out because of a limit; SML0002 means all rules.
   const Rule* left_out = nullptr;
 
   // They return the finding, so that calls are chained: report(...).label(...).help(...).

@@ -26,7 +26,7 @@ struct EntityReading {
 /// How a reader interprets a scene.
 struct SceneReading {
   std::vector<EntityReading> entities;  ///< by instance
-  /// Those that entities are in, each once; the first has all joints at zero.
+  /// The distinct joint poses of the entities; in the first, all joints are at zero.
   std::vector<JointPositions> joint_poses{1};
 };
 

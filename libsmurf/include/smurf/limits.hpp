@@ -52,7 +52,7 @@ struct LimitInfo {
 inline constexpr std::array kLimits{
     LimitInfo{"file-bytes", &Limits::file_bytes, 2047ULL << 20U, "bytes of a file of text",
               "SML0002",
-              "a model of 100,000 links has half as many; places in a file are 32-bit numbers"},
+              "a model of 100,000 links needs half of them; offsets in a file are 32-bit numbers"},
     LimitInfo{"mesh-bytes", &Limits::mesh_bytes, 2047ULL << 20U, "bytes of a mesh or an image",
               "SML1644", "2.7 million triangles of STL"},
     LimitInfo{"image-pixels", &Limits::image_pixels, 1'000'000'000,
@@ -70,7 +70,7 @@ inline constexpr std::array kLimits{
     LimitInfo{"yaml-cpp-bytes", &Limits::yaml_cpp_bytes, 2047ULL << 20U,
               "bytes of a YAML file with anchors, tags, tabs, carriage returns or a mistake",
               "SML0002",
-              "yaml-cpp needs a second for as many; other YAML is read fifty times faster"},
+              "yaml-cpp reads them in one second; other YAML is read fifty times faster"},
     LimitInfo{"yaml-depth", &Limits::yaml_depth, 240, "levels of nested lists and mappings",
               "SML0014", "SMURF sections nest ten levels at most; yaml-cpp gives up at 250"},
     LimitInfo{
@@ -106,7 +106,7 @@ inline constexpr std::array kLimits{
               "scenes written by people have three levels"},
     LimitInfo{"instances", &Limits::instances, 100'000'000,
               "entities of a scene, including nested scenes", "SML5022",
-              "scenes that include the next one twice reach it in 18 levels"},
+              "18 levels of scenes that each include the next one twice reach the limit"},
     LimitInfo{"scene-bytes", &Limits::scene_bytes, 100'000'000'000,
               "bytes of an expanded scene: names and keys of each entity and, in a format that "
               "repeats models, its URDF; also of the meshes in a preview, and of files that "

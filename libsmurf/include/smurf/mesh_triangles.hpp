@@ -51,7 +51,7 @@ using MeshNeighbours = std::function<FileContent(const std::string& name)>;
 MeshTriangles read_triangles(std::string_view bytes, std::string_view extension,
                              const MeshNeighbours& neighbours = {},
                              TexturePoints texture_points = TexturePoints::ignored);
-/// The same for a file.
+/// Reads the triangles of a mesh file.
 MeshTriangles read_triangles_of(const std::string& path, const FileReader& files,
                                 const Limits& limits,
                                 TexturePoints texture_points = TexturePoints::ignored);

@@ -38,7 +38,7 @@ struct Reader {
 
 /// All readers in the order of the table, including those that are not targets.
 std::span<const Reader* const> all_readers();
-/// Null when there is no such target.
+/// Finds a target by name; null for an unknown name.
 const Reader* find_target(std::string_view name);
 std::vector<std::string_view> target_names();
 
@@ -85,7 +85,7 @@ struct TargetVerdict {
   /// Adds the verdict on more files.
   void add(const TargetVerdict& other);
 };
-/// The diagnostics are those of finish(), before any are suppressed.
+/// Judges the findings for one target. Pass the findings before any of them are suppressed.
 TargetVerdict judge_target(const Reader& reader, std::span<const Diagnostic> diagnostics);
 
 }  // namespace smurf

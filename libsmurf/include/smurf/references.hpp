@@ -29,8 +29,8 @@ struct Reference {
   std::uint32_t place = kNothing;
   std::string_view name;  ///< decoded
   Span span;              ///< of the name: within quotes, and of `inertial_LINK` the LINK
-  /// The whole text that the name is in or all of: a YAML scalar with its quotes, an attribute
-  /// without them. Where the text is a YAML alias, `span` is the alias.
+  /// The whole text that contains the name: a YAML scalar with its quotes, or an attribute value
+  /// without quotes. Where the text is a YAML alias, `span` is the alias.
   Span text;
   /// The named thing, as NameTable has it: the index of a link, joint, motor or sensor; for a
   /// visual or collision, that of its link; for an entity, its number in the scene files in order.
@@ -41,12 +41,12 @@ struct Reference {
   bool is_known() const { return item != kNothing; }
 };
 
-/// All of them, file by file. Names inside of what no reader knows (a user's own section, an
-/// extension of a vendor) are there when they read like the name of something.
+/// All references of a model, file by file. In sections of users and extensions of vendors, which
+/// no reader knows, texts count as references when they equal the name of something.
 std::vector<Reference> references_of(const LinkedModel& model);
-/// Those of an SRDF for the model; `name` points into it.
+/// The references in an SRDF to the model. Their `name` points into the SRDF.
 std::vector<Reference> references_of(const LinkedModel& model, const xml::Document& srdf);
-/// Those of its scene files, then those of its models.
+/// All references of a scene: those in its scene files, then those in its models.
 std::vector<Reference> references_of(const LinkedScene& scene);
 
 /// The uses in a model that name nothing, or something of another kind than the place means first.

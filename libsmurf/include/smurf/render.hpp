@@ -125,7 +125,7 @@ std::string render_html(std::span<const Diagnostic> diagnostics, const SourceMap
 std::string rule_address(const Rule& rule, std::string_view homepage);
 /// The page of one rule, for `--explain`.
 std::string render_rule(const Rule& rule, const TextStyle& style);
-/// One line a rule, for `--list-rules`.
+/// One line per rule, for `--list-rules`.
 std::string render_rule_list(std::span<const Rule* const> rules, const TextStyle& style);
 /// The losses of a conversion, as schemas/loss-report.schema.json describes them. The class of a
 /// loss is the name of its rule.

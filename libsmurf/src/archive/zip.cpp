@@ -68,7 +68,7 @@ struct Packed {
 
   bool is_followed_by(std::size_t next) const {
     if (!has_sizes_behind || next < end) return next == end;
-    const std::size_t behind = next - end;  // with 4 or 8 bytes a size, and perhaps a signature
+    const std::size_t behind = next - end;  // sizes have 4 or 8 bytes; a signature is optional
     return behind == 12 || behind == 16 || behind == 20 || behind == 24;
   }
 };

@@ -32,7 +32,7 @@ class ArchiveBudget {
     packed_ += bytes;
     ++archives_;
   }
-  /// False, and nothing, when there is no room for as many.
+  /// Reserves `bytes`. Returns false and reserves nothing when they exceed the budget.
   bool take(std::uint64_t bytes);
   /// What was too much: "unpacks to more than 100 bytes; raise the limit ...".
   std::string excess() const;

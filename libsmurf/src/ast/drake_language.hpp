@@ -20,7 +20,7 @@ enum class Value : std::uint8_t {
   group    ///< the name of a collision filter group
 };
 
-/// Of all numbers of a value.
+/// The range that all numbers of a value must be in.
 enum class Range : std::uint8_t { all, not_negative, positive };
 
 struct AttributeSpec {

@@ -206,15 +206,13 @@ class DrawingReader {
 
   void report_nesting(const Group& group) {
     const std::string what = group.title ? "this entity contains other groups"
-                                         : "this group contains other groups and is not an entity";
+                                         : "this group is not an entity, but MARS loads it as a "
+                                           "copy of the first group inside it";
     const bool moves = group.element.attribute("transform") != nullptr;
     Diagnostic& diagnostic = sink_.report(
         rules::sml5043_nested_drawing_group, group.element.name_span(),
-        what + (group.title ? "" : ", but MARS loads it as a copy of the first group in it") +
-            (moves ? (group.title ? ", which MARS" : ", and") +
-                         std::string(" does not move what is inside it")
-                   : std::string()));
-    diagnostic.help("ungroup them");
+        what + (moves ? "; MARS does not apply its transform to the groups inside it" : ""));
+    diagnostic.help("ungroup the inner groups");
   }
 
   void refuse_group(Span place, const std::string& why) {

@@ -40,8 +40,10 @@ void report_not_number(const KeySpec& spec, yaml::View value, std::string_view e
   Diagnostic& diagnostic = report_type(spec, wanted::kValue, value, expected, sink);
   const yaml::ScalarType type = type_without_quotes(value);
   if (type == yaml::ScalarType::integer || type == yaml::ScalarType::number) {
-    offer(diagnostic, "remove the quotes: MARS reads the number, YAML readers with types a text",
-          value.span(), value.text());
+    offer(
+        diagnostic,
+        "remove the quotes: MARS reads a number, but readers that know the types of YAML read a text",
+        value.span(), value.text());
   }
 }
 
@@ -188,8 +190,10 @@ void read_boolean(const KeySpec& spec, yaml::View value, Target target, Diagnost
     } else if (is_one_of(value.text(), {"no", "No", "NO", "off", "Off", "OFF", "n", "N"})) {
       offer(diagnostic, "write `false`: MARS does not know this word", value.span(), "false");
     } else if (type_without_quotes(value) == yaml::ScalarType::boolean) {
-      offer(diagnostic, "remove the quotes: MARS reads the boolean, YAML readers with types a text",
-            value.span(), value.text());
+      offer(
+          diagnostic,
+          "remove the quotes: MARS reads a boolean, but readers that know the types of YAML read a text",
+          value.span(), value.text());
     }
   }
   store(target, value, boolean);

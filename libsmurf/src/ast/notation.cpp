@@ -62,8 +62,8 @@ std::string octal_value(std::string_view digits) {
 
 }  // namespace
 
-/// PyYAML requires a point, and a sign in the exponent; a sign without a digit before the point is
-/// text.
+/// PyYAML reads a float only with a point, and an exponent only with a sign. A signed number
+/// without a digit before the point is a text.
 std::optional<std::string> number_by_yaml11(std::string_view text) {
   const std::string_view digits = without_sign(text);
   if (digits.starts_with("0x")) return std::nullopt;

@@ -129,7 +129,7 @@ class RobotReader {
     if (has_quaternions_) quaternion(element, out.rpy);
   }
 
-  /// Of URDF 1.1, in the place of rpy. Readers of what claims to be 1.0 ignore it.
+  /// Reads the quaternion that URDF 1.1 allows instead of rpy. Readers ignore it in URDF 1.0.
   void quaternion(View element, Field<Vector3>& rpy) {
     Field<std::array<double, 4>> xyzw;
     vector(element, "quat_xyzw", xyzw);

@@ -48,8 +48,8 @@ std::optional<std::string> CanonicalPaths::of(const std::string& path) const {
   return canonical;
 }
 
-/// Of the folders above, those with short names are remembered: the names of all of thousands of
-/// folders in each other would take megabytes.
+/// Remembers only parent folders with short paths: the paths of thousands of nested folders would
+/// take megabytes.
 std::optional<std::string> CanonicalPaths::looked_at(const std::string& path) const {
   constexpr std::size_t kShort = 256;
   if (path.size() > path::kLongest) return std::nullopt;

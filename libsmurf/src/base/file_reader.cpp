@@ -102,7 +102,7 @@ std::string DiskFiles::identity(const std::string& path) const {
   if (has_zero(path) || ::stat(in_folder(path).c_str(), &status) != 0) {
     return path::normalize(path);
   }
-  // No path has a zero byte.
+  // The zero byte keeps an identity distinct from every path.
   return std::to_string(status.st_dev) + '\0' + std::to_string(status.st_ino);
 }
 
@@ -171,8 +171,8 @@ ConfinedFiles::ConfinedFiles()
 }
 ConfinedFiles::~ConfinedFiles() = default;
 
-/// A link of the project that goes through folders outside and comes back must not show whether
-/// these folders exist.
+/// Decides again which links may be followed. A link that leaves the project and returns to it must
+/// not reveal whether the folders outside exist.
 void ConfinedFiles::judge_ways_anew() {
   const auto is_known = [this](const std::string& place) {
     return allowed_->holds(place) || allowed_->is_above(place);
@@ -180,7 +180,7 @@ void ConfinedFiles::judge_ways_anew() {
   ways_ = std::make_unique<CanonicalPaths>(
       [this, is_known](const std::string& folder, const std::string& place) {
         if (!allowed_->holds(folder) || is_known(place)) return true;
-        const auto canonical = canonical_->of(place);  // as /home may be a link of the system
+        const auto canonical = canonical_->of(place);  // /home may be a link
         return canonical && is_known(*canonical);
       });
   lists_.clear();

@@ -18,7 +18,7 @@ class OpenFolder {
   OpenFolder& operator=(const OpenFolder&) = delete;
 
   void open(const std::string& path);
-  /// Opens a folder in this one that is not a link, or "..". One that does not exist is empty.
+  /// Opens a subfolder that is not a link, or "..". A missing subfolder counts as empty.
   void enter(const std::string& name);
   /// Opens the folder above this one, whose path is `above`. This one need not exist: an editor may
   /// name a new folder in a project.

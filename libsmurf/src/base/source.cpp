@@ -22,7 +22,7 @@ std::uint32_t characters(std::string_view text) {
   return static_cast<std::uint32_t>(utf8::count_code_points(text));
 }
 
-/// Those which UTF-16 writes as two units.
+/// The number of characters that UTF-16 encodes as two units.
 std::uint32_t wide(std::string_view text) {
   const auto is_wide = [](char lead) { return static_cast<unsigned char>(lead) >= 0xF0; };
   return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), is_wide));

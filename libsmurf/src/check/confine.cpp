@@ -41,7 +41,7 @@ bool is_home(std::string_view folder) {
   return home.size() > 1 && home.starts_with('/') && is_around(folder, home);
 }
 
-/// See confine(). Folders above a shared folder are shared, too.
+/// True for a folder that confine() does not treat as one project, such as a home folder.
 bool is_shared(std::string_view folder) {
   if (folder.size() <= 1 || is_home(folder)) return true;
   return path::parent(folder) == "/" && !OpenFolder(std::string(folder)).has_any(kHistories);

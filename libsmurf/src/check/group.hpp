@@ -40,7 +40,7 @@ struct CheckGroup {
   std::shared_ptr<PathChecks> path_checks;  ///< of the selection
 };
 
-/// The configurations of a check, as Plan::configs.
+/// The configurations of a check, in the order of Plan::configs.
 using CheckGroups = std::deque<CheckGroup>;
 
 /// Schemas of configurations point into `sources`.

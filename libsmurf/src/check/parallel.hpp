@@ -84,7 +84,7 @@ inline void for_each_parallel(std::size_t count, std::size_t jobs,
 inline void for_each_in_order(std::size_t count, std::size_t jobs,
                               const std::function<void(std::size_t, std::size_t)>& work,
                               const std::function<bool(std::size_t)>& take) {
-  constexpr std::size_t kMostAhead = 64;  // each of them keeps memory until it is taken
+  constexpr std::size_t kMostAhead = 64;  // each result that is not taken yet uses memory
   std::mutex mutex;
   std::condition_variable has_room;
   std::vector<bool> is_done(count);

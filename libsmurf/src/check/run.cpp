@@ -299,7 +299,7 @@ class Run {
   std::uint64_t rechecked_ = 0;                   ///< bytes of those that were read before
   std::uint64_t count_found_ = 0;                 ///< before settings and comments are applied
   bool is_over_ = false;                          ///< the remaining files are not checked
-  std::set<std::string> used_;                    ///< of the outcomes in the memory
+  std::set<std::string> used_;                    ///< paths of the outcomes used here
   std::size_t parsed_bytes_ = 0;                  ///< of the texts whose trees are kept
   std::atomic<std::size_t> done_ = 0;
   std::size_t expected_ = 0;

@@ -15,8 +15,8 @@ Eigen::Vector3d position(const Pose& pose) {
   return {pose.position[0], pose.position[1], pose.position[2]};
 }
 
-/// a b, for a matrix or a vector b. Eigen adds in a different order with vector instructions, which
-/// would change the last digits.
+/// The product of `a` and `b`, a matrix or a vector. Computed without Eigen, which adds in another
+/// order with vector instructions, so the last digits would differ between machines.
 template <class Right>
 Right product(const Eigen::Matrix3d& a, const Right& b) {
   Right result;

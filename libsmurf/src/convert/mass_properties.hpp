@@ -16,13 +16,14 @@ struct MassProperties {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< kg m^2
 };
 
-/// Of one link in its link frame; absent values are zero.
+/// The mass properties of one link in its link frame; absent values count as zero.
 MassProperties mass_properties(const urdf::Link& link);
 /// The same body seen from A: X_AB places the frame it is given in.
 MassProperties transformed(const MassProperties& body_B, const Pose& X_AB);
 /// Both bodies as one (parallel axis theorem).
 MassProperties combined(const MassProperties& a, const MassProperties& b);
-/// Of the whole robot in its root frame. `poses` as from forward_kinematics.
+/// The mass properties of the whole robot in its root frame. `poses` are those that
+/// forward_kinematics() returns.
 MassProperties total(const LinkedModel& model, const std::vector<std::optional<Pose>>& poses);
 
 }  // namespace smurf

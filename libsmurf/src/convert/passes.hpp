@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps of an export. Each edits the text that the step before it wrote, as byte edits: what no
-// step is about stays as it was.
+// The steps of an export. Each step makes byte edits in the text that the previous step wrote; all
+// other bytes stay the same.
 #pragma once
 
 #include <set>

@@ -16,7 +16,7 @@ bool is_unread(const Rule& rule) {
 }
 
 std::optional<std::string> loss_in_robot(const Rule& rule) {
-  if (rule.blocks_building) return "its links form no robot";
+  if (rule.blocks_building) return "its links and joints do not form a valid robot";
   if (is_unread(rule)) return "a value cannot be read";
   return std::nullopt;
 }
@@ -44,8 +44,8 @@ bool computes(const UrdfExport& wanted) {
   return wanted.collapses_fixed || wanted.is_canonical || !wanted.version.empty();
 }
 
-/// Of a URDF for MuJoCo, which loads it or does not. Addresses of packages become relative paths,
-/// and the settings say where meshes are.
+/// Why MuJoCo would not load the exported URDF; none if it loads. Findings on package addresses and
+/// on mesh folders do not count, because the export replaces these.
 std::optional<std::string> loss_for_mujoco(const Diagnostic& finding, const LinkedModel& model,
                                            const UrdfExport& wanted) {
   const Fact* fact = find_fact(readers::mujoco, finding);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// urdfdom is the referee, never the parser. Its messages go through one process-wide handler of
-// console_bridge, which is taken for the time of the call.
+// urdfdom checks exported URDFs; it is never used as the parser. Its messages go through the
+// process-wide handler of console_bridge, which is replaced during the call.
 #include <console_bridge/console.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>

@@ -20,7 +20,7 @@ using Attributes = std::vector<std::pair<std::string_view, std::string>>;
 std::string new_element(std::string_view name, const Attributes& attributes);
 /// "1 0 0.5".
 std::string numbers_text(const Vector3& vector);
-/// Of an <origin>.
+/// The attributes of an <origin> element with this pose.
 Attributes origin_attributes(const Pose& pose);
 
 /// Collects the edits of one document. An attribute or element is edited at most once.

@@ -98,7 +98,7 @@ class Matcher {
     const std::vector<std::size_t>& before;
     const std::vector<std::size_t>& after;
   };
-  /// Candidates for each other's counterpart.
+  /// Things of both versions that may be counterparts.
   struct Bucket {
     std::vector<std::size_t> before, after;
   };

@@ -15,9 +15,9 @@ std::vector<FlatShape> shapes_of(const FlatInstance& instance, bool has_position
 
 /// A member of an object by its key; null when there is none.
 const Value* find(const Value::Object& object, std::string_view key);
-/// The object that a value is; null when it is none.
+/// The value as an object; null if it is not an object.
 const Value::Object* object_of(const Value* value);
-/// The text that a value is; empty when it is none.
+/// The value as text; empty if it is not a text.
 std::string text_of(const Value* value);
 /// A number, whichever way it is written.
 std::optional<double> number_of(const Value* value);

@@ -115,7 +115,7 @@ class ModelLoader {
     return true;
   }
 
-  /// The same of the parts of a robot.
+  /// Reports a robot with more parts than the limit, and returns false.
   bool has_room(const xml::Document& document) {
     const std::uint64_t most = context_.limits.urdf_parts;
     if (document.elements.size() <= most) return true;  // nearly always

@@ -9,7 +9,7 @@ namespace smurf {
 /// A construct of findings on paths of meshes, where the file tells MuJoCo to look elsewhere.
 inline constexpr std::string_view kElsewhere = "#elsewhere";
 
-/// And of findings on inertias, where it tells MuJoCo to balance them.
+/// The construct of findings on inertias when the file tells MuJoCo to balance inertias.
 inline constexpr std::string_view kBalanced = "#balanced";
 
 /// The element; empty when there is none.

@@ -221,7 +221,8 @@ void ReferenceFinder::read_unknown(yaml::View value, std::string_view word) {
     if (!kinds.empty()) add_known(kinds, value.text(), place_of_name(value));
     return;
   }
-  if (node_of(value).is_alias()) return;  // read where it is anchored, and could hold itself
+  // Names in an alias are read at its anchor; an alias may also contain itself.
+  if (node_of(value).is_alias()) return;
   for (const yaml::View member : value) {
     const bool is_member = value.is_mapping();
     if (is_member && !kinds.empty()) add_known(kinds, member.key(), place_of_key(member));

@@ -21,7 +21,7 @@ struct NamePlace {
   std::uint32_t place = Reference::kNothing;
   Span span, text;
 };
-/// Of a scalar, of the text of a key, of a value.
+/// The place of the name in a scalar, in the text of a key, and in an attribute value.
 NamePlace place_of_name(yaml::View scalar);
 NamePlace place_of_key(yaml::View member);
 NamePlace place_of_value(xml::View element, const xml::Attribute& attribute);

@@ -84,8 +84,8 @@ class Resolver {
         index_.exists(reference.mars_path) || context_.files.is_denied(reference.mars_path);
   }
 
-  /// Beside the mesh, or in a folder bobj/ that takes the place of the mesh's. MARS replaces every
-  /// occurrence of the folder's name in the path (misc.cpp:241); so do we.
+  /// Looks for the .bobj beside the mesh, and in a folder bobj/ instead of stl/, obj/ or mars_obj/.
+  /// Like MARS, replaces every occurrence of the folder name in the path (misc.cpp:241).
   std::optional<std::string> find_bobj(const std::string& mesh, std::string_view extension) {
     const std::string bobj = mesh.substr(0, mesh.size() - path::extension(mesh).size()) + ".bobj";
     if (index_.exists(bobj)) return bobj;

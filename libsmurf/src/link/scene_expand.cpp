@@ -155,8 +155,8 @@ class SceneExpander {
     }
   }
 
-  /// Replaces the path of an archive by that of what it is about. False when there is no such
-  /// thing, which is reported.
+  /// Replaces the path of an archive by that of its main file. Reports an archive without a main
+  /// file, and returns false.
   bool enter_archive(std::string& path, Span reference) {
     if (!context_.files.is_file(path)) {
       read_source(path, reference, rules::sml5006_missing_entity_file, context_);
@@ -409,7 +409,7 @@ class SceneExpander {
   std::set<std::string> paths_;
   std::map<std::string, std::uint32_t> numbers_;
   std::optional<SceneIndex> empty_scene_;
-  /// Of the texts of instances: a long one may be repeated in each of a nested scene.
+  /// Bytes of the texts of instances. A long one may be repeated in all entities of a nested scene.
   std::uint64_t bytes_ = 0;
   std::vector<std::uint64_t> inherited_;  ///< by use: of the references of the includes around it
   bool is_full_ = false;

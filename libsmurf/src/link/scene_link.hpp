@@ -57,7 +57,7 @@ class LinkFrames {
  public:
   /// Poses X_EL by LinkIndex; empty when the instance has no model. Valid until the next call.
   const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, const Instance& instance);
-  /// The same in another joint pose, of a table that the caller always uses.
+  /// The same for another joint pose of `poses`. All calls must pass the same table.
   const std::vector<std::optional<Pose>>& of(const LinkedScene& scene, ModelIndex model,
                                              JointPoseIndex pose,
                                              const std::vector<JointPositions>& poses);

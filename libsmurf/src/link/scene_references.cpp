@@ -175,7 +175,7 @@ class ReferenceResolver {
     return attachment;
   }
 
-  /// Another finding reports that this should be a model.
+  /// True when another finding reports that the type should be that of a model.
   static bool is_type_reported(std::string_view type) {
     constexpr std::string_view kModels[] = {"smurf", "urdf"};
     return type.empty() || nearest(type, kModels).has_value();

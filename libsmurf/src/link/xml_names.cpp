@@ -61,8 +61,8 @@ const AttributeNames* find_row(xml::View element, std::string_view attribute) {
   return find_row(parent, element.name(), attribute);
 }
 
-/// The kinds that an attribute names, by its own word or that of its element: <flexJoint
-/// name="...">.
+/// The kinds of things that an attribute may name, guessed from the name of the attribute or of its
+/// element: <flexJoint name="...">.
 NameKinds kinds_of(xml::View element, std::string_view attribute) {
   if (attribute == "name") {
     if (element.parent() && element.parent().name() == "robot") return {};  // its own name

@@ -65,8 +65,8 @@ const Field<double>& upper_bound(const Motor& motor);
 /// Numbers of 2.094 and 2.0944 are the same bound.
 bool is_clearly_less(double a, double b);
 
-/// True when a name is not one of this kind, but was certainly meant to be: it is nearly one, or
-/// the name of something else.
+/// True when no thing of this kind has the name, but the author meant one: the name resembles that
+/// of such a thing, or is the name of another kind of thing.
 bool is_slip(const LinkedModel& model, NameKind kind, std::string_view name);
 
 }  // namespace smurf

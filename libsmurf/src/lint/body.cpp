@@ -18,7 +18,7 @@ Eigen::Matrix3d rotation_of(const urdf::Origin& origin) {
   return matrix;
 }
 
-/// Adds a shape to the box; false when its size is not known, or not that of a body.
+/// Adds a shape to the box; false if the size of the shape is unknown, or not positive.
 bool add(const LinkedModel& model, const urdf::Origin& origin, const urdf::Geometry& geometry,
          std::optional<Box>& all) {
   // The unit of a mesh is itself in doubt, and judged by the rules of meshes.

@@ -23,7 +23,7 @@ Span place_of(xml::View element, std::string_view attribute) {
   return found == nullptr ? element.name_span() : found->value_span();
 }
 
-/// Of a number; none when it is not there or is no number, which is reported where it stands.
+/// The number in an attribute; none if it is absent or not a number (reported elsewhere).
 std::optional<double> number_in(xml::View element, std::string_view attribute) {
   const std::vector<double> numbers = read_numbers(value_of(element, attribute));
   if (numbers.size() != 1) return std::nullopt;
@@ -94,7 +94,7 @@ void check_axis(xml::View joint, std::string_view type, Findings& findings) {
   }
 }
 
-/// PiecewiseConstantCurvatureTrajectory refuses such directions.
+/// Reports directions that Drake's PiecewiseConstantCurvatureTrajectory refuses.
 void check_directions(xml::View joint, Findings& findings) {
   const xml::View tangent = joint.child("drake:initial_tangent");
   const xml::View normal = joint.child("drake:plane_normal");

@@ -78,7 +78,7 @@ Names::Names(const LinkedModel& model) : model_(model) {
     const std::string_view name = value_of(element, "name");
     if (name.empty() || is_passed_over(element)) continue;
     if (element.name() == "drake:joint") joints_.add(name, element);
-    // Of a floating joint Drake makes none.
+    // Drake makes no joint of a floating joint.
     const bool is_joint = element.name() == "joint" && value_of(element, "type") != "floating";
     if (is_joint) joints_.add(name, element);
     if (element.name() == "frame") frames_.add(name, element);

@@ -27,7 +27,7 @@ struct GeometryUse {
 
 /// The file that a mesh of the URDF means; null when it names none.
 const MeshReference* find_reference(const LinkedModel& model, const urdf::Mesh& mesh);
-/// What is known of that file's content; null when it was not opened or could not be.
+/// The facts about the file of a mesh; null when the file was not opened or cannot be read.
 const MeshFacts* find_facts(const LinkedModel& model, const urdf::Mesh& mesh);
 
 /// The box of a shape in its own frame, in metres, with the mesh's scale. COLLADA is placed as its

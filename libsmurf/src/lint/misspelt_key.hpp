@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keys of scenes that are almost known ones.
+// Finds keys of scenes that are misspellings of known keys.
 #pragma once
 
 #include <span>

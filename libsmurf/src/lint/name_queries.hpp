@@ -46,7 +46,7 @@ struct NameCollision {
   const Field<std::string>* first = nullptr;
   const Field<std::string>* second = nullptr;
 };
-/// Those that are equal after `fold`.
+/// Returns the pairs of names that become equal after `fold`.
 std::vector<NameCollision>
 name_collisions(const LinkedModel& model, const std::function<std::string(std::string_view)>& fold);
 

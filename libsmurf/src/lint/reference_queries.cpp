@@ -24,7 +24,8 @@ std::string_view name_of(const AnnotationPlace& place) {
   return name && name.is_scalar() ? name.text() : std::string_view();
 }
 
-/// Of motors and the like, "motor" says it; a "collision" would be that of the URDF.
+/// The noun for an entry in messages: "motor", but "collision entry", because "collision" alone
+/// means the element of the URDF.
 std::string noun_of(const SectionSpec& section) {
   if (&section == &sections::poses) return "joint pose";
   const bool is_of_urdf = &section == &sections::collision || &section == &sections::visuals;

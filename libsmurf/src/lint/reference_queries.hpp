@@ -10,7 +10,7 @@
 
 namespace smurf {
 
-/// Where in the annotations a name stands.
+/// The place of a name in the annotations.
 struct AnnotationPlace {
   std::string_view section;  ///< canonical ("motors"); empty in a URDF
   std::string_view key;      ///< of the entry; what is inside of its value has the same

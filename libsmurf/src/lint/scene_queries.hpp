@@ -40,7 +40,7 @@ void for_each_use(const LinkedScene& scene, const std::function<void(const Use&)
 /// The keys and values of an entity as written.
 yaml::View mapping_of(const SceneFile& file, const Entity& entity);
 
-/// Where the type is said: `type`, else the file whose extension tells it.
+/// The place of the key `type`; without it, that of the file, whose extension decides the type.
 Span type_place(const Entity& entity);
 
 /// The value of a top-level key that MARS reads here; none in an assembly, where it reads no world.
@@ -49,7 +49,7 @@ yaml::View world_value(const SceneFile& file, std::string_view key);
 /// True for an entity type that the user registered a schema for, and so knows.
 bool has_schema(const LinkedScene& scene, std::string_view type);
 
-/// A key of the entity that is nearly `key`, which it does not have; null when there is none.
+/// A misspelling of `key` among the keys of an entity that does not have `key`; null if none.
 const CustomSection* slip_of(const Entity& entity, std::string_view key);
 
 /// "entity `Eve`", or "this entity".

@@ -28,7 +28,7 @@ struct Line {
   std::size_t text_begin = 0, text_end = 0;
 };
 
-/// The lines of places that are asked for in ascending order, of which many may be on one line.
+/// Finds the lines of places. Call it with places in ascending order; many may share a line.
 class Lines {
  public:
   explicit Lines(std::string_view text) : text_(text) { look_around(0); }

@@ -9,7 +9,7 @@
 
 namespace smurf {
 
-/// None for what is no base64. Padding may be absent.
+/// Decodes base64 text, with or without padding. Returns none if the text is not base64.
 inline std::optional<std::string> from_base64(std::string_view text) {
   const auto value_of = [](char c) -> int {
     if (c >= 'A' && c <= 'Z') return c - 'A';

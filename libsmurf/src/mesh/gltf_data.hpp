@@ -22,7 +22,7 @@ using Json = nlohmann::json;
 
 /// Null when `object` is no object, or has no such member.
 const Json* member(const Json& object, const char* name);
-/// None for what is no natural number.
+/// Returns the value as a natural number, or none if it is not one.
 std::optional<std::uint64_t> natural(const Json* value);
 bool is_text(const Json* value, std::string_view text);
 /// Finite numbers only.
@@ -73,11 +73,11 @@ class Data {
   std::string_view text() const { return text_; }
   std::size_t text_offset() const { return text_offset_; }
   bool is_binary() const { return text_offset_ > 0; }
-  /// Of the file and of all buffers that were read.
+  /// The number of bytes read, of the file and all its buffers.
   std::uint64_t bytes() const { return bytes_; }
   /// An item of a list of the file; null, and a reason, when it is not there.
   const Json* item(const char* list, const Json* index);
-  /// None, and a reason, when it cannot be read. `type` is that of the accessor: "VEC3".
+  /// Reads an accessor of this type ("VEC3"). On failure, returns none and sets the reason.
   std::optional<Accessor> accessor(const Json* index, std::string_view type);
 
  private:

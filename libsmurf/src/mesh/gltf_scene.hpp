@@ -32,7 +32,8 @@ struct Primitive {
 inline std::uint64_t place_of(const Primitive& primitive, std::uint64_t corner) {
   return primitive.indices ? primitive.indices->index(corner) : corner;
 }
-/// The point of a corner, before any transform. None, and a reason of `data`, when there is none.
+/// The point of a corner, before any transform. On failure, returns none and sets the reason in
+/// `data`.
 std::optional<Vector3> point_of(Data& data, const Primitive& primitive, std::uint64_t corner);
 
 /// Why files with too many repeated parts are not read.

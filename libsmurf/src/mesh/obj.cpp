@@ -57,7 +57,7 @@ class ObjReader {
     if (latest_ > points_.size()) {
       line_ = latest_line_;
       offset_ = latest_offset_;
-      fail("a face names the vertex " + std::to_string(latest_) + " of " +
+      fail("a face uses vertex " + std::to_string(latest_) + ", but the file has only " +
            std::to_string(points_.size()));
     } else if (latest_ == 0) {
       facts_.volume = surface_.volume();
@@ -154,8 +154,8 @@ class ObjReader {
   std::optional<Vector3> find(std::int64_t index) {
     const auto count = static_cast<std::int64_t>(points_.size());
     if (index < -count) {
-      fail("a face names the vertex " + std::to_string(index) + ", but " + std::to_string(count) +
-           " come before it");
+      fail("a face uses vertex " + std::to_string(index) + ", but only " + std::to_string(count) +
+           " vertices come before it");
       return std::nullopt;
     }
     if (index > count) {

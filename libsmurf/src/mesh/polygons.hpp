@@ -26,7 +26,7 @@ class PolygonSplitter {
   void cut(std::vector<std::uint32_t>& triangles);
 
   std::vector<Corner> left_;
-  /// Cutting takes the cube of the number of corners, so that all polygons together have a limit.
+  /// Limits the work for all polygons together: cutting one takes time cubic in its corners.
   std::uint64_t steps_left_ = 50'000'000;
 };
 

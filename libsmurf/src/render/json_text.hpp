@@ -50,7 +50,7 @@ template <class Items, class ToJson>
 std::string dump_with_list(const Json& report, std::string_view key, std::size_t depth,
                            const Items& items, ToJson to_json) {
   const std::string frame = dump(report);
-  // No string holds a line end, and no other key is as deep.
+  // Finds the key: strings contain no line ends, and no equal key has the same depth.
   const std::string line = "\n" + std::string(2 * depth, ' ') + "\"" + std::string(key) + "\": [";
   const std::size_t begin = key.empty() ? 1 : frame.find(line) + line.size();
   std::string out = frame.substr(0, begin);

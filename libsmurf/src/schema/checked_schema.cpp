@@ -341,9 +341,9 @@ class SchemaChecker {
         pattern->steps_for("") > kMostNamePatternSteps) {
       fault(node.key_span(), "this pattern of names is too costly")
           .help(
-              "repeat no groups, at most two characters, and none hundreds of times; a schema has at "
-              "most " +
-              std::to_string(kMostNamePatterns) + " such patterns");
+              "repeat at most two characters, none of them hundreds of times, and no groups; write "
+              "at most " +
+              std::to_string(kMostNamePatterns) + " such patterns in a schema");
       return;
     }
     try {

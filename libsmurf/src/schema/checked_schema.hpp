@@ -18,8 +18,8 @@ namespace smurf {
 
 /// What a subschema needs to be safe to apply.
 struct SchemaGuard {
-  std::optional<Pattern> pattern{};  ///< of `pattern`, which the library is not told of
-  std::int64_t steps = 1;            ///< that the library takes to apply it, of about 1 us
+  std::optional<Pattern> pattern{};  ///< the keyword `pattern`, which is hidden from the library
+  std::int64_t steps = 1;            ///< cost of applying the subschema, in steps of about 1 us
   bool has_name_patterns = false;
   bool has_unique_items = false;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From what the schema library says to findings: one a cause, at the token at fault, with the
-// schema's own words.
+// Turns the errors of the schema library into findings: one finding per cause, at the token at
+// fault, with the description in the schema.
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,7 @@ constexpr std::array<CharClass, 256> char_classes() {
 }
 constexpr std::array<CharClass, 256> kClasses = char_classes();
 
-/// yaml-cpp takes a longer text for a value, not for a key.
+/// yaml-cpp treats a text of more than 1000 bytes as a value, never as a key.
 constexpr std::uint32_t kLongestKey = 1000;
 
 class Scanner {

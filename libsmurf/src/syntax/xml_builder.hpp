@@ -26,7 +26,7 @@ class XmlBuilder {
   void add_comment(Span comment) { document_.comments.push_back(comment); }
   /// Attributes come before the element they belong to.
   void add_attribute(const xml::Attribute& attribute) { document_.attributes.push_back(attribute); }
-  /// One that is not written as it is read: it holds an '&' or a carriage return.
+  /// Adds an attribute whose value must be decoded: it contains an '&' or a carriage return.
   void add_coded_attribute(xml::Attribute attribute);
   /// Its attributes are those from `first_attribute` on.
   void open(xml::Element element);

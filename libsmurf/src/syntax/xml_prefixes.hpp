@@ -17,7 +17,7 @@ class XmlPrefixes {
  public:
   XmlPrefixes(std::string_view text, DiagnosticSink& sink) : text_(text), sink_(sink) {}
 
-  /// Of an element: what is declared from here to its end counts within.
+  /// Begins an element: prefixes declared from here on are valid until leave().
   void enter() { elements_.push_back(open_.size()); }
   void leave();
   void declare(std::string_view prefix);

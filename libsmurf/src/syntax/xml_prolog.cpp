@@ -42,7 +42,7 @@ Span declared_encoding(std::string_view text, SourceId id, std::size_t begin) {
           static_cast<std::uint32_t>(begin + close)};
 }
 
-/// A declaration that says otherwise is believed by some readers.
+/// Reports a declared encoding other than UTF-8, because some readers decode the file with it.
 void check_encoding(std::string_view text, SourceId id, std::size_t begin, DiagnosticSink& sink) {
   if (!text.substr(begin).starts_with(kDeclaration)) return;
   const Span place = declared_encoding(text, id, begin);

@@ -16,8 +16,8 @@ struct XmlReference {
   char32_t character = 0;
 };
 
-/// `text` begins with '&' and may go on behind the value. References to no character of XML, like
-/// `&#0;`, are none.
+/// Reads the reference at the beginning of `text`, which may extend beyond the value. A reference
+/// to a character that XML does not allow, such as `&#0;`, has Kind::none.
 XmlReference read_reference(std::string_view text);
 
 /// True for a reference that readers take for something else: tinyxml2 9 copies an unknown entity
@@ -27,7 +27,7 @@ bool has_wrong_reference(std::string_view written);
 /// A decoded value or text: references to characters replaced, every line end a '\n'. Everything
 /// else that begins with '&' stays as it is.
 std::string decode_xml(std::string_view written);
-/// The same of a CDATA section, which has no references.
+/// Decodes a CDATA section: as decode_xml(), but without references.
 std::string decode_character_section(std::string_view written);
 
 }  // namespace smurf

@@ -328,7 +328,7 @@ class Scanner {
     }
   }
 
-  /// Readers in C++ need none.
+  /// Reports a missing space between two attributes. URDF readers in C++ do not need the space.
   void report_missing_blank(Span name) {
     sink_
         .report(rules::sml1014_xml_missing_blank, name,

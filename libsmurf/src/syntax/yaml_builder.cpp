@@ -93,7 +93,7 @@ void YamlBuilder::repeat(Span alias, std::uint64_t size) {
   repeated_ += size;
   if (repeated_ <= limits_.yaml_expanded_nodes) return;
   stop(rules::sml0015_alias_expansion, alias,
-       "up to here, aliases repeat more than " + std::to_string(limits_.yaml_expanded_nodes) +
+       "the aliases up to here repeat more than " + std::to_string(limits_.yaml_expanded_nodes) +
            " values",
        "yaml-expanded-nodes");
 }

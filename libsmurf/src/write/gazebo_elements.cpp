@@ -58,7 +58,7 @@ constexpr std::string_view kFlags[] = {"selfCollide", "turnGravityOff", "cfmDamp
 
 bool is_true(std::string_view text) { return text == "true" || text == "1" || text == "True"; }
 
-/// Written as text, or as the attribute `value`.
+/// The value of an element, which is its text or its attribute `value`.
 std::string_view value_of(xml::View element) {
   const std::string_view text = import::text_of(element);
   return text.empty() ? attribute_of(element, "value") : text;
@@ -204,7 +204,7 @@ void GazeboElements::add_to_link(XmlText& xml, std::string_view part, std::strin
   for (const xml::View element : of(part)) {
     if (!is_one_of(element.name(), kOfLinks)) add_raw(xml, element, frame, X_BL, names);
   }
-  // Of a part, these would be those of the whole.
+  // A part must not set what applies to the whole link.
   if (!frame.empty() || X_BL != Pose{}) return;
   if (const std::string_view text = value(part, "selfCollide"); !text.empty()) {
     xml.leaf("self_collide", is_true(text) ? "1" : "0");

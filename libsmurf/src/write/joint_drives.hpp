@@ -24,7 +24,8 @@ struct JointDrive {
   double gain = 0;                           ///< of a position, 1/s
 };
 
-/// One a joint, of joints with one axis that do not follow another, in the model's order.
+/// One drive per joint, in the order of the model, for joints with one axis that do not mimic
+/// another joint.
 std::vector<JointDrive> joint_drives(const LinkedModel& model);
 
 /// How strongly a motor resists a wrong speed, N m s/rad or N s/m. MARS's motors reach their speed
@@ -37,7 +38,7 @@ struct DrivenFollower {
   const urdf::Joint* leader = nullptr;
   double multiplier = 0, offset = 0;
 };
-/// Of joints that do not mimic anyway.
+/// The followers among joints without a mimic element.
 std::vector<DrivenFollower> driven_followers(const LinkedModel& model);
 
 /// Motors that move no joint, neither by themselves nor by following another motor.

@@ -15,8 +15,8 @@
 
 namespace smurf {
 
-/// Puts commas and line ends where they belong. Once the text is larger than `most`, nothing is
-/// added to it any more, and it is not given away.
+/// Puts commas and line ends where they belong. Once the text is longer than `most`, nothing
+/// more is added to it, and it cannot be taken.
 class JsonPrinter {
  public:
   /// How the parts of an object or list stand: each on a line of its own, or all on one.

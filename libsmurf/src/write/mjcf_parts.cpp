@@ -14,7 +14,7 @@ namespace {
 
 using Geom = std::pair<std::string, std::string>;
 
-/// None when a size is not positive, which MuJoCo refuses.
+/// A geom with these sizes; none if a size is not positive, because MuJoCo refuses it.
 std::optional<Geom> sized(const char* type, std::initializer_list<double> sizes) {
   if (std::any_of(sizes.begin(), sizes.end(), [](double size) { return !(size > 0); })) {
     return std::nullopt;
@@ -124,8 +124,8 @@ void MjcfParts::add_class(const std::string& name, const std::vector<XmlText::At
 
 void MjcfParts::add_inertial(const LinkInertial& mass, bool moves, Span span,
                              const std::string& name) {
-  // Of a full tensor MuJoCo takes no eigenvalue below mjEPS, of what moves no mass and no moment
-  // below mjMINVAL.
+  // MuJoCo refuses a full tensor with an eigenvalue below mjEPS, and a moving body with a mass or
+  // moment below mjMINVAL.
   constexpr double kEpsilon = 1e-14;
   const BodyInertia body = body_inertia(mass, moves ? kEpsilon : 0, 2 * kEpsilon);
   if (body.is_changed) losses_.note(kRefusedInertias, span, name);
@@ -323,7 +323,7 @@ void MjcfParts::add_solid(std::size_t i) {
     mass.X_LC = instance.shapes.front().X_ES;
     add_inertial(mass, true, place_of(scene_.scene.entity(linked(i))), instance.path);
   }
-  // Planes stand in the world body only, so that what does not move has no body.
+  // MuJoCo allows planes only in the world body, so objects that do not move get no own body.
   const Contacts contacts = contacts_of(instance.properties);
   for (const FlatShape& shape : instance.shapes) {
     const Pose pose = moves ? shape.X_ES : *instance.X_WE * shape.X_ES;

@@ -25,7 +25,7 @@ class MjcfParts {
   const Instance& linked(std::size_t i) const { return scene_.scene.instances[i]; }
   std::size_t count() const { return scene_.flat.instances.size(); }
   const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
-  /// Of a body or joint: "cell/Table/top".
+  /// The name of a body or joint in the result: "cell/Table/top".
   std::string name(std::size_t i, std::string_view part) const {
     return flat(i).path + "/" + std::string(part);
   }
@@ -42,7 +42,7 @@ class MjcfParts {
   /// `geom` is what geom_of() gave, and more.
   void add_geom(std::vector<XmlText::Attribute> geom, const Pose& pose,
                 const std::optional<Rgba>& color, const Contacts& contacts);
-  /// Of a body that moves by a joint of its own, or not. The rest is where it is written.
+  /// Writes the inertial of a body. `moves`: the body has a joint. Reports losses at `span`.
   void add_inertial(const LinkInertial& mass, bool moves, Span span, const std::string& name);
   /// Inside <asset>: meshes of what is no model.
   void add_meshes_of_entities();

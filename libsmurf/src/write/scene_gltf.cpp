@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// glTF 2.0, a preview: a node an entity, in it a node a link, in it its shapes. The root node turns
-// the z axis of SMURF up, which is y in glTF; all poses below it are those of SMURF.
+// A preview as glTF 2.0: one node per entity, in it one node per link, in it the shapes. The root
+// node turns the z axis of SMURF to the y axis, which is up in glTF. All poses below it are those
+// of SMURF.
 #include <limits>
 #include <map>
 #include <variant>

@@ -45,7 +45,7 @@ std::optional<LinkInertial> inertial_of(const urdf::Link& link);
 /// For a body that has to have a mass and has none: MARS takes a ball of 10 g and 1 cm radius
 /// (mars_core Frame.cpp:601-619).
 LinkInertial smallest_mass();
-/// Of a solid of even density.
+/// The inertial of a solid of uniform density.
 LinkInertial solid_mass(const FlatGeometry& geometry, double mass);
 
 /// The defaults of MARS for a scene.

@@ -386,7 +386,8 @@ class SdfWriter {
     xml_.close();
   }
 
-  /// Of SDF 1.11, which older libraries pass over. Positions count from where the joints start.
+  /// Writes the mimic element of SDF 1.11, which older libraries ignore. Positions are relative to
+  /// the start positions of the joints.
   void add_mimic(std::size_t i, const LinkedModel& model, const urdf::Joint& joint) {
     if (!joint.mimic->joint) return;
     const auto leader = model.joint_names.find(*joint.mimic->joint);

@@ -36,11 +36,11 @@ struct FoundThing {
 /// What a format does with it begins its cell.
 enum class Fate : std::uint8_t {
   kept,
-  partly,  ///< kept, but for what is found
+  partly,  ///< kept, except for the things found
   changed,
   lost,
   added,  ///< the format needs a value that nobody wrote: no loss
-  shown   ///< a preview, which shows shapes: told once a model, not thing by thing
+  shown   ///< a preview shows shapes only; reported once per model
 };
 
 /// Settings of scene files, each of which is reported at its place.

@@ -47,7 +47,7 @@ Circle circle(double radius, double start) {
   return points;
 }
 
-/// Balls of one radius on the axis of a shape: circles, whose points are as near as the nearest.
+/// Adds balls of one radius on the axis of a shape as circles, at the depth of their nearest point.
 void add_balls(const Pose& X_VS, double radius, std::initializer_list<double> heights,
                std::vector<Vector3>& points) {
   const Circle around = circle(radius, start_angle(X_VS.orientation));

@@ -9,7 +9,7 @@ using enum Effect;
 
 constexpr FamilyFact kFamilies[] = {
     {"SML18",
-     {&drake, refuses, "refuses a vector with fewer numbers, reads 0 elsewhere",
+     {&drake, refuses, "refuses a vector with an unreadable number; reads a single one as 0",
       "Drake detail_tinyxml.h:60-73"}},
 };
 

@@ -9,7 +9,7 @@ void check_document(const yaml::Document& document, Findings& findings) {
   for (const yaml::Node& node : document.nodes) {
     const bool is_quoted = node.key_span().end - node.key_span().begin != node.key().size();
     if (node.key() != "<<" || is_quoted) continue;
-    findings.report(node.key_span(), "MARS does not merge `<<` into this mapping, Phobos does")
+    findings.report(node.key_span(), "MARS does not merge `<<` into this mapping, but Phobos does")
         .help("write the keys here");
   }
 }

@@ -17,7 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
     findings
         .report(joint.type_name.span,
                 title(joint) + " is " + *joint.type_name + ", which few readers can move")
-        .note("MARS and Bullet make it fixed, Gazebo cannot build the model");
+        .note("MARS and Bullet make the joint fixed; Gazebo cannot build the model");
   }
 }
 

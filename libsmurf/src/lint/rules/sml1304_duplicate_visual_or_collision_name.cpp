@@ -19,8 +19,8 @@ void check(const LinkedModel& model, Findings& findings) {
     places.push_back(use.name.span);
     if (!first) return;
     Diagnostic& diagnostic =
-        findings.report(use.name.span, "a second " + std::string(to_string(use.role)) + " named " +
-                                           quoted(*use.name));
+        findings.report(use.name.span, "a second " + std::string(to_string(use.role)) +
+                                           " is named " + quoted(*use.name));
     diagnostic.label(places[*first], "the first");
   });
 }

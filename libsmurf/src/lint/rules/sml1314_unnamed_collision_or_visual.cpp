@@ -31,8 +31,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "calls all of them `collision_` or `visual_`: annotations cannot reach them, and of several "
-     "only the last is found",
+     "names every unnamed one `collision_` or `visual_`, so annotations cannot refer to it; finds "
+     "only the last one",
      "MARS smurf.cpp:405-449, 706, 779"},
 };
 
@@ -42,7 +42,8 @@ extern constinit const Rule sml1314_unnamed_collision_or_visual{
     .id = "SML1314",
     .name = "unnamed-collision-or-visual",
     .severity = Severity::warning,
-    .summary = "A collision or visual has no name, although annotations refer to others by name.",
+    .summary = "A collision or visual has no name, although annotations refer to collisions or "
+               "visuals by name.",
     .remedy = "Name it; names such as LINK_collision_1 are common.",
     .check_model = check,
     .facts = kFacts};

@@ -18,7 +18,7 @@ void check(const LinkedModel& model, Findings& findings) {
       return;
     }
     Diagnostic& diagnostic = findings.report(tag_name(model, joint.dynamics->element),
-                                             "the dynamics of " + title(joint) +
+                                             "the `dynamics` element of " + title(joint) +
                                                  " has neither `damping` nor `friction`");
     diagnostic.note("urdfdom refuses the whole file");
     diagnostic.help("delete it");

@@ -36,7 +36,7 @@ void check(const LinkedModel& model, Findings& findings) {
     Diagnostic& diagnostic = findings.report(
         tag_name(model, joint.mimic->element),
         title(joint) + " follows " + title(leader) + " from " + format_rounded(low, 4) + " to " +
-            format_rounded(high, 4) + ", its limits are " + format_rounded(lower, 4) + " and " +
+            format_rounded(high, 4) + ", but its limits are " + format_rounded(lower, 4) + " and " +
             format_rounded(upper, 4));
     diagnostic.label(tag_name(model, joint.limit->element), "the limits");
     diagnostic.label(tag_name(model, leader.limit->element), "the limits of the joint that leads");

@@ -8,8 +8,9 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (!joint.mimic || joint.mimic->multiplier.value_or(1) != 0) return;
-    findings.report(joint.mimic->multiplier.span, title(joint) + " mimics with the multiplier 0")
-        .note("Phobos reads 1");
+    findings
+        .report(joint.mimic->multiplier.span, "the mimic multiplier of " + title(joint) + " is 0")
+        .note("Phobos uses 1 instead");
   });
 }
 

@@ -20,9 +20,9 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (edits.empty()) return;
   Diagnostic& diagnostic = findings.report(
-      edits.front().span, "a rounded right angle; " + edits.front().text + " is exact");
+      edits.front().span, "this right angle is rounded; the exact value is " + edits.front().text);
   if (edits.size() > 1) {
-    diagnostic.note(std::to_string(edits.size() - 1) + " more such angles in this file");
+    diagnostic.note(std::to_string(edits.size() - 1) + " more in this file");
   }
   diagnostic.help("write all digits");
   diagnostic.fixes.push_back({Applicability::unsafe, std::move(edits)});

@@ -30,7 +30,7 @@ void check(const LinkedModel& model, Findings& findings) {
         });
     if (near == std::end(kTypes) || *near == type.text()) continue;
     Diagnostic& diagnostic =
-        findings.report(type.text_span(), "no transmission is of the type " + quoted(type.text()));
+        findings.report(type.text_span(), "unknown transmission type " + quoted(type.text()));
     diagnostic.help("did you mean " + quoted(*near) + "?");
     diagnostic.fixes.push_back({Applicability::unsafe, {{type.text_span(), std::string(*near)}}});
   }

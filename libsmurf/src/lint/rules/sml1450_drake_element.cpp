@@ -27,7 +27,7 @@ class Checker {
   // The recursion is as deep as the table: no element contains one of its own name.
   void children(xml::View parent) {
     const auto specs = drake::children_of(parent.name());
-    std::uint64_t seen = 0;  // by their place among `specs`
+    std::uint64_t seen = 0;  // one bit per index of `specs`
     std::vector<xml::View> foreign;
     for (const xml::View child : parent) {
       const auto spec = ranges::find_if(
@@ -211,7 +211,7 @@ void check(const LinkedModel& model, Findings& findings) {
   Checker(drake::Names(model), findings).children(model.robot->document.view());
 }
 
-/// What Drake loads, although its author meant something else.
+/// Evidence that Drake ignores an element.
 constexpr std::string_view kUnreadSource = "Drake detail_urdf_parser.cc, detail_urdf_geometry.cc";
 
 constexpr Fact refused(std::string_view where, std::string_view evidence) {

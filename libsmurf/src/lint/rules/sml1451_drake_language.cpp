@@ -21,7 +21,7 @@ void check(const LinkedModel& model, Findings& findings) {
   if (count > 1) {
     diagnostic.note(std::to_string(count - 1) + " more in this file");
   }
-  diagnostic.help("check them with `--target drake`");
+  diagnostic.help("check the elements of Drake with `--target drake`");
 }
 
 constexpr Fact kFacts[] = {

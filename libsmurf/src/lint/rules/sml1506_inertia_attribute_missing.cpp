@@ -33,7 +33,7 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.add_consequence(slip);
         continue;
       }
-      missing += (missing.empty() ? "" : " and no ") + quoted(name);
+      missing += (missing.empty() ? "" : " or ") + quoted(name);
       zeros += " " + std::string(name) + "=\"0\"";
       is_diagonal_whole = is_diagonal_whole && name[1] != name[2];
     }

@@ -10,7 +10,7 @@ namespace {
 
 /// One finding per file, because exporters write it into all links.
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kPlausible = 100;  // kg; a block of a metre and so heavy comes near it
+  constexpr double kPlausible = 100;  // kg; a 1 m block of this mass has nearly this inertia
   std::size_t count = 0;
   const urdf::Link* first = nullptr;
   for_each_link(model, [&](const urdf::Link& link) {

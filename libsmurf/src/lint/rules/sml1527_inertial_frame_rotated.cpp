@@ -24,7 +24,7 @@ void check(const LinkedModel& model, Findings& findings) {
   });
   if (count == 0) return;
   Diagnostic& diagnostic = findings.report(first, "the inertial of " + whose + " is rotated");
-  diagnostic.note("Isaac ignores the rotation, Phobos cannot merge such links");
+  diagnostic.note("Isaac ignores the rotation, and Phobos cannot merge such links");
   if (count > 1) {
     diagnostic.note(std::to_string(count - 1) + " more links in this file");
   }

@@ -17,7 +17,7 @@ void check(const LinkedModel& model, Findings& findings) {
         mesh.reference.span,
         std::string("the mesh names the ") + (is_texture ? "texture " : "material library ") +
             quoted(first.filename) +
-            (first.is_denied ? ", which lies outside of the project" : ", which is not there"));
+            (first.is_denied ? ", which lies outside of the project" : ", which does not exist"));
     if (first.is_denied) diagnostic.help("read it with `--allow-outside`");
     if (!is_texture) diagnostic.severity = Severity::info;
     if (lost.size() > 1) {

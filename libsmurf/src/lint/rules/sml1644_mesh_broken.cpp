@@ -31,7 +31,7 @@ const MeshDependency* lost_buffer(const MeshFile& file) {
   return nullptr;
 }
 
-/// How the reader of files says it.
+/// True when the file, or a buffer that it names, lies outside of the project.
 bool lies_outside(const MeshFile& file) {
   const MeshDependency* buffer = lost_buffer(file);
   if (buffer != nullptr && buffer->is_denied) return true;
@@ -73,7 +73,7 @@ void check(const LinkedModel& model, Findings& findings) {
       report(reference, "the file is empty", findings);
     } else if (const MeshDependency* buffer = lost_buffer(*file)) {
       report(reference,
-             "its buffer " + quoted(buffer->filename) + " is not there" +
+             "its buffer " + quoted(buffer->filename) + " does not exist" +
                  place(*file, buffer->line, buffer->offset),
              findings);
     } else if (facts.defect && facts.format != MeshFormat::bobj) {

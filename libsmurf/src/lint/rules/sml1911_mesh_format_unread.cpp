@@ -72,7 +72,7 @@ extern constinit const Rule sml1911_mesh_format_unread{
     .name = "mesh-format-unread",
     .severity = Severity::error,
     .summary = "A mesh is in a format that a target does not read.",
-    .why = "URDF names no format.",
+    .why = "URDF does not say which mesh formats a reader must support.",
     .remedy = "Convert the mesh; .obj is read by all of them.",
     .check_model = check,
     .needs_target = true,

@@ -19,12 +19,12 @@ void check(const LinkedModel& model, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::loses, "ignores mimic of the URDF: it reads that of motors",
+    {&readers::mars, Effect::loses, "ignores `mimic` elements; it reads `mimic_motor` instead",
      "MARS smurf.cpp:902-910"},
-    {&readers::pybullet, Effect::loses, "ignores mimic: the joint moves on its own",
+    {&readers::pybullet, Effect::loses, "ignores `mimic` elements: the joint moves independently",
      "Bullet UrdfParser.cpp has no code for it"},
     {&readers::gazebo, Effect::loses,
-     "leaves mimic out before sdformat 14: the joint moves on its own",
+     "ignores `mimic` elements before sdformat 14, so the joint moves independently",
      "sdformat parser_urdf.cc:3152; 12.3, run"},
     {&readers::drake, Effect::changes, "couples the joints in some solvers only",
      "Drake detail_urdf_parser.cc:791-880"},

@@ -28,7 +28,7 @@ extern constinit const Rule sml2005_unlisted_file{
     .name = "unlisted-file",
     .severity = Severity::warning,
     .summary = "An annotation file lies beside the main file but is not listed.",
-    .why = "Readers load only what `files` lists: the annotations in it have no effect.",
+    .why = "Readers load only the files in `files`, so these annotations have no effect.",
     .remedy = "List it under `files`, or delete it.",
     .sources = "smurf_parser SMURFParser.cpp:43-69; Phobos io/smurfrobot.py:171.",
     .check_model = check};

@@ -20,8 +20,8 @@ void check(const LinkedModel& model, Findings& findings) {
         findings.report(key.value.key_span(),
                         quoted(key.value.key()) + " is " +
                             (is_list ? "a list here and a mapping" : "a mapping here and a list") +
-                            " in a file before");
-    diagnostic.label(found->second.key_span(), is_list ? "a mapping" : "a list");
+                            " in an earlier file");
+    diagnostic.label(found->second.key_span(), is_list ? "a mapping here" : "a list here");
     diagnostic.note(is_list ? "MARS makes the mapping the first item of the list"
                             : "MARS ends with an exception");
   }
@@ -29,7 +29,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
-     "ends with an uncaught exception on a mapping after a list, and makes a mapping before a list the first item of it",
+     "ends with an uncaught exception when a mapping follows a list; when a list follows a "
+     "mapping, makes the mapping the first item of the list",
      "smurf_parser SMURFParser.cpp:57-65, run"},
 };
 

@@ -11,8 +11,8 @@ void check(const LinkedModel& model, Findings& findings) {
     const bool is_joint = one.is_known() && one.kind == NameKind::joint;
     if (!is_joint || annotation_place(model, one).section != "motors") continue;
     Diagnostic& diagnostic =
-        findings.report(place_of(one), "MARS has no motor " + quoted(one.name) +
-                                           ": it is a joint, which only Phobos accepts");
+        findings.report(place_of(one), "MARS finds no motor " + quoted(one.name) +
+                                           ": only Phobos accepts the name of a joint here");
     diagnostic.label(definition(model, NameKind::joint, one.name), "the joint is defined here");
   }
 }

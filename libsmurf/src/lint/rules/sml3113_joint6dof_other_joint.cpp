@@ -16,9 +16,9 @@ void check(const LinkedModel& model, Findings& findings) {
     const urdf::Joint& measured = model.joint(*model.tree.parent_joint[*link]);
     if (&measured == joint) continue;
     Diagnostic& diagnostic = findings.report(
-        sensor.joint.span, subject("sensor", sensor) + " measures " + title(measured) +
-                               " in MARS, which leads to " + quoted(*sensor.link) + ", but " +
-                               quoted(*sensor.joint) + " in MARS 2");
+        sensor.joint.span, "in MARS, " + subject("sensor", sensor) + " measures " +
+                               title(measured) + ", which leads to " + quoted(*sensor.link) +
+                               "; in MARS 2, it measures " + quoted(*sensor.joint));
     diagnostic.label(sensor.link.span, "MARS uses the link");
     if (!measured.name) continue;
     diagnostic.help("did you mean " + quoted(*measured.name) + "?");
@@ -42,7 +42,7 @@ extern constinit const Rule sml3113_joint6dof_other_joint{
     .name = "joint6dof-other-joint",
     .severity = Severity::warning,
     .summary = "A Joint6DOF sensor names a joint that does not lead to its link.",
-    .why = "The same file gives the forces of two different joints.",
+    .why = "The same sensor measures different joints in MARS 1 and MARS 2.",
     .remedy = "Name the joint whose child the link is.",
     .check_model = check,
     .facts = kFacts};

@@ -15,7 +15,8 @@ struct Pair {
 void check_pair(const Motor& motor, const urdf::Joint& joint, const Pair& pair,
                 Findings& findings) {
   if (!pair.of_motor || !pair.of_joint || *pair.of_joint <= 0) return;  // 0 is reported in the URDF
-  const double noticeable = findings.tolerance();  // motors are rarely known better than to a tenth
+  // Data of motors are rarely more accurate than 10 %.
+  const double noticeable = findings.tolerance();
   if (*pair.of_motor <= noticeable * *pair.of_joint) return;
   Diagnostic& diagnostic = findings.report(
       pair.of_motor.span, quoted(pair.key) + " of " + subject("motor", motor) + " is " +

@@ -64,7 +64,7 @@ extern constinit const Rule sml4103_dead_motor{
     .name = "dead-motor",
     .severity = Severity::error,
     .summary = "A motor has no speed, no effort or no gain, so it never moves.",
-    .remedy = "Write both; the limits of the URDF joint are a good start.",
+    .remedy = "Write the missing values; the limits of the URDF joint are a good start.",
     .check_model = check,
     .facts = kFacts};
 

@@ -49,9 +49,9 @@ extern constinit const Rule sml4107_sensor_without_targets{
     .id = "SML4107",
     .name = "sensor-without-targets",
     .severity = Severity::warning,
-    .summary = "A sensor that measures things by name names none.",
+    .summary = "A sensor does not name the objects that it measures.",
     .why = "`link` and `joint` are not targets.",
-    .remedy = "List what is measured in `id`.",
+    .remedy = "List the measured objects in `id`.",
     .check_model = check,
     .facts = kFacts};
 

@@ -40,7 +40,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::crashes,
-     "puts the numbers of whatever is listed into one list: numbers of links in the list of a joint sensor are unrelated joints, or undefined behaviour",
+     "puts the indices of all listed objects into one list; a joint sensor then uses the index of "
+     "a link as that of an unrelated joint, or its behaviour is undefined",
      "MARS smurf.cpp:161-181, LoadCenter.cpp:58-88"},
 };
 

@@ -44,8 +44,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mars, Effect::changes,
-     "multiplies by the numbers as they are written: vectors that such a quaternion turns get "
-     "longer or shorter; ODE ends the program at one of length zero",
+     "does not normalise the quaternion, so it stretches or shrinks the vectors that it rotates; "
+     "ODE ends the program when the length is zero",
      "MARS SimEntity.cpp:416-434, NodePhysics.cpp:526-597, run"},
 };
 
@@ -56,7 +56,8 @@ extern constinit const Rule sml4120_quaternion_of_model{
     .name = "quaternion-of-model",
     .severity = Severity::warning,
     .summary = "An orientation in an annotation is a quaternion whose length is not one.",
-    .remedy = "Divide the four numbers by their length; no rotation is w: 1, x: 0, y: 0, z: 0.",
+    .remedy = "Divide the four numbers by the length of the quaternion; the identity rotation is "
+              "w: 1, x: 0, y: 0, z: 0.",
     .check_model = check,
     .facts = kFacts};
 

@@ -18,7 +18,7 @@ extern constinit const Rule sml5003_zero_quaternion{
     .severity = Severity::error,
     .summary = "A rotation is a quaternion of length zero.",
     .why = "It defines no rotation.",
-    .remedy = "Write a unit quaternion; no rotation is [1, 0, 0, 0].",
+    .remedy = "Write a unit quaternion; the identity rotation is [1, 0, 0, 0].",
     .facts = kFacts};
 
 }  // namespace smurf::rules

@@ -53,8 +53,8 @@ extern constinit const Rule sml5017_quaternion_order{
     .name = "quaternion-order",
     .severity = Severity::warning,
     .summary = "Four numbers of a rotation make more sense as x, y, z, w than as w, x, y, z.",
-    .why = "[0, 0, 0, 1] is no rotation in one order and half a turn in the other.",
-    .remedy = "Put w first, or write {w: , x: , y: , z: }, which both read alike.",
+    .why = "[0, 0, 0, 1] is the identity rotation in one order and half a turn in the other.",
+    .remedy = "Put w first, or write {w: , x: , y: , z: }, which is the same in both orders.",
     .check_scene = check,
     .facts = kFacts};
 

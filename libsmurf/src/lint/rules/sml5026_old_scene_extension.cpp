@@ -28,7 +28,7 @@ void check(const LinkedScene& scene, Findings& findings) {
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::mars, Effect::crashes, "calls a loader that is not there",
+    {&readers::mars, Effect::crashes, "calls a loader that does not exist",
      "MARS SMURFLoader.cpp:342"},
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
 };

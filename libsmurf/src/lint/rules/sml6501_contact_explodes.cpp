@@ -7,7 +7,7 @@ extern constinit const Rule sml6501_contact_explodes{
     .id = "SML6501",
     .name = "contact-explodes",
     .severity = Severity::error,
-    .summary = "A robot that is dropped from a millimetre is flung away.",
+    .summary = "A robot that is dropped from a height of 1 mm is flung away.",
     .why =
         "Shapes inside each other, or contacts on bodies that are far too light, push the robot away with extreme forces.",
     .remedy = "Shrink the shapes that overlap, or give them bitmasks that share no bit.",

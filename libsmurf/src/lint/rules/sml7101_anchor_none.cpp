@@ -27,7 +27,7 @@ extern constinit const Rule sml7101_anchor_none{
     .name = "anchor-none",
     .severity = Severity::warning,
     .summary = "An entity has the anchor `none`.",
-    .remedy = "Leave the key out: no anchor is free for every reader.",
+    .remedy = "Leave the key out: without an anchor, the entity is free in every reader.",
     .check_scene = check,
     .needs_target = true,
     .facts = kFacts};
