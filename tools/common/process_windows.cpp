@@ -7,11 +7,12 @@
 #include "common/command.hpp"
 #include "common/new_file.hpp"
 #include "common/process.hpp"
-// The headers of Windows come last, because they define many macros.
+// The headers of Windows come last, because they define many macros; the first is for the others.
+#include <windows.h>
+
 #include <fcntl.h>
 #include <io.h>
 #include <shellapi.h>
-#include <windows.h>
 
 namespace smurf::tools {
 namespace {
