@@ -79,7 +79,7 @@ class Windows(Native):
     def __init__(self, folder):
         super().__init__(folder)
         self.home = tempfile.TemporaryDirectory(prefix="smurf-wine-", ignore_cleanup_errors=True)
-        self.environment = ENVIRONMENT | {"WINEPREFIX": self.home.name, "WINEDEBUG": "-all", "HOME": self.home.name,
+        self.environment = ENVIRONMENT | {"WINEPREFIX": self.home.name, "WINEDEBUG": "-all", "HOME": self.home.name, "LC_ALL": "C.UTF-8",
                                           "WINEDLLOVERRIDES": "mscoree,mshtml="}
         self.run_alone(("smurf-lint", ["--version"], "/"))  # the first program has wine make its folders, and say so
 

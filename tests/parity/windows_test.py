@@ -67,6 +67,7 @@ class WindowsTest(unittest.TestCase):
 
     def test_paths_of_users(self):
         """With a drive, with backslashes, and in another case; reports have slashes."""
+        self.write("meshes/missing.stl")
         expected = self.run_tool("--format=concise", "--all", "meshes/../arm.urdf")
         self.assertIn(b"arm.urdf:", expected.stdout)
         for path in (".\\arm.urdf", "meshes\\..\\arm.urdf", "ARM.urdf"):
